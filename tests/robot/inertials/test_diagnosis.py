@@ -9,11 +9,11 @@ from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import (
     UNITS,
     Diagnosis,
-    of_impossible,
-    of_unlike_shape,
+    diagnose_impossible,
+    diagnose_unlike_shape,
+    format_moments,
+    format_tensor,
     replacement,
-    values,
-    written,
 )
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
@@ -27,12 +27,12 @@ BOX_MOMENTS = (0.1, 0.05, 0.13)
 def unlike(robot: str) -> Diagnosis:
     """The diagnosis of the first link, whose tensor is not that of its shape."""
     found = masses(robot)
-    return of_unlike_shape(found.inertias[0], found)
+    return diagnose_unlike_shape(found.inertias[0], found)
 
 
 def impossible(moments: tuple[float, ...], *shapes: str) -> Diagnosis:
     found = masses(link("a", *shapes, inertial(12, moments)))
-    return of_impossible(found.inertias[0], found)
+    return diagnose_impossible(found.inertias[0], found)
 
 
 def test_without_a_cause_the_shape_is_proposed() -> None:
@@ -57,7 +57,7 @@ def test_many_links_with_one_tensor_are_compared_with_each_other_once(
     count = 50
     found = masses("".join(part(f"l{n}", 12, (7, 7, 7), BOX) for n in range(count)))
     for one in found.inertias:
-        of_unlike_shape(one, found)
+        diagnose_unlike_shape(one, found)
     assert len(calls) <= 4 * count
 
 
@@ -174,7 +174,7 @@ def test_the_counterpart_is_possible() -> None:
         + joint("hip", "right_leg", xyz="0 -0.1 0")
     )
     found = masses(symmetric_pairs)
-    diagnosis = of_impossible(found.inertias[1], found)
+    diagnosis = diagnose_impossible(found.inertias[1], found)
     assert diagnosis.cause == "of its counterpart 'left_leg' is possible"
     assert diagnosis.tensor == Tensor(0.01, -0.002, 0.001, 0.02, -0.003, 0.025)
     assert diagnosis.confidence is Confidence.INFERRED
@@ -193,7 +193,7 @@ def test_no_proposal_is_impossible() -> None:
         found = masses(link("a", inertial(1, moments)))
         impossible = (InertiaDefect.INDEFINITE, InertiaDefect.TRIANGLE_INEQUALITY)
         for one in (one for key in impossible for one in found.defects.get(key, [])):
-            tensor = of_impossible(one, found).tensor
+            tensor = diagnose_impossible(one, found).tensor
             if tensor is not None:
                 assert masses(link("a", inertial(1, tensor))).defects == {}
 
@@ -208,12 +208,12 @@ def test_no_proposal_is_impossible() -> None:
     ],
 )
 def test_how_a_tensor_is_written(tensor: Tensor, text: str) -> None:
-    assert written(tensor) == text
+    assert format_tensor(tensor) == text
 
 
 def test_equal_values_are_written_once() -> None:
-    assert values((0.1, 0.1, 0.1)) == "0.1 kg·m² each"
-    assert values((0.1, 0.12345, 1e-7)) == "0.1, 0.123, 1e-07 kg·m²"
+    assert format_moments((0.1, 0.1, 0.1)) == "0.1 kg·m² each"
+    assert format_moments((0.1, 0.12345, 1e-7)) == "0.1, 0.123, 1e-07 kg·m²"
 
 
 def test_a_replacement_edits_what_is_different_only() -> None:
@@ -229,7 +229,7 @@ def test_a_replacement_edits_what_is_different_only() -> None:
 def replaced(robot: str) -> list[tuple[str, str]]:
     """The old and new texts of what a fix writes instead of a tensor that is not of the shape."""
     (found,) = masses(robot).inertias
-    fix = replacement(found, of_unlike_shape(found, masses(robot)).tensor)
+    fix = replacement(found, diagnose_unlike_shape(found, masses(robot)).tensor)
     return [(edit.span.text, edit.text) for edit in fix.edits] if fix else []
 
 
@@ -277,7 +277,7 @@ def test_of_the_signs_that_are_possible_that_of_the_shape_is_meant() -> None:
     wrong = link("a", thin, inertial(1, rod.expected._replace(ixz=-rod.expected.ixz)))
     found = masses(wrong)
     assert [*found.defects] == [InertiaDefect.TRIANGLE_INEQUALITY]
-    diagnosis = of_impossible(found.inertias[0], found)
+    diagnosis = diagnose_impossible(found.inertias[0], found)
     assert diagnosis.cause == "has ixz with the opposite sign"
     assert diagnosis.tensor == pytest.approx(rod.expected)
 

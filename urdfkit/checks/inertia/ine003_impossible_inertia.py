@@ -24,7 +24,7 @@ Sources:
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
-from urdfkit.robot.inertials.diagnosis import of_impossible, replacement, values
+from urdfkit.robot.inertials.diagnosis import diagnose_impossible, format_moments, replacement
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.samples import inertial_xml, link_xml
@@ -66,7 +66,8 @@ def _is_balanced(context: Context) -> bool:
 def _finding(inertia: LinkInertia, masses: Masses) -> Finding:
     low, middle, high = inertia.moments
     if inertia.is_indefinite:
-        message = f"principal moments of inertia {values(inertia.moments)} are not all positive"
+        moments = format_moments(inertia.moments)
+        message = f"principal moments of inertia {moments} are not all positive"
         weight = -low / max(abs(high), -low)
     else:
         which = "moments" if inertia.is_diagonal else "principal moments"
@@ -75,7 +76,7 @@ def _finding(inertia: LinkInertia, masses: Masses) -> Finding:
             f"{high:.3g} > {low:.3g} + {middle:.3g} kg·m²"
         )
         weight = (high - low - middle) / high
-    diagnosis = of_impossible(inertia, masses)
+    diagnosis = diagnose_impossible(inertia, masses)
     fix = replacement(inertia, diagnosis.tensor)
     return Finding(
         inertia.at, f"link '{inertia.link.name}': {message}", str(diagnosis), fix, weight=weight

@@ -25,13 +25,13 @@ from urdfkit.checks.inertia.copies import together
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.inertials.defects import HEAVIEST, LIGHTEST
+from urdfkit.robot.inertials.defects import MAX_PART_DENSITY, MIN_PART_DENSITY
 from urdfkit.robot.inertials.diagnosis import (
     MAX_RELATED,
-    as_solid,
+    describe_solid,
+    format_moments,
     is_possible,
     replacement,
-    values,
 )
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import PAIR_MOMENTS
@@ -116,7 +116,8 @@ def _from_counterpart(inertia: LinkInertia, context: Context) -> tuple[str, Fix 
     fix = image and _fix(
         inertia, along_inertial(inertia, image.tensor), center_edits(inertia, image.center)
     )
-    return f"its counterpart '{other.name}' of the same mass has {values(other.diagonal)}", fix
+    moments = format_moments(other.diagonal)
+    return f"its counterpart '{other.name}' of the same mass has {moments}", fix
 
 
 def _matches_shape(inertia: LinkInertia, other: LinkInertia) -> bool:
@@ -134,7 +135,8 @@ def _from_shape(inertia: LinkInertia) -> tuple[str, Fix | None]:
     if inertia.mass < MIN_DENSITY * inertia.solid.volume:
         size = f"{inertia.solid.volume:.3g} m³"
         help = f"write the mass of the link, which has {size}, and its tensor"
-        if LIGHTEST < inertia.mass / (inertia.solid.volume * MILLIMETRE**3) < HEAVIEST:
+        density_in_mm = inertia.mass / (inertia.solid.volume * MILLIMETRE**3)
+        if MIN_PART_DENSITY < density_in_mm < MAX_PART_DENSITY:
             help = f"the shape has {size}: scale it if it is in mm, and write the tensor"
         return help, None
     if inertia.mass > MAX_DENSITY * inertia.solid.volume:  # a placeholder shape
@@ -144,7 +146,7 @@ def _from_shape(inertia: LinkInertia) -> tuple[str, Fix | None]:
     is_unplaced = not any(inertia.inertial.origin.position)
     center = inertia.solid.properties(inertia.mass).center
     edits = center_edits(inertia, center) if is_unplaced else ()
-    return as_solid(inertia), _fix(inertia, inertia.expected, edits or ())
+    return describe_solid(inertia), _fix(inertia, inertia.expected, edits or ())
 
 
 def _fix(inertia: LinkInertia, tensor: Tensor, center: tuple[Edit, ...] | None) -> Fix | None:

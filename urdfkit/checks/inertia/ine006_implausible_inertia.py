@@ -31,12 +31,12 @@ from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.inertials.diagnosis import (
     advice,
-    as_solid,
-    of_unlike_shape,
-    of_wrong_axes,
+    describe_solid,
+    diagnose_unlike_shape,
+    explain_wrong_axes,
+    format_moments,
     opposite,
     replacement,
-    values,
 )
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
@@ -92,7 +92,7 @@ def _too_large(inertia: LinkInertia, masses: Masses, load: float | None) -> Find
     Args:
         load: mass in kg that the joints of the link carry; None unless far more than its own.
     """
-    diagnosis = of_unlike_shape(inertia, masses)
+    diagnosis = diagnose_unlike_shape(inertia, masses)
     if load is None:
         help, fix = advice(inertia, diagnosis), replacement(inertia, diagnosis.tensor)
     else:  # only its inertia stabilises a steering link of 5 g between chassis and wheel
@@ -102,7 +102,7 @@ def _too_large(inertia: LinkInertia, masses: Masses, load: float | None) -> Find
         inertia.at,
         f"link '{inertia.link.name}': {high:.3g} kg·m² is {high / bound:.3g} times the most that "
         f"{inertia.mass:g} kg can have within {inertia.reach:.3g} m of the centre of mass; "
-        f"{as_solid(inertia)}{_radius(inertia)}{_share(inertia, masses)}",
+        f"{describe_solid(inertia)}{_radius(inertia)}{_share(inertia, masses)}",
         help,
         fix,
         confidence=Confidence.INFERRED,
@@ -135,13 +135,13 @@ def _share(inertia: LinkInertia, masses: Masses) -> str:
 
 
 def _too_small(inertia: LinkInertia, masses: Masses) -> Finding:
-    diagnosis = of_unlike_shape(inertia, masses)
+    diagnosis = diagnose_unlike_shape(inertia, masses)
     assert inertia.expected is not None
     high, expected = inertia.moments[2], principal_moments(inertia.expected)[2]
     return Finding(
         inertia.at,
         f"link '{inertia.link.name}' of {inertia.mass:g} kg has at most {high:.3g} kg·m², "
-        f"1/{expected / high:.0f} of its shape; {as_solid(inertia)}",
+        f"1/{expected / high:.0f} of its shape; {describe_solid(inertia)}",
         advice(inertia, diagnosis),
         replacement(inertia, diagnosis.tensor),
         confidence=Confidence.INFERRED,
@@ -150,7 +150,7 @@ def _too_small(inertia: LinkInertia, masses: Masses) -> Finding:
 
 
 def _wrong_axes(inertia: LinkInertia) -> Finding:
-    _, tensor = of_wrong_axes(inertia)
+    _, tensor = explain_wrong_axes(inertia)
     flipped = opposite(inertia.tensor, tensor)
     fix = replacement(inertia, tensor)
     message = _signs(inertia, flipped) if flipped else _moments(inertia)
@@ -164,8 +164,8 @@ def _wrong_axes(inertia: LinkInertia) -> Finding:
 
 def _moments(inertia: LinkInertia) -> str:
     return (
-        f"link '{inertia.link.name}' has moments of inertia of {values(inertia.diagonal)}"
-        f" about x, y and z; {as_solid(inertia)} in its orientation"
+        f"link '{inertia.link.name}' has moments of inertia of {format_moments(inertia.diagonal)}"
+        f" about x, y and z; {describe_solid(inertia)} in its orientation"
     )
 
 

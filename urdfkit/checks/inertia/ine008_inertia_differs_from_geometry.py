@@ -13,7 +13,13 @@ Sources:
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
-from urdfkit.robot.inertials.diagnosis import advice, as_solid, of_unlike_shape, replacement, values
+from urdfkit.robot.inertials.diagnosis import (
+    advice,
+    describe_solid,
+    diagnose_unlike_shape,
+    format_moments,
+    replacement,
+)
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 
 BAD = link_xml(
@@ -31,12 +37,12 @@ def check(context: Context) -> Findings:
     masses = context.masses
     for inertia in masses.defects.get(InertiaDefect.UNLIKE_SHAPE, ()):
         assert inertia.expected is not None
-        diagnosis = of_unlike_shape(inertia, masses)
+        diagnosis = diagnose_unlike_shape(inertia, masses)
         ratios = inertia.ratios(inertia.expected)
         yield Finding(
             inertia.at,
             f"link '{inertia.link.name}' of {inertia.mass:g} kg has moments of inertia of "
-            f"{values(inertia.diagonal)}; {as_solid(inertia)}",
+            f"{format_moments(inertia.diagonal)}; {describe_solid(inertia)}",
             advice(inertia, diagnosis),
             replacement(inertia, diagnosis.tensor),
             confidence=Confidence.INFERRED,

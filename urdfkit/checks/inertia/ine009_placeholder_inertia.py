@@ -14,7 +14,7 @@ from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.inertials.defects import InertiaDefect
-from urdfkit.robot.inertials.diagnosis import values
+from urdfkit.robot.inertials.diagnosis import format_moments
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.samples import inertial_xml, link_xml, visual_xml
 
@@ -37,7 +37,8 @@ def check(context: Context) -> Findings:
 def _finding(inertia: LinkInertia) -> Finding:
     message = (
         f"link '{inertia.link.name}' of {inertia.mass:g} kg: placeholder inertia "
-        f"{values(inertia.diagonal)} (radius of gyration {inertia.radius_of_gyration:.3g} m)"
+        f"{format_moments(inertia.diagonal)} (radius of gyration "
+        f"{inertia.radius_of_gyration:.3g} m)"
     )
     return Finding(
         inertia.at, message, confidence=Confidence.INFERRED, weight=inertia.radius_of_gyration

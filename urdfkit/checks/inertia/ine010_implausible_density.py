@@ -16,8 +16,8 @@ from urdfkit.checks.inertia.copies import and_more, together
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.inertia import scaled
 from urdfkit.robot.inertials.defects import (
-    HEAVIEST,
-    LIGHTEST,
+    MAX_PART_DENSITY,
+    MIN_PART_DENSITY,
     InertiaDefect,
     implausible_density,
     unit_mistake,
@@ -92,11 +92,11 @@ def _finding(inertia: LinkInertia) -> Finding:
     return Finding(
         inertia.inertial.mass,
         f"link '{inertia.link.name}': {inertia.mass:g} kg in a {inertia.solid} make "
-        f"{density:.3g} kg/m³; robot parts have {LIGHTEST:g} to {HEAVIEST:g}",
+        f"{density:.3g} kg/m³; robot parts have {MIN_PART_DENSITY:g} to {MAX_PART_DENSITY:g}",
         _advice(inertia),
         _in_kilograms(inertia) if unit_mistake(inertia) == "g" else None,
         confidence=Confidence.INFERRED,
-        weight=max(density / HEAVIEST, LIGHTEST / max(density, 1e-300)),
+        weight=max(density / MAX_PART_DENSITY, MIN_PART_DENSITY / max(density, 1e-300)),
         group_key="density",
         severity=Severity.INFO if _is_harmless(inertia, density) else None,
     )
@@ -104,8 +104,10 @@ def _finding(inertia: LinkInertia) -> Finding:
 
 def _is_harmless(inertia: LinkInertia, density: float) -> bool:
     """True for a density near a bound, and for the walls of a scene."""
-    is_near = LIGHTEST / _NEAR <= density <= HEAVIEST * _NEAR
-    is_wall = density < LIGHTEST and inertia.solid is not None and inertia.solid.volume > _ROOM
+    is_near = MIN_PART_DENSITY / _NEAR <= density <= MAX_PART_DENSITY * _NEAR
+    is_wall = (
+        density < MIN_PART_DENSITY and inertia.solid is not None and inertia.solid.volume > _ROOM
+    )
     return is_near or (is_wall and unit_mistake(inertia) != "mm")
 
 

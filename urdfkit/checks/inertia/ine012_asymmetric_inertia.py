@@ -10,7 +10,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.inertials.diagnosis import values
+from urdfkit.robot.inertials.diagnosis import format_moments
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import unlike
 from urdfkit.robot.samples import hand_xml, inertial_xml
@@ -43,8 +43,9 @@ def _of_mass(left: LinkInertia, right: LinkInertia) -> Finding:
 def _of_inertia(left: LinkInertia, right: LinkInertia) -> Finding:
     return Finding(
         right.at,
-        f"link '{right.link.name}' has principal moments of inertia of {values(right.moments)}"
-        f", its counterpart '{left.link.name}' of the same mass {values(left.moments)}",
+        f"link '{right.link.name}' has principal moments of inertia of "
+        f"{format_moments(right.moments)}, its counterpart '{left.link.name}' of the same mass "
+        f"{format_moments(left.moments)}",
         related=(Related(left.at.span, f"the inertia of '{left.link.name}'"),),
         confidence=Confidence.INFERRED,
     )

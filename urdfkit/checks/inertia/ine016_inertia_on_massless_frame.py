@@ -9,7 +9,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.inertials.diagnosis import values
+from urdfkit.robot.inertials.diagnosis import format_moments
 from urdfkit.robot.inertials.link_comparison import NOISE
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO
@@ -36,6 +36,6 @@ def check(context: Context) -> Findings:
         tensor = inertial.tensor.value
         merged = body is not None and body.top is not link
         if merged and inertial.mass.value == 0 and max(map(abs, tensor)) > NOISE:
-            moments = values((tensor.ixx, tensor.iyy, tensor.izz))
+            moments = format_moments((tensor.ixx, tensor.iyy, tensor.izz))
             message = f"link '{link.name}' has a mass of 0 kg and moments of inertia of {moments}"
             yield Finding(inertial.tensor, message, weight=max(map(abs, tensor)))

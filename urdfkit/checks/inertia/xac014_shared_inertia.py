@@ -19,7 +19,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
-from urdfkit.robot.inertials.diagnosis import MAX_RELATED, excessive_joint, values
+from urdfkit.robot.inertials.diagnosis import MAX_RELATED, excessive_joint, format_moments
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.model import Link
@@ -120,7 +120,7 @@ def _copied(group: list[LinkInertia]) -> Finding:
         lightest.at,
         f"{len(group)} links, from '{lightest.link.name}' of {lightest.mass:g} kg to "
         f"'{heaviest.link.name}' of {heaviest.mass:g} kg, have the same inertia tensor "
-        f"({values(heaviest.diagonal)})",
+        f"({format_moments(heaviest.diagonal)})",
         "compute each tensor from the mass and size of its own link",
         related=tuple(
             Related(inertia.at.span, f"link '{inertia.link.name}' of {inertia.mass:g} kg")

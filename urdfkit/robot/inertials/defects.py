@@ -11,7 +11,7 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot.inertia import principal_moments, scaled
 from urdfkit.robot.inertials.link_comparison import (
     LARGEST_PART,
-    SIGNIFICANT,
+    SIGNIFICANT_PART,
     LinkInertia,
     by_tensor,
 )
@@ -23,34 +23,34 @@ if TYPE_CHECKING:
 
 #: Ratio to the largest possible moment from which it is reported: a link may be somewhat larger
 #: than its collision shape.
-TOO_LARGE = 2.0
+MAX_MOMENT_RATIO = 2.0
 
 #: Ratio to the moment of the uniform solid below which a central mass cannot explain it.
-TOO_SMALL = 0.01
+MIN_MOMENT_RATIO = 0.01
 
 #: Densities of robot parts in kg/m³, from hollow plastic to lead.
-LIGHTEST, HEAVIEST = 20.0, 12000.0
+MIN_PART_DENSITY, MAX_PART_DENSITY = 20.0, 12000.0
 #: Shapes whose lengths differ by a larger ratio are in different units.
-SCALED = 500.0
+MAX_LENGTH_RATIO = 500.0
 #: Largest distance in m of a centre of mass from a marker.
 FAR_FROM_MARKER = 0.1
 
 #: A density within this factor of the range may result from a shape drawn too small.
-NEAR = 1.2
+DENSITY_TOLERANCE = 1.2
 
 #: Range of most densities; a correction of the unit must lead into it.
-USUAL = (100.0, 8000.0)
+USUAL_DENSITIES = (100.0, 8000.0)
 
 #: Distances of a centre of mass outside the shapes, as a part of their length: with a mistake that
 #: explains it, and if it was left at zero, as on many links.
-MISTAKEN, LEFT_AT_ORIGIN = 0.15, 0.5
+OUTSIDE_BY_MISTAKE, OUTSIDE_AT_ORIGIN = 0.15, 0.5
 
 #: Part of its rigid body's mass above which the centre of a link matters.
-NOTICEABLE = 0.1
+NOTICEABLE_MASS = 0.1
 
 #: A radius of gyration over this, in m, is larger than most robots; and this many links with equal
 #: tensors were not measured.
-WIDE, MANY = 0.3, 3
+LARGE_GYRATION, MANY_EQUAL_TENSORS = 0.3, 3
 
 
 class InertiaDefect(Enum):
@@ -85,7 +85,7 @@ def find_defects(
             placeholders.append(link)
         elif _is_unlike_shape(link):
             defects.setdefault(InertiaDefect.UNLIKE_SHAPE, []).append(link)
-        if center_is_outside(link) and link.mass >= SIGNIFICANT * link.body.mass:
+        if center_is_outside(link) and link.mass >= SIGNIFICANT_PART * link.body.mass:
             defects.setdefault(InertiaDefect.CENTER_OF_MASS, []).append(link)
     _sort_placeholders(placeholders, matters, by_macro, defects)
     return defects
@@ -106,9 +106,9 @@ def _defect(link: LinkInertia, matters: Matters) -> InertiaDefect | None:
         return InertiaDefect.DENSITY
     assert link.expected is not None
     high, expected = link.moments[2], principal_moments(link.expected)[2]
-    if high > TOO_LARGE * link.largest_possible and matters(link.body, high):
+    if high > MAX_MOMENT_RATIO * link.largest_possible and matters(link.body, high):
         return InertiaDefect.TOO_LARGE
-    if high < TOO_SMALL * expected and matters(link.body, expected):
+    if high < MIN_MOMENT_RATIO * expected and matters(link.body, expected):
         return InertiaDefect.TOO_SMALL
     if implausible:
         return InertiaDefect.DENSITY
@@ -118,24 +118,19 @@ def _defect(link: LinkInertia, matters: Matters) -> InertiaDefect | None:
 
 
 def _is_of_unknown_size(link: LinkInertia) -> bool:
-    """True if the shapes are markers, or in metres and in millimetres."""
-    return _is_in_two_units(link) or (link.is_marker and link.radius_of_gyration < WIDE)
-
-
-def _is_in_two_units(link: LinkInertia) -> bool:
-    """True if one shape is in metres and another in millimetres (MSH012, GEO004)."""
-    lengths = [max(part.longest for part in solid.parts) for solid in link.solids]
-    return max(lengths) > SCALED * min(lengths)
+    """True if the shapes are markers, or in metres and in millimetres (MSH012, GEO004)."""
+    is_small_marker = link.is_marker and link.radius_of_gyration < LARGE_GYRATION
+    return is_small_marker or link.lengths_differ(MAX_LENGTH_RATIO)
 
 
 def implausible_density(link: LinkInertia) -> float | None:
     """The density in kg/m³ if it is implausible; the bound nearer to a plausible one."""
-    if link.densities is None or link.mass < SIGNIFICANT * link.body.mass:
+    if link.densities is None or link.mass < SIGNIFICANT_PART * link.body.mass:
         return None
     low, high = link.densities
-    if low > HEAVIEST * NEAR:
+    if low > MAX_PART_DENSITY * DENSITY_TOLERANCE:
         return low
-    return high if high < LIGHTEST / NEAR else None
+    return high if high < MIN_PART_DENSITY / DENSITY_TOLERANCE else None
 
 
 def unit_mistake(link: LinkInertia) -> str:
@@ -143,10 +138,10 @@ def unit_mistake(link: LinkInertia) -> str:
     if link.densities is None or link.solid is None or link.expected is None:
         return ""
     low, high = link.densities
-    if low > HEAVIEST and USUAL[0] <= low / 1000 <= USUAL[1]:
+    if low > MAX_PART_DENSITY and USUAL_DENSITIES[0] <= low / 1000 <= USUAL_DENSITIES[1]:
         consistent = link.fits(link.expected, 3)
         return "g" if consistent or link.fits(scaled(link.expected, 1e-3), 3) else ""
-    plausible = USUAL[0] <= high * 1e9 <= USUAL[1]
+    plausible = USUAL_DENSITIES[0] <= high * 1e9 <= USUAL_DENSITIES[1]
     return "mm" if plausible and max(link.solid.bounds.edges) > LARGEST_PART else ""
 
 
@@ -164,7 +159,7 @@ def center_is_outside(link: LinkInertia) -> float | None:
     distance, longest = _outside(center, link.outline), max(link.outline.edges)
     if link.is_marker and distance < FAR_FROM_MARKER:
         return None
-    if distance > longest or (distance > MISTAKEN * longest and not link.is_marker):
+    if distance > longest or (distance > OUTSIDE_BY_MISTAKE * longest and not link.is_marker):
         return distance if distance > longest or center_mistake(link) else None
     return None
 
@@ -173,8 +168,8 @@ def center_mistake(link: LinkInertia) -> str:
     """The mistake that explains a centre of mass outside the shapes: a predicate on the centre."""
     center, outline = link.inertial.origin.position, link.outline
     if center == ORIGIN:
-        far = _outside(center, outline) > LEFT_AT_ORIGIN * max(outline.edges)
-        matters = link.mass > NOTICEABLE * link.body.mass
+        far = _outside(center, outline) > OUTSIDE_AT_ORIGIN * max(outline.edges)
+        matters = link.mass > NOTICEABLE_MASS * link.body.mass
         return "was left at the origin of the link" if far and matters else ""
     if any(_is_gltf(part) for solid in link.solids for part in solid.parts):
         return ""  # programs disagree on the axes of glTF
@@ -206,7 +201,7 @@ def _is_unlike_shape(link: LinkInertia) -> bool:
     """
     if link.is_noise or link.body.is_ground or not link.differs or link.is_marker:
         return False
-    return not _is_in_two_units(link) if link.is_measured else link.is_round
+    return not link.lengths_differ(MAX_LENGTH_RATIO) if link.is_measured else link.is_round
 
 
 def _sort_placeholders(
@@ -219,7 +214,8 @@ def _sort_placeholders(
     reported = {link.tensor for link in defects.get(InertiaDefect.TOO_LARGE, ())}
     for group in by_tensor(placeholders):
         free = [link for link in group if link.name not in by_macro]
-        unknown = len(free) >= MANY or any(link.radius_of_gyration > WIDE for link in free)
+        is_large = any(link.radius_of_gyration > LARGE_GYRATION for link in free)
+        unknown = is_large or len(free) >= MANY_EQUAL_TENSORS
         is_noticeable = any(matters(link.body, link.moments[2]) for link in free)
         if unknown and is_noticeable and group[0].tensor not in reported:
             defects.setdefault(InertiaDefect.PLACEHOLDER, []).extend(free)

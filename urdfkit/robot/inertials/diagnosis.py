@@ -14,8 +14,8 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import rotate, transposed
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot import inertia
-from urdfkit.robot.inertials.defects import HEAVIEST, TOO_SMALL
-from urdfkit.robot.inertials.link_comparison import EXACT, ROUNDING, LinkInertia
+from urdfkit.robot.inertials.defects import MAX_PART_DENSITY, MIN_MOMENT_RATIO
+from urdfkit.robot.inertials.link_comparison import EXACT_RATIO, ROUNDING, LinkInertia
 from urdfkit.robot.joint_loads import is_effort_excessive
 from urdfkit.robot.model import Joint, Tensor
 from urdfkit.robot.rigid_bodies import properties_of
@@ -38,23 +38,23 @@ UNITS = (
 )
 
 #: Largest ratio of the corrected moments to those of the shape.
-NEAR = 1.5
+_CORRECTED_RATIO = 1.5
 
 #: In kg/m³: below this density, the shape is too large, such as with millimetres read as metres.
-_AIR = 1.2
+_DENSITY_OF_AIR = 1.2
 
 #: Products of inertia below this part of the largest moment result from angles such as 1.57.
-CLEAR = 2e-3
+PRODUCT_ROUNDING = 2e-3
 
 #: Largest difference of a tensor with rearranged entries or signs from that of the shape, as a part
 #: of the largest moment.
-_ALIKE = 0.05
+_ENTRY_TOLERANCE = 0.05
 
 #: Row and column of ``ixx``, ``ixy``, ``ixz``, ``iyy``, ``iyz`` and ``izz``.
 _CELLS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 
 #: Moments up to this ratio are equal.
-_EVEN = 1.01
+_EQUAL_MOMENTS = 1.01
 
 #: Related locations of a finding about many links.
 MAX_RELATED = 20
@@ -72,17 +72,17 @@ class Diagnosis(Record):
         if self.tensor is None:
             return f"the tensor {self.cause}" if self.cause else ""
         if not self.cause:
-            return f"write {written(self.tensor)}"
+            return f"write {format_tensor(self.tensor)}"
         if self.confidence is Confidence.GUESSED:
-            return f"perhaps the tensor {self.cause}; then it is {written(self.tensor)}"
-        return f"the tensor {self.cause}: write {written(self.tensor)}"
+            return f"perhaps the tensor {self.cause}; then it is {format_tensor(self.tensor)}"
+        return f"the tensor {self.cause}: write {format_tensor(self.tensor)}"
 
 
-def of_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
+def diagnose_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
     """Diagnosis of a tensor that differs from the shape; without a cause, that of the shape."""
     expected = link.expected
     assert expected is not None
-    if link.densities and link.densities[1] < _AIR:
+    if link.densities and link.densities[1] < _DENSITY_OF_AIR:
         return Diagnosis("", None, Confidence.GUESSED)
     for cause, tensor in _mistakes(link, expected):
         return Diagnosis(cause, tensor, Confidence.INFERRED)
@@ -101,47 +101,46 @@ def _is_invented(link: LinkInertia, expected: Tensor) -> bool:
     """
     moment = link.tensor.ixx
     if link.is_diagonal and {*link.diagonal} == {moment}:
-        return not _is_even(expected) or float(f"{moment:.0e}") == moment
+        return not _has_equal_moments(expected) or float(f"{moment:.0e}") == moment
     ratios = link.ratios(expected)
-    is_scaled = min(ratios) > 0 and max(ratios) <= EXACT * min(ratios)
-    return is_scaled or max(ratios) < TOO_SMALL or min(ratios) > 1 / TOO_SMALL
+    is_scaled = min(ratios) > 0 and max(ratios) <= EXACT_RATIO * min(ratios)
+    return is_scaled or max(ratios) < MIN_MOMENT_RATIO or min(ratios) > 1 / MIN_MOMENT_RATIO
 
 
 def _of_shape(link: LinkInertia) -> Tensor | None:
     """The tensor of the shape; None for a marker, or if the shape does not fit the mass."""
-    low, high = link.densities or (HEAVIEST, HEAVIEST)
-    lengths = [max(part.longest for part in solid.parts) for solid in link.solids]
-    is_in_two_units = bool(lengths) and max(lengths) > OTHER_UNIT * min(lengths)
-    is_unknown = link.is_marker or is_in_two_units
-    return None if is_unknown or low > HEAVIEST or high < _AIR else link.expected
+    low, high = link.densities or (MAX_PART_DENSITY, MAX_PART_DENSITY)
+    is_unknown = link.is_marker or link.lengths_differ(OTHER_UNIT)
+    return None if is_unknown or low > MAX_PART_DENSITY or high < _DENSITY_OF_AIR else link.expected
 
 
 def _mistakes(link: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor]]:
     """Mistakes that explain the difference from the shape, each with the intended tensor."""
     if link.is_at_wrong_axes:
-        yield of_wrong_axes(link)
-    # Three equal moments of an uneven shape were invented, in whatever unit they fit.
-    if not link.is_placeholder and (_is_even(expected) or not _is_even(link.tensor)):
+        yield explain_wrong_axes(link)
+    # Three equal moments of an uneven shape fit a unit by chance.
+    is_invented = _has_equal_moments(link.tensor) and not _has_equal_moments(expected)
+    if not link.is_placeholder and not is_invented:
         for unit, factor in UNITS:
             tensor = inertia.scaled(link.tensor, factor)
-            if inertia.agree(tensor, expected, NEAR):
+            if inertia.agree(tensor, expected, _CORRECTED_RATIO):
                 yield f"is in {unit}", tensor
     about_center = _shifted_from_origin(link, -link.mass)
-    if about_center != link.tensor and inertia.agree(about_center, expected, NEAR):
+    if about_center != link.tensor and inertia.agree(about_center, expected, _CORRECTED_RATIO):
         yield "is about the origin of the link, not the centre of mass", about_center
     twice = link.expected_of_twice
-    if link.is_diagonal and twice is not None and link.fits(twice, EXACT):
+    if link.is_diagonal and twice is not None and link.fits(twice, EXACT_RATIO):
         yield "was computed with twice the size, as of a diameter for a radius", expected
 
 
-def _is_even(tensor: Tensor) -> bool:
+def _has_equal_moments(tensor: Tensor) -> bool:
     """True for the tensor of a ball or a cube."""
-    moments = (tensor.ixx, tensor.iyy, tensor.izz)
+    least, _, largest = sorted((tensor.ixx, tensor.iyy, tensor.izz))
     products = max(map(abs, (tensor.ixy, tensor.ixz, tensor.iyz)))
-    return max(moments) <= _EVEN * min(moments) and products <= (_EVEN - 1) * max(moments)
+    return largest <= _EQUAL_MOMENTS * least and products <= (_EQUAL_MOMENTS - 1) * largest
 
 
-def of_wrong_axes(link: LinkInertia) -> tuple[str, Tensor]:
+def explain_wrong_axes(link: LinkInertia) -> tuple[str, Tensor]:
     """Cause and intended tensor of a tensor with the moments of the shape about other axes.
 
     The intended tensor has the same entries with as few changes of position and sign as possible.
@@ -166,7 +165,7 @@ def _rearranged(
     for order, signs in product(orders, product((1, -1), repeat=3)):
         tensor = _permuted(link.tensor, order, signs)
         pairs = zip(tensor, expected, strict=True)
-        if max(abs(a - b) for a, b in pairs) <= _ALIKE * abs(link.moments[2]):
+        if max(abs(a - b) for a, b in pairs) <= _ENTRY_TOLERANCE * abs(link.moments[2]):
             changes = sum(a != b for a, b in zip(tensor, link.tensor, strict=True))
             candidates.append((changes, tensor))
     return min(candidates)[1] if candidates else None
@@ -189,7 +188,7 @@ def opposite(tensor: Tensor, other: Tensor) -> list[str]:
     return keys if len(keys) == len(different) else []
 
 
-def of_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
+def diagnose_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
     """Diagnosis of a physically impossible tensor, with the intended one if the numbers show it."""
     if link.is_measured and link.expected:
         suggested = _rearranged(link, link.expected, [range(3)])
@@ -295,7 +294,7 @@ def advice(link: LinkInertia, diagnosis: Diagnosis) -> str:
     return f"the tensor {diagnosis.cause}; compute it in the macro" if diagnosis.cause else ""
 
 
-def written(tensor: Tensor) -> str:
+def format_tensor(tensor: Tensor) -> str:
     """The attributes of a tensor, without products of inertia that are 0."""
     texts = zip(Tensor._fields, _digits(tensor), strict=True)
     return " ".join(f'{key}="{text}"' for key, text in texts if text != "0" or key[1] == key[2])
@@ -303,7 +302,7 @@ def written(tensor: Tensor) -> str:
 
 def _digits(tensor: Tensor) -> list[str]:
     """The values with six digits; products that result from rounded angles are 0."""
-    least = CLEAR * max(map(abs, tensor))
+    least = PRODUCT_ROUNDING * max(map(abs, tensor))
     rows = zip(Tensor._fields, tensor, strict=True)
     return [
         f"{value:.6g}" if key[1] == key[2] or abs(value) > least else "0" for key, value in rows
@@ -349,20 +348,22 @@ def _negated(text: str) -> str:
 def _differs(key: str, link: LinkInertia, tensor: Tensor) -> bool:
     """True if an entry differs from the computed one by more than its digits explain."""
     old, value = getattr(link.tensor, key), getattr(tensor, key)
-    bound = CLEAR * max(map(abs, tensor)) if key[1] != key[2] else (EXACT - 1) * abs(value)
+    bound = (EXACT_RATIO - 1) * abs(value)
+    if key[1] != key[2]:
+        bound = PRODUCT_ROUNDING * max(map(abs, tensor))
     return bool(abs(old - value) > bound)
 
 
-def as_solid(link: LinkInertia) -> str:
+def describe_solid(link: LinkInertia) -> str:
     """The tensor of the shape as text, such as ``a solid sphere of radius 0.1 m has 0.004 ...``."""
     expected = link.expected
     assert expected is not None
-    moments = values((expected.ixx, expected.iyy, expected.izz))
+    moments = format_moments((expected.ixx, expected.iyy, expected.izz))
     article = "the" if link.solid and len(link.solid.parts) > 1 else "a"
     return f"{article} solid {link.solid} has {moments}"
 
 
-def values(numbers: Iterable[float]) -> str:
+def format_moments(numbers: Iterable[float]) -> str:
     """Moments with three digits and their unit, such as ``0.1, 0.1, 0.2 kg·m²``."""
     texts = [f"{value:.3g}" for value in numbers]
     return f"{texts[0]} kg·m² each" if len({*texts}) == 1 else f"{', '.join(texts)} kg·m²"

@@ -15,7 +15,7 @@ from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, Primitive, s
 LARGEST_PART = 10.0
 
 #: Errors of a link below this part of its rigid body's mass or inertia are negligible.
-SIGNIFICANT = 0.01
+SIGNIFICANT_PART = 0.01
 
 #: Moments up to this, in kg·m², are noise; a ball of 1 mg and a radius of 1 mm has 4e-13.
 NOISE = 1e-13
@@ -27,7 +27,7 @@ ROUNDING = 0.01
 SAME = 0.03
 
 #: Three moments that agree up to this factor with another formula do not agree by chance.
-EXACT = 1.03
+EXACT_RATIO = 1.03
 
 #: The factor for moments about x, y and z of a solid in its orientation.
 _OF_SOLID = 1.2
@@ -159,6 +159,11 @@ class LinkInertia:
         shapes = (self.link.collisions, self.link.visuals)
         return tuple(each for bodies in shapes if (each := solid(bodies, self._mesh_solid)))
 
+    def lengths_differ(self, ratio: float) -> bool:
+        """True if the lengths of its shapes differ by a larger ratio, as in metres and in mm."""
+        lengths = [max(part.longest for part in solid.parts) for solid in self.solids]
+        return bool(lengths) and max(lengths) > ratio * min(lengths)
+
     @cached_property
     def outline(self) -> BoundingBox:
         """The bounding box of the shapes along the axes of the link."""
@@ -203,7 +208,7 @@ class LinkInertia:
     @property
     def is_of_shape(self) -> bool:
         """True if the tensor is that of the uniform solid."""
-        return self.expected is not None and self.fits(self.expected, EXACT)
+        return self.expected is not None and self.fits(self.expected, EXACT_RATIO)
 
     @property
     def is_at_wrong_axes(self) -> bool:

@@ -4,8 +4,8 @@ from collections.abc import Callable, Iterable
 from functools import cached_property
 
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.inertials.defects import HEAVIEST, InertiaDefect, find_defects
-from urdfkit.robot.inertials.link_comparison import SIGNIFICANT, LinkInertia, by_tensor
+from urdfkit.robot.inertials.defects import MAX_PART_DENSITY, InertiaDefect, find_defects
+from urdfkit.robot.inertials.link_comparison import SIGNIFICANT_PART, LinkInertia, by_tensor
 from urdfkit.robot.model import Body, Link, RobotModel, Tensor
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody, rigid_bodies
 from urdfkit.robot.shapes import MeshSolid
@@ -97,7 +97,7 @@ class Masses:
             bool(link.densities) for link in self.inertias
         ):
             return []
-        are_high = {bool(link.densities and link.densities[0] > HEAVIEST) for link in dense}
+        are_high = {bool(link.densities and link.densities[0] > MAX_PART_DENSITY) for link in dense}
         return dense if len(are_high) == 1 else []
 
     def moments_of(self, body: RigidBody) -> tuple[float, float, float]:
@@ -109,7 +109,7 @@ class Masses:
 
     def matters(self, body: RigidBody, moment: float) -> bool:
         """True if a moment in kg·m² is a significant part of the moments of a rigid body."""
-        return moment >= SIGNIFICANT * self.moments_of(body)[2]
+        return moment >= SIGNIFICANT_PART * self.moments_of(body)[2]
 
     @property
     def without_inertia(self) -> list[RigidBody]:
@@ -191,7 +191,7 @@ class Masses:
             (left, right)
             for left, right in self.symmetric_pairs
             if wrong.isdisjoint((left.name, right.name))
-            and any(link.mass >= SIGNIFICANT * link.body.mass for link in (left, right))
+            and any(link.mass >= SIGNIFICANT_PART * link.body.mass for link in (left, right))
             and unlike(left, right)
         ]
 
@@ -235,9 +235,10 @@ def unlike(left: LinkInertia, right: LinkInertia) -> str:
     light, heavy = sorted((left.mass, right.mass))
     if heavy > PAIR_MASS * light:
         return "mass"
+    noticeable = SIGNIFICANT_PART * max(left.moments[2], right.moments[2])
     for a, b in zip(left.moments, right.moments, strict=True):
         low, high = sorted((a, b))
-        if high > PAIR_MOMENTS * max(low, SIGNIFICANT * max(left.moments[2], right.moments[2])):
+        if high > PAIR_MOMENTS * max(low, noticeable):
             return "inertia"
     return ""
 

@@ -10,7 +10,7 @@ from urdfkit.core.spatial import IDENTITY, ORIGIN, Transform, Vector
 from urdfkit.core.words import spaced
 from urdfkit.robot import Robot
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments
-from urdfkit.robot.inertials.diagnosis import CLEAR
+from urdfkit.robot.inertials.diagnosis import PRODUCT_ROUNDING
 from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
 from urdfkit.robot.model import Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import rigid_bodies
@@ -30,7 +30,7 @@ from urdfkit.text.editing.rewriting import Rewrite
 #: Moments up to this ratio were computed from the same shape.
 SAME = 1.03
 #: Moments up to this ratio may be correct: real parts are not of uniform density.
-NEAR = 3.0
+PLAUSIBLE_FACTOR = 3.0
 #: Tensors of the same moments have other axes if their distance exceeds this part of the largest.
 _TURNED = 0.1
 #: Offsets and moments below this relative value are rounding errors.
@@ -74,7 +74,7 @@ class InertiaProposal(Record):
         if low <= 0 or high > (low + middle) * 1.01:
             return "impossible"
         mass = self.declared.mass / self.computed.mass if self.computed.mass else 0.0
-        if not 1 / NEAR <= mass <= NEAR or self.factor > NEAR:
+        if not 1 / PLAUSIBLE_FACTOR <= mass <= PLAUSIBLE_FACTOR or self.factor > PLAUSIBLE_FACTOR:
             return "differs"
         if self.factor > SAME:
             return "near"
@@ -268,7 +268,7 @@ def _rounded(properties: MassProperties) -> MassProperties:
     largest = max(map(abs, tensor), default=0.0)
     reach = (largest / mass) ** 0.5 if mass > 0 else 0.0
     x, y, z = (0.0 if abs(value) < _NOISE * reach else value for value in center)
-    products = CLEAR * largest
+    products = PRODUCT_ROUNDING * largest
     moments = (
         value if abs(value) > (products if key[1] != key[2] else _NOISE * largest) else 0.0
         for key, value in zip(Tensor._fields, tensor, strict=True)
