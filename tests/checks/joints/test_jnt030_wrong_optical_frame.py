@@ -55,6 +55,7 @@ def test_what_may_be_meant_is_calm(rpy: str, camera: str, optical: str) -> None:
         ("front_camera", "1.5707963 0 1.5707963", 0),  # in a vehicle whose z points down
         ("down_camera", "0 0 1.5707963", 0),
         ("downward_camera", "3.1415927 0 0", 0),
+        ("lidar", "0 0 0", 0),  # elkapod's lidar_optical, which is no camera
         ("front_camera", "0 0 1.5707963", 1),
         ("dome_camera", "0 0 1.5707963", 1),
     ],

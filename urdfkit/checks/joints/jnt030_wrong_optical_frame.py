@@ -39,6 +39,8 @@ _OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
 _OPTICAL_DOWN: Rotation = ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 #: Beginnings of words in the names of cameras that do not look forward.
 _ELSEWHERE = ("down", "bottom", "belly", "nadir", "upward", "ceiling")
+#: Beginnings of words in the names of sensors without an optical frame.
+_NO_CAMERAS = ("lidar", "laser", "radar", "imu")
 #: Words in the link names of underwater vehicles, some of which have z down in all frames.
 _UNDER_WATER = ("thruster", "dvl", "sonar", "ned", "auv", "rov", "uuv", "rexrov")
 #: Allows for pi with few digits.
@@ -57,7 +59,7 @@ def check(context: Context) -> Findings:
         if (
             not _is_of_one_camera(camera.lower(), optical.lower())
             or _has_misspelt_origin(joint)
-            or any(word.startswith(_ELSEWHERE) for word in optical.lower().split("_"))
+            or any(word.startswith(_ELSEWHERE + _NO_CAMERAS) for word in optical.lower().split("_"))
             or not _is_square(rotation)
             or _is_near(rotation, _OPTICAL)
             or _is_near(_from_mount(context, camera, rotation), _OPTICAL)
