@@ -12,7 +12,7 @@ from tests.reported import messages, reported
 from urdfkit.cli import main
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.output.report.document import describe
-from urdfkit.robot.stability import standing
+from urdfkit.robot.stability import standing_verdict
 from urdfkit.text.diagnostic import Severity
 
 BALL = '<sphere radius="0.05"/>'
@@ -29,15 +29,15 @@ def on_wheels(caster: str = shape("visual", BALL), wheel: str = BOTH, base: str 
 
 def test_a_caster_without_collision_holds_nothing() -> None:
     robot = of(on_wheels())
-    found = standing(robot)
+    found = standing_verdict(robot)
     assert (found.verdict, found.links, found.visual_only) == (
         "no-area",
         ("left", "right"),
         ("caster",),
     )
-    counted = standing(robot, visuals=True)
+    counted = standing_verdict(robot, visuals=True)
     assert (counted.verdict, counted.visual_only) == ("stands", ("caster",))
-    assert standing(of(on_wheels(BOTH))).verdict == "stands"
+    assert standing_verdict(of(on_wheels(BOTH))).verdict == "stands"
 
 
 def test_a_caster_without_collision_is_a_warning() -> None:

@@ -15,7 +15,7 @@ from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.lint.context import Context
 from urdfkit.robot.model import RobotModel
-from urdfkit.robot.stability import VERDICTS, Stability, Standing, standing
+from urdfkit.robot.stability import VERDICTS, Stability, StandingVerdict, standing_verdict
 from urdfkit.robot.values import number
 
 if TYPE_CHECKING:
@@ -68,7 +68,9 @@ def command(
     payload_masses = _payload(context, payload)
     loads = _statics(context, pose, payload_masses, samples, seed)
     contacts = [context.model.require_link(link).name for link in contact] or None
-    contact_result = standing(context, pose, contacts, payload=payload_masses, visuals=visuals)
+    contact_result = standing_verdict(
+        context, pose, contacts, payload=payload_masses, visuals=visuals
+    )
     lines = [*render(loads, context.model, posed=bool(pose)), ""]
     lines += (line for text in describe(contact_result) for line in output.wrapped(text))
     output.json_or_page(format, lambda: as_json(loads, contact_result), lines)
@@ -132,7 +134,7 @@ def render(loads: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
             yield f"{load.joint} exceeds its effort limit: needs >= {load.worst:.4g} {unit}"
 
 
-def describe(contact_result: Standing) -> Iterator[str]:
+def describe(contact_result: StandingVerdict) -> Iterator[str]:
     """The support polygon and the stability of the robot."""
     stability = contact_result.stability
     if contact_result.links:
@@ -157,7 +159,7 @@ def _safety(stability: Stability, verdict: str) -> str:
     return f"margin {stability.margin:.4g} m; tips over {slope}"
 
 
-def as_json(loads: Statics, contact_result: Standing) -> dict[str, Any]:
+def as_json(loads: Statics, contact_result: StandingVerdict) -> dict[str, Any]:
     """The result for JSON; in N·m or N, m, rad."""
     weakest = loads.weakest
     return {

@@ -184,7 +184,7 @@ class Context(DescriptionFile):
         return self.reading.document is None or not self.mujoco.drops_visuals
 
     @cached_property
-    def standing_on_primitives(self) -> Stability | None:
+    def stability_on_primitives(self) -> Stability | None:
         """Stability of the robot with all joints at 0, without its meshes."""
         from urdfkit.robot.stability import stand
 

@@ -133,7 +133,7 @@ class Plan:
                 self.crashed.append(crash("", directory, error))
             for path in launches:
                 try:
-                    self._add_launch(self.resolver.read(_spelt(path, directory)), found=True)
+                    self._add_launch(self.resolver.read(_like_given(path, directory)), found=True)
                 except UnreadableFile:  # a link to a file outside of the directory
                     self._add_closed(path)
         else:
@@ -149,7 +149,7 @@ class Plan:
         found = affected(paths, self.config, self.resolver)
         self._add_found(found, *paths[:1])
         for path in found.launches:
-            self._add_launch(self.resolver.read(_spelt(path, paths[0])), found=True)
+            self._add_launch(self.resolver.read(_like_given(path, paths[0])), found=True)
 
     def _add_found(self, found: DirectoryContents, given: str = "") -> None:
         """Add the entry points of a directory, or of changed files."""
@@ -157,7 +157,7 @@ class Plan:
         if found.robots and not robots:
             raise ConfigError(f"no robot has a variant '{self.variant}'")
         for robot in robots:
-            self._add_robot(_spelt(robot.file, given), robot.name, robot.arguments)
+            self._add_robot(_like_given(robot.file, given), robot.name, robot.arguments)
         for library in found.libraries:
             reason = "defines no link, and no file includes it: check a robot that uses it"
             self.skipped.append(Skipped("", library, reason))
@@ -213,10 +213,12 @@ class Plan:
             return
         for path, robot in started(launch, source.path):
             if not found:
-                self.jobs.append(self._as_started(_spelt(path, source.path), robot))
+                self.jobs.append(self._as_started(_like_given(path, source.path), robot))
             elif not matches(self.config.relative(path), self.config.exclude):
                 real = disk.real(path)
-                self._started.setdefault(real, (_spelt(path, source.path), []))[1].append(robot)
+                self._started.setdefault(real, (_like_given(path, source.path), []))[1].append(
+                    robot
+                )
 
     def _as_started(self, path: str, robot: RobotArguments) -> Job:
         """The job of a robot with the arguments of a launch file."""
@@ -241,23 +243,23 @@ class Plan:
             _, sets = self._started.pop(disk.real(job.path), ("", []))
             self.jobs[index] = job._replace(started=tuple(sets))
         for real, (path, sets) in self._started.items():
-            self.jobs += self._elsewhere(path, sets, passed_over=self._was_passed_over(real))
+            self.jobs += self._elsewhere(path, sets, was_skipped=self._was_skipped(real))
 
     def _elsewhere(
-        self, path: str, sets: list[RobotArguments], *, passed_over: bool
+        self, path: str, sets: list[RobotArguments], *, was_skipped: bool
     ) -> Iterable[Job]:
         """The jobs of a robot outside of the checked directories that launch files there start.
 
         A robot without arguments is checked with its own directory, unless discovery skipped it.
         """
-        distinct = [robot for robot in sets if robot.arguments or passed_over]
+        distinct = [robot for robot in sets if robot.arguments or was_skipped]
         if distinct:
             job = self._as_started(path, distinct[0])
             return [job._replace(shared=dict(self.config.arguments), started=tuple(sets))]
         with_files = (robot for robot in sets if robot.parameters)
         return [self._as_started(path, robot).about_parameters() for robot in with_files]
 
-    def _was_passed_over(self, robot: str) -> bool:
+    def _was_skipped(self, robot: str) -> bool:
         """Remove a robot with a launch file from the skipped files; True if it was one of them."""
         if self.config.robots:
             return False
@@ -270,6 +272,6 @@ class Plan:
         self.jobs.append(self._also_started(Job(path, name, merged, True)))
 
 
-def _spelt(path: str, given: str) -> str:
+def _like_given(path: str, given: str) -> str:
     """A path that is absolute or relative like a given path of the user."""
     return shown(os.path.abspath(path)) if os.path.isabs(given) else os.path.relpath(path)

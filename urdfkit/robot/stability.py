@@ -69,7 +69,7 @@ class Stability(Record):
         return "to its left (+y)" if y > 0 else "to its right (-y)"
 
 
-class Standing(Record):
+class StandingVerdict(Record):
     """The verdict on a robot on the ground, for ``urdfkit statics`` and the report."""
 
     verdict: str  # one of ``VERDICTS``
@@ -93,14 +93,14 @@ class Standing(Record):
         }
 
 
-def standing(
+def standing_verdict(
     robot: Robot,
     pose: Mapping[str, float] | None = None,
     contacts: Collection[str] | None = None,
     *,
     payload: Mapping[str, float] | None = None,
     visuals: bool = False,
-) -> Standing:
+) -> StandingVerdict:
     """The verdict on a robot at a pose; only primitives count if the mesh libraries are missing.
 
     Args:
@@ -112,7 +112,7 @@ def standing(
     tree = robot.tree
     root = rigid_bodies(tree)[0]
     if root.is_ground:
-        return Standing("fixed")
+        return StandingVerdict("fixed")
     placed = frames(tree, pose or {})
     meshes = True
     try:
@@ -133,7 +133,7 @@ def standing(
         verdict = "no-contact"
     else:
         verdict = "no-area" if sum(mass for mass, _ in loads) > 0 else "no-mass"
-    return Standing(verdict, tuple(touching), result, visual_only, visuals)
+    return StandingVerdict(verdict, tuple(touching), result, visual_only, visuals)
 
 
 def stand(

@@ -225,17 +225,16 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
             section = Section({}, {}, at)
             section.add(node)
             yield Controller(name, kind.text, kind.span, 1, section)
-        elif not isinstance(
-            node.get("name"), Value
-        ):  # otherwise a record with which a program creates an object
+        elif not isinstance(node.get("name"), Value):
+            # With a name it is a record from which a program creates an object.
             stack += node.items()
 
 
 def syntax_errors(description: RosDescription) -> Iterator[tuple[ParameterFile, Span, str]]:
     """Parameter files that are not valid YAML, with the location and the reason."""
     for file, source in _sources(description):
-        if found := syntax_error(source):
-            yield file, *found
+        if error := syntax_error(source):
+            yield file, *error
 
 
 def unread_keys(
@@ -276,13 +275,13 @@ def _unread_sections(
         if name in declared and not any(map(_is_parameters, node)):
             message = f"parameters of '{key}' are not read: they are not in {_PARAMETERS}"
             yield key.span, message, f"write {_PARAMETERS}: below '{key}', and indent the rest"
-        elif name not in declared and (suggested := _mistake_of(name, without)):
+        elif name not in declared and (suggested := nearest(name, without, TYPO)):
             message = f"'{key}' is not a controller of the controller manager and not read"
             yield key.span, message, f"did you mean '{suggested}'?"
 
 
 def _is_parameters(key: str) -> bool:
-    return key == _PARAMETERS or _mistake_of(key, [_PARAMETERS]) is not None
+    return key == _PARAMETERS or nearest(key, [_PARAMETERS], TYPO) is not None
 
 
 def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
@@ -301,7 +300,3 @@ def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
 def _node_of(key: str) -> str:
     """Name of the node in a key such as ``/**/drive``."""
     return key.strip("/").rpartition("/")[2]
-
-
-def _mistake_of(word: str, known: Iterable[str]) -> str | None:
-    return nearest(word, known, TYPO)

@@ -27,7 +27,7 @@ class ResolvedReference(Record):
     outside: str | None = None  # an existing file that the model may not read
 
     @property
-    def attempts(self) -> str:
+    def tried_paths(self) -> str:
         """The tried paths, for a message; relative if below the current directory."""
         try:
             current = os.path.join(os.getcwd(), "")

@@ -37,8 +37,8 @@ def test_the_moments_of_a_body_and_what_matters() -> None:
     )
     (body,) = found.bodies
     assert found.moments_of(body) == pytest.approx((0.5, 2.2, 2.4))
-    assert found.matters(body, 0.0241)
-    assert not found.matters(body, 0.0239)
+    assert found.is_significant(body, 0.0241)
+    assert not found.is_significant(body, 0.0239)
 
 
 def test_a_counterpart_hangs_where_its_counterpart_hangs() -> None:

@@ -108,11 +108,11 @@ def _friction(model: RobotModel, link: str) -> list[Placed[float]]:
 
 def _casters(context: Context, driven: set[str]) -> Findings:
     """What is fixed to the body, touches the ground next to driven wheels, and does not slide."""
-    standing = context.standing_on_primitives if driven and context.tree.is_sound else None
-    if standing is None or driven.isdisjoint(standing.links):
+    stability = context.stability_on_primitives if driven and context.tree.is_sound else None
+    if stability is None or driven.isdisjoint(stability.links):
         return
     fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
-    for link in standing.links:
+    for link in stability.links:
         given = _friction(context.model, link) if link in fixed else []
         if given and min(one.value for one in given) >= MUCH:
             yield Finding(

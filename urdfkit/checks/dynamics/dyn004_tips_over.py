@@ -61,28 +61,28 @@ def check(context: Context) -> Findings:
         return
     if is_carried_by_rotors(context.model):
         return
-    standing = context.standing_on_primitives
-    if not _falls(context, standing):
+    stability = context.stability_on_primitives
+    if not _falls(context, stability):
         return
     meshes = collision_meshes(context.model)
     if meshes:  # a mesh may extend as low
         try:
             if any(context.meshes.mesh(shape) is None for shape in meshes):
                 return
-            standing = stand(context)
+            stability = stand(context)
         except ImportError as error:
             from urdfkit.robot.bounding_box import without_meshes
 
             raise Unavailable(without_meshes()) from error
-    if standing is None or not _falls(context, standing):
+    if stability is None or not _falls(context, stability):
         return
     links = context.model.links_by_name
     heaviest = max(context.model.links, key=lambda link: link.mass)
     yield Finding(
         heaviest.inertial.at if heaviest.inertial else heaviest.at,
-        f"the robot falls {standing.tip_direction}: its centre of mass is "
-        f"{-standing.margin:.3g} m outside of what it stands on, {', '.join(standing.links)}",
-        related=tuple(Related(links[name].at.span, f"link '{name}'") for name in standing.links),
+        f"the robot falls {stability.tip_direction}: its centre of mass is "
+        f"{-stability.margin:.3g} m outside of what it stands on, {', '.join(stability.links)}",
+        related=tuple(Related(links[name].at.span, f"link '{name}'") for name in stability.links),
     )
 
 
@@ -91,11 +91,11 @@ def _is_serial(tree: KinematicTree) -> bool:
     return all(len(joints) < 2 for joints in tree.children.values())
 
 
-def _falls(context: Context, standing: Stability | None) -> bool:
+def _falls(context: Context, stability: Stability | None) -> bool:
     """True if the robot stands on several links, at least one moved by a joint, and falls."""
     return (
-        standing is not None
-        and standing.margin <= -_TOLERANCE
-        and len(standing.links) > 1
-        and is_freestanding(context.tree, standing.links)
+        stability is not None
+        and stability.margin <= -_TOLERANCE
+        and len(stability.links) > 1
+        and is_freestanding(context.tree, stability.links)
     )

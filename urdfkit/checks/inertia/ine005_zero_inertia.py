@@ -53,7 +53,7 @@ FIXED = GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
 )
 
 #: In kg: thrusters of UUV Simulator are links of a gram without a tensor.
-STAND_IN = 0.001
+PLACEHOLDER_MASS = 0.001
 
 #: In kg/m³: the density of air is 1.2.
 MIN_DENSITY = 1.0
@@ -90,8 +90,8 @@ def _zero(context: Context) -> Iterator[tuple[LinkInertia, Finding]]:
         for link, _ in body.links:
             if inertia := masses.by_name.get(link.name):
                 finding = _finding(inertia, body.joint, context)
-                is_stand_in = body.mass <= STAND_IN or masses.moments_of(body)[2] > 0
-                if is_stand_in and not is_rejected:
+                is_placeholder = body.mass <= PLACEHOLDER_MASS or masses.moments_of(body)[2] > 0
+                if is_placeholder and not is_rejected:
                     finding = finding._replace(severity=Severity.WARNING)
                 yield inertia, finding
 

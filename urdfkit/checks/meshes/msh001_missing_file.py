@@ -172,7 +172,7 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
         return found
     where = f" in package '{located.package}'" if located.package else ""
     # An absolute path in the message is the path that was tried.
-    tried = "" if located.scheme == "absolute" else f"; tried {located.attempts}"
+    tried = "" if located.scheme == "absolute" else f"; tried {located.tried_paths}"
     message = f"{mesh.who} does not exist{where}{tried}"
     suggested = files.nearest(mesh)
     if suggested is None:

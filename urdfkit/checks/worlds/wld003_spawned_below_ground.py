@@ -18,7 +18,7 @@ Sources:
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, element_xml, joint_xml
-from urdfkit.robot.stability import is_freestanding, standing
+from urdfkit.robot.stability import is_freestanding, standing_verdict
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.samples import solid_xml
 from urdfkit.ros.launch.contents import StartedProgram
@@ -146,7 +146,7 @@ def _lowest(robot: Context) -> tuple[float, str] | None:
     """Height of the ground relative to the root in m, and a link that touches the ground."""
     if robot.is_part or not robot.tree.is_sound:
         return None
-    stance = standing(robot)
+    stance = standing_verdict(robot)
     if stance.stability is None or not is_freestanding(robot.tree, stance.links):
         return None
     return stance.stability.ground, stance.links[0]

@@ -4,7 +4,7 @@ from urdfkit.core.progress import Progress
 from urdfkit.errors import Unavailable, UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.report.tables import Row
-from urdfkit.robot.stability import standing as standing_of
+from urdfkit.robot.stability import standing_verdict
 
 #: Number of sampled poses for statics and for collisions; the separate commands sample more.
 POSES, SAMPLES = 200, 1000
@@ -56,7 +56,7 @@ def standing(context: Context) -> Row:
     """
     if not context.tree.is_sound:
         raise Unavailable(context.tree.unsound)
-    return standing_of(context).facts()
+    return standing_verdict(context).facts()
 
 
 def collisions(context: Context, progress: Progress | None = None) -> Row:

@@ -19,7 +19,7 @@ from urdfkit.robot.rigid_bodies import RigidBody
 from urdfkit.robot.shapes import BoundingBox, MeshSolid, Primitive
 
 if TYPE_CHECKING:
-    Matters = Callable[[RigidBody, float], bool]
+    IsSignificant = Callable[[RigidBody, float], bool]
 
 #: Ratio to the largest possible moment from which it is reported: a link may be somewhat larger
 #: than its collision shape.
@@ -68,18 +68,18 @@ class InertiaDefect(Enum):
 
 
 def find_defects(
-    inertias: Iterable[LinkInertia], matters: Matters, by_macro: Collection[str]
+    inertias: Iterable[LinkInertia], is_significant: IsSignificant, by_macro: Collection[str]
 ) -> dict[InertiaDefect, list[LinkInertia]]:
     """The links with each defect.
 
     Args:
-        matters: True for a moment in kg·m² that is a significant part of a rigid body's.
+        is_significant: True for a moment in kg·m² that is a significant part of a rigid body's.
         by_macro: names of links whose tensor one macro defines for links of different mass.
     """
     defects: dict[InertiaDefect, list[LinkInertia]] = {}
     placeholders: list[LinkInertia] = []
     for link in inertias:
-        if defect := _defect(link, matters):
+        if defect := _defect(link, is_significant):
             defects.setdefault(defect, []).append(link)
         elif link.is_placeholder and not link.is_measured:
             placeholders.append(link)
@@ -87,11 +87,11 @@ def find_defects(
             defects.setdefault(InertiaDefect.UNLIKE_SHAPE, []).append(link)
         if center_is_outside(link) and link.mass >= SIGNIFICANT_PART * link.body.mass:
             defects.setdefault(InertiaDefect.CENTER_OF_MASS, []).append(link)
-    _sort_placeholders(placeholders, matters, by_macro, defects)
+    _sort_placeholders(placeholders, is_significant, by_macro, defects)
     return defects
 
 
-def _defect(link: LinkInertia, matters: Matters) -> InertiaDefect | None:
+def _defect(link: LinkInertia, is_significant: IsSignificant) -> InertiaDefect | None:
     """The defect that makes a tensor or mass impossible or implausible; None without one."""
     if link.is_indefinite:
         return InertiaDefect.INDEFINITE
@@ -106,13 +106,13 @@ def _defect(link: LinkInertia, matters: Matters) -> InertiaDefect | None:
         return InertiaDefect.DENSITY
     assert link.expected is not None
     high, expected = link.moments[2], principal_moments(link.expected)[2]
-    if high > MAX_MOMENT_RATIO * link.largest_possible and matters(link.body, high):
+    if high > MAX_MOMENT_RATIO * link.largest_possible and is_significant(link.body, high):
         return InertiaDefect.TOO_LARGE
-    if high < MIN_MOMENT_RATIO * expected and matters(link.body, expected):
+    if high < MIN_MOMENT_RATIO * expected and is_significant(link.body, expected):
         return InertiaDefect.TOO_SMALL
     if implausible:
         return InertiaDefect.DENSITY
-    if link.is_at_wrong_axes and matters(link.body, high):
+    if link.is_at_wrong_axes and is_significant(link.body, high):
         return InertiaDefect.WRONG_AXES
     return None
 
@@ -169,8 +169,8 @@ def center_mistake(link: LinkInertia) -> str:
     center, outline = link.inertial.origin.position, link.outline
     if center == ORIGIN:
         far = _outside(center, outline) > OUTSIDE_AT_ORIGIN * max(outline.edges)
-        matters = link.mass > NOTICEABLE_MASS * link.body.mass
-        return "was left at the origin of the link" if far and matters else ""
+        is_heavy = link.mass > NOTICEABLE_MASS * link.body.mass
+        return "was left at the origin of the link" if far and is_heavy else ""
     if any(_is_gltf(part) for solid in link.solids for part in solid.parts):
         return ""  # programs disagree on the axes of glTF
     x, y, z = center
@@ -206,7 +206,7 @@ def _is_unlike_shape(link: LinkInertia) -> bool:
 
 def _sort_placeholders(
     placeholders: list[LinkInertia],
-    matters: Matters,
+    is_significant: IsSignificant,
     by_macro: Collection[str],
     defects: dict[InertiaDefect, list[LinkInertia]],
 ) -> None:
@@ -216,7 +216,7 @@ def _sort_placeholders(
         free = [link for link in group if link.name not in by_macro]
         is_large = any(link.radius_of_gyration > LARGE_GYRATION for link in free)
         unknown = is_large or len(free) >= MANY_EQUAL_TENSORS
-        is_noticeable = any(matters(link.body, link.moments[2]) for link in free)
+        is_noticeable = any(is_significant(link.body, link.moments[2]) for link in free)
         if unknown and is_noticeable and group[0].tensor not in reported:
             defects.setdefault(InertiaDefect.PLACEHOLDER, []).extend(free)
         else:

@@ -84,7 +84,7 @@ class Masses:
     @cached_property
     def defects(self) -> dict[InertiaDefect, list[LinkInertia]]:
         """The links with each defect of mass or inertia."""
-        return find_defects(self.inertias, self.matters, self._with_shared_tensor)
+        return find_defects(self.inertias, self.is_significant, self._with_shared_tensor)
 
     @cached_property
     def consistently_wrong(self) -> list[LinkInertia]:
@@ -107,7 +107,7 @@ class Masses:
             self._moments[name] = principal_moments(body.properties.tensor)
         return self._moments[name]
 
-    def matters(self, body: RigidBody, moment: float) -> bool:
+    def is_significant(self, body: RigidBody, moment: float) -> bool:
         """True if a moment in kg·m² is a significant part of the moments of a rigid body."""
         return moment >= SIGNIFICANT_PART * self.moments_of(body)[2]
 
@@ -226,7 +226,7 @@ class Masses:
             group
             for group in by_tensor(free)
             if _spread(link.link for link in group) > SPREAD
-            and any(self.matters(link.body, link.moments[2]) for link in group)
+            and any(self.is_significant(link.body, link.moments[2]) for link in group)
         ]
 
 
