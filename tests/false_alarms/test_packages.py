@@ -32,6 +32,24 @@ def test_files_that_a_setup_py_puts_into_one_directory(tmp_path: Path) -> None:
     assert len(reported(tmp_path / "arm", "LAU003", "a.launch", lost, files)) == 2
 
 
+@pytest.mark.parametrize(
+    "listed",
+    [
+        "files = []\nfiles.append(('share/arm', glob('launch/*')))",
+        "files = []\nfiles += [('share/arm', glob('launch/*'))]",
+        "files = [('share/arm', [])]\nfiles.extend([('share/arm', glob('launch/*'))])",
+    ],
+)
+def test_files_that_a_setup_py_appends(tmp_path: Path, listed: str) -> None:
+    """panda_ros2_gazebo installs its launch files next to the package.xml."""
+    text = f"from glob import glob\n{listed}\nsetup(name='arm', data_files=files)\n"
+    files = {"setup.py": text, "launch/b.launch": "<launch/>"}
+    for name, count in (("b.launch", 0), ("c.launch", 1)):
+        include = f'<include file="$(find arm)/{name}"/>'
+        found = reported(tmp_path / "arm", "LAU003", "a.launch", include, files)
+        assert len(found) == count
+
+
 def test_the_marker_of_a_package_with_another_name(tmp_path: Path) -> None:
     """robotis_gz_sim, whose package.xml says robotis: one finding names the cause."""
     manifest = "<package><name>arm</name><export><build_type>ament_python</build_type></export>"

@@ -49,13 +49,24 @@ class _Constants:
         }
 
     def data_files(self) -> Iterator[tuple[ast.expr, ast.expr]]:
-        """Pairs of a target directory and its list of files."""
+        """Pairs of a target directory and its list of files, also of those that are appended."""
         for node in ast.walk(self._tree):
-            if isinstance(node, ast.keyword) and node.arg == "data_files":
-                value = self._value(node.value)
-                for item in value.elts if isinstance(value, (ast.List, ast.Tuple)) else ():
-                    if isinstance(item, ast.Tuple) and len(item.elts) == 2:
-                        yield item.elts[0], item.elts[1]
+            for item in self._items(node):
+                if isinstance(item, ast.Tuple) and len(item.elts) == 2:
+                    yield item.elts[0], item.elts[1]
+
+    def _items(self, node: ast.AST) -> list[ast.expr]:
+        """The items that an argument, a call or an addition brings into the data files."""
+        if isinstance(node, ast.Call) and _called(node) == "append":
+            return node.args
+        value: ast.expr | None = None
+        if isinstance(node, ast.keyword) and node.arg == "data_files":
+            value = self._value(node.value)
+        elif isinstance(node, ast.Call) and _called(node) == "extend" and node.args:
+            value = node.args[0]
+        elif isinstance(node, ast.AugAssign):
+            value = node.value
+        return value.elts if isinstance(value, (ast.List, ast.Tuple)) else []
 
     def patterns(self, node: ast.expr, depth: int = 0) -> Iterator[str]:
         """The paths of a list of files."""
