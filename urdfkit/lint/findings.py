@@ -78,6 +78,8 @@ def place(finding: Finding) -> tuple[Span, tuple[Step, ...]]:
     step.
     """
     at = finding.at
+    if isinstance(at, Span):
+        return at, ()
     if isinstance(at, Location):
         return at.span, at.frame.steps() if at.frame else ()
     if finding.data is not None and finding.data.value is not None:

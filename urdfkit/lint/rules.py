@@ -59,7 +59,7 @@ class Finding(Record):
     """A finding of a rule. The engine adds code, severity and the macro calls."""
 
     #: The element, attribute, value or place to edit.
-    at: Element | Attribute | Placed[object] | Location
+    at: Element | Attribute | Placed[object] | Location | Span
     message: str  # who (``link 'arm'``), the measured value with its unit, the bound
     help: str = ""  # what to do; the rule's own help if empty
     fix: Fix | None = None  # as text edits
@@ -75,9 +75,13 @@ class Finding(Record):
     data: DataPlaces | None = None
 
     @property
+    def span(self) -> Span:
+        return self.at if isinstance(self.at, Span) else self.at.span
+
+    @property
     def node(self) -> Element | Attribute | None:
         """The element or attribute of the finding; None for any other place."""
-        if isinstance(self.at, Location):
+        if isinstance(self.at, (Location, Span)):
             return None
         return self.at if isinstance(self.at, (Element, Attribute)) else self.at.at
 

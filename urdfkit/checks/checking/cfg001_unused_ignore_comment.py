@@ -5,7 +5,7 @@ next defect there: delete it.
 """
 
 from urdfkit.lint.rule_index import codes_of, get
-from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.text.editing.edits import remove_spans
 
 BAD = """\
@@ -27,7 +27,7 @@ def check(context: Context) -> Findings:
     for ignore in context.ignores:
         codes = [code for code, _ in ignore.codes]
         if ignore.span not in hits and (chosen is None or _ran(codes, chosen)):
-            place = Location(ignore.span)
+            place = ignore.span
             # Another robot that includes the file may need the comment.
             is_own = ignore.span.source is context.source
             fix = Fix("delete the comment", remove_spans([ignore.span])) if is_own else None

@@ -7,7 +7,7 @@ suppresses the warnings and infos of both, but not errors; a former code is an i
 
 from urdfkit.errors import UnknownRule
 from urdfkit.lint.rule_index import ignore_note, matching
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 
 BAD = """\
 <robot name="r">
@@ -24,7 +24,7 @@ def check(context: Context) -> Findings:
         try:
             matching(word)
         except UnknownRule as error:
-            yield Finding(Location(span), str(error))
+            yield Finding(span, str(error))
             continue
         if message := ignore_note(word):
-            yield Finding(Location(span), message, "write the new code", severity=Severity.INFO)
+            yield Finding(span, message, "write the new code", severity=Severity.INFO)

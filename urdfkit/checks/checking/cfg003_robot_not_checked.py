@@ -17,7 +17,7 @@ as in `config/$(arg ur_type)/limits.yaml`. If there are none, write them in `urd
     arguments.prefix = "left_"
 """
 
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.source import Span
 
@@ -30,7 +30,7 @@ GOOD = xacro_xml('<xacro:arg name="prefix" default=""/>', '<link name="$(arg pre
 def check(context: Context) -> Findings:
     for one in context.unchecked:
         yield Finding(
-            Location(_top(context)),
+            _top(context),
             f"robot not checked with {len(one.values)} of {one.total} values of '{one.name}': "
             f"{', '.join(one.values)}; {one.why}",
             "list the robot's variants in urdfkit.toml, under [[robot]]",
@@ -43,7 +43,7 @@ def check(context: Context) -> Findings:
 
     why, help = why_unchecked(context.reading, context.source, context.resolver)
     yield Finding(
-        Location(_top(context)),
+        _top(context),
         f"robot not checked: {why}",
         help,
         related=tuple(

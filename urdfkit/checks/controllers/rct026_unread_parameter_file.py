@@ -19,7 +19,7 @@ import os
 import re
 
 from urdfkit.core.suggest import nearest_file
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.ros.controllers import parameter_files, syntax_errors, unread_keys
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 
@@ -40,10 +40,10 @@ _GENERATED = ("generated", "temp", "tmp")
 def check(context: Context) -> Findings:
     yield from _missing(context)
     for file, span, reason in syntax_errors(context):
-        yield Finding(Location(span), f"invalid YAML: {reason}", related=(file.note,))
+        yield Finding(span, f"invalid YAML: {reason}", related=(file.note,))
     for file, problems in unread_keys(context):
         for span, message, help in problems:
-            yield Finding(Location(span), message, help, related=(file.note,))
+            yield Finding(span, message, help, related=(file.note,))
 
 
 def _missing(context: Context) -> Findings:

@@ -34,7 +34,7 @@ from collections.abc import Iterator
 
 from urdfkit.checks.controllers.trajectory_interfaces import invalid_interfaces, without_gains
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.controllers import (
     ControllerParameters,
@@ -82,7 +82,7 @@ _Problem = tuple[Span, str, str]
 def check(context: Context) -> Findings:
     for file, section in managers(context):
         for span, message, help in _invalid_values(of_manager(), section):
-            at = Location(span)
+            at = span
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
     sections = named_sections(context)
     for file, controllers in by_file(context.controllers):
@@ -93,7 +93,7 @@ def check(context: Context) -> Findings:
                 continue
             own = sections.get(controller.name, controller.section)
             for severity, (span, message, help) in _problems(controller, own, others):
-                at, text = Location(span), f"controller '{controller.name}': {message}"
+                at, text = span, f"controller '{controller.name}': {message}"
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
 
 

@@ -24,7 +24,7 @@ from itertools import chain
 
 from urdfkit.core.spatial import Vector, dot, length, minus
 from urdfkit.core.static_typing import TYPE_CHECKING
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, metres, pairs, wheel_of, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
@@ -118,7 +118,7 @@ def _check_controller(controller: Controller, context: Context) -> Findings:
             continue  # the drive is calibrated
         if value is not None and real and _differs(value, real):
             yield Finding(
-                Location(values[0].span),
+                values[0].span,
                 f"controller '{controller.name}': {measure.parameter} is {value:g} m, but "
                 f"{_MEASURED[measure.kind]} {real[0]:.4g} m",
                 _help(real[0]),

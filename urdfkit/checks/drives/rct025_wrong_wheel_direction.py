@@ -33,7 +33,7 @@ from __future__ import annotations
 from urdfkit.core.spatial import Vector, dot, rotate
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.context import Context
-from urdfkit.lint.rules import Confidence, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import Confidence, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint
 from urdfkit.ros.gazebo.drives import (
@@ -104,7 +104,7 @@ def _wrong_drives(context: Context) -> Findings:
         first, second = (wheel_of(joint, context.tree) if joint else None for joint in joints)
         if first and second and (wrong := wrong_direction(first, second)):
             message = f"controller '{controller.name}': {wrong[0]}"
-            at = Location(left[0].span)
+            at = left[0].span
             yield Finding(at, message, wrong[1], related=(file.note,))
 
 
@@ -119,7 +119,7 @@ def _wrong_axles(controller: Controller, context: Context) -> Findings:
         if wrong:
             message = f"controller '{controller.name}': {wrong[0]}"
             help = f"{wrong[1]}; the list begins with the right joint"
-            yield Finding(Location(right_name.span), message, help)
+            yield Finding(right_name.span, message, help)
             return
 
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import joint_xml, robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.editing.edits import fix_value
@@ -107,7 +107,7 @@ def _check_controller(controller: Controller, frame: Value, context: Context) ->
         parent = above.value if above else root
         message = f"'{name}' is a child of '{parent}'; a frame has one parent"
     yield Finding(
-        Location(frame.span),
+        frame.span,
         f"controller '{controller.name}' publishes the transform to '{name}': {message}",
         f"name the root link '{root}'",
     )
@@ -121,7 +121,7 @@ def _moving_odometry(controller: Controller, context: Context) -> Findings:
         if name in context.model.links_by_name and name not in _WORLDS:
             message = f"controller '{controller.name}': odom_frame_id '{name}' is a link of the "
             message += "robot, which moves with it"
-            yield Finding(Location(odometry.span), message, "write odom_frame_id: odom")
+            yield Finding(odometry.span, message, "write odom_frame_id: odom")
 
 
 def _frame(controller: Controller) -> Value | None:

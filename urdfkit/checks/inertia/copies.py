@@ -34,9 +34,7 @@ def together(
             continue
         yield worst._replace(
             message=f"{worst.message} ({and_more(others)})",
-            related=tuple(
-                Related(other.at.span, other.message) for _, other in others[:MAX_RELATED]
-            ),
+            related=tuple(Related(other.span, other.message) for _, other in others[:MAX_RELATED]),
             fix=_merged([finding.fix for _, finding in group if finding.fix]),
         )
 

@@ -77,7 +77,7 @@ def check(context: Context) -> Findings:
         worst, *others = thin
         yield worst._replace(
             message=worst.message + more_like_this(len(others)),
-            related=tuple(Related(other.at.span, other.message) for other in others[:MAX_RELATED]),
+            related=tuple(Related(other.span, other.message) for other in others[:MAX_RELATED]),
             severity=worst.severity or Severity.WARNING,
         )
 

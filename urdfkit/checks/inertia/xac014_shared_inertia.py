@@ -18,7 +18,7 @@ Sources:
     Kinovarobotics/kinova-ros#204: https://github.com/Kinovarobotics/kinova-ros/issues/204
 """
 
-from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, excessive_joint, format_moments
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
@@ -92,7 +92,7 @@ def _by_macro(links: list[Link], tag: Tag) -> Finding:
     written = tag.attribute_spans()  # a moment may be missing: urdfdom reads it as 0
     moments = ", ".join(written[key].text for key in ("ixx", "iyy", "izz") if key in written)
     return Finding(
-        Location(macro.definition),
+        macro.definition,
         f"macro '{macro.name}' gives {len(links)} links of {masses[0]:g} to {masses[-1]:g} kg "
         f"the same inertia tensor ({moments} kg·m²)",
         "compute ixx ... izz in the macro from mass and size (urdfkit explain XAC014)",

@@ -4,7 +4,7 @@ import os
 import re
 
 from urdfkit.core import disk
-from urdfkit.lint.rules import Finding, Findings, Location, Severity
+from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.file_head import read_head
@@ -38,7 +38,7 @@ def other_name(name: str, directory: str) -> Findings:
     if every and name not in [one.group(1).decode() for one in every]:
         found = every[0]
         yield Finding(
-            Location(Span(source, *found.span(1))),
+            Span(source, *found.span(1)),
             f"project name '{found.group(1).decode()}' in {file} differs from the package name "
             f"'{name}' in package.xml",
             "use the same name in both files",
@@ -55,7 +55,7 @@ def not_finished(directory: str) -> Findings:
     found = re.search(rb"(?m)^\s*find_package\s*\(\s*(ament_cmake)\b", source.data)
     if found and not re.search(rb"ament\w*_package\s*\(|\b(include|macro)\s*\(", text):
         yield Finding(
-            Location(Span(source, *found.span(1))),
+            Span(source, *found.span(1)),
             "ament_package() is not called: ROS does not find the package after the build",
             "write ament_package() as the last line",
         )
@@ -75,7 +75,7 @@ def missing_directories(name: str, directory: str) -> Findings:
         place = re.search(rb"(?<=[\s\"/])%s(?=[\s\"/)])" % re.escape(path.encode()), text)
         if place and _is_missing(directory, path):
             yield Finding(
-                Location(Span(source, *place.span())),
+                Span(source, *place.span()),
                 f"'{path}' is installed and does not exist: the build of '{name}' fails",
                 f"remove it, or create {path}; git keeps no empty directory",
             )
@@ -100,7 +100,7 @@ def finds_catkin(directory: str) -> Findings:
     has_other = re.search(rb"(?m)^[ \t]*find_package\s*\(\s*ament_cmake|ROS_VERSION", source.data)
     if kinds == [(b"", b"ament_cmake")] and found and not has_other:
         yield Finding(
-            Location(Span(source, *found.span(1))),
+            Span(source, *found.span(1)),
             "CMakeLists.txt finds catkin, and package.xml has build type ament_cmake: ROS 2 has "
             "no catkin",
             "write find_package(ament_cmake REQUIRED), and ament_package() as the last line",
@@ -121,7 +121,7 @@ def other_build_type(directory: str) -> Findings:
     has = {file: disk.exists(os.path.join(directory, file)) for file in _NAMES}
     if needed and not has[needed] and has[other]:
         yield Finding(
-            Location(Span(manifest, *found.span(1))),
+            Span(manifest, *found.span(1)),
             f"build type {kind} needs a {needed}, and the package has a {other}",
             "write " + next(one for one, (file, _) in _BUILT_BY.items() if file == other),
         )
@@ -140,7 +140,7 @@ def not_registered(name: str, directory: str) -> Findings:
     elif not named and _INDEX.encode() in setup.data:
         message = "no build type: colcon looks for a CMakeLists.txt"
         help = "add <export><build_type>ament_python</build_type></export>"
-        yield Finding(Location(Span(manifest, 0, 0)), message, help)
+        yield Finding(Span(manifest, 0, 0), message, help)
 
 
 def _build_file_of_ament(directory: str) -> Source | None:
@@ -163,9 +163,9 @@ def _unregistered(setup: Source, directory: str, name: str) -> Findings:
             "adds the entry, with a warning"
         )
         help = f"add ('{_INDEX}', ['resource/{name}']) to data_files, and create that empty file"
-        yield Finding(Location(Span(setup, 0, 0)), message, help, severity=Severity.WARNING)
+        yield Finding(Span(setup, 0, 0), message, help, severity=Severity.WARNING)
         return
     marker = re.search(rb"[\"']resource/|[\"']resource[\"']\s*,", setup.data)
     if marker and not disk.exists(os.path.join(directory, "resource", name)):
         message = f"file not found: resource/{name}, which setup.py installs"
-        yield Finding(Location(Span(setup, *marker.span())), message, "create it; it may be empty")
+        yield Finding(Span(setup, *marker.span()), message, "create it; it may be empty")

@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound
-from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.ros.catalog import data
 from urdfkit.text.editing.edits import insert_after, insert_last
@@ -73,7 +73,7 @@ def check(context: Context) -> Findings:
         else:
             help_ = _CYCLE.format(name, manifest.package)
         yield Finding(
-            Location(span),
+            span,
             f"package '{name}' is used but not declared in {manifest.path}",
             help_,
             fix,
@@ -105,7 +105,7 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
         seen.add(name)
         line = f"<exec_depend>{name}</exec_depend>"
         yield Finding(
-            Location(span),
+            span,
             f"package '{name}' is started but not declared in {manifest.path}",
             f"add {line} to package.xml",
             _fix(context.resolver.read(manifest.path), name, "exec_depend"),

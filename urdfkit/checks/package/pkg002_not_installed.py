@@ -18,7 +18,7 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -78,7 +78,7 @@ def _uninstalled(
             message += f", not as share/{name}/{relative}"
         if misplaced or not rules.installs(relative):
             reported.add(top)
-            yield Finding(Location(span), message, rules.advice(top), severity=severity)
+            yield Finding(span, message, rules.advice(top), severity=severity)
 
 
 def _referenced(sources: Iterable[Source], name: str) -> Iterator[tuple[str, Span]]:

@@ -43,7 +43,7 @@ from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.text.document import Element
 from urdfkit.text.file_kinds import is_launch
@@ -94,7 +94,7 @@ def check(context: Context) -> Findings:
     document, problems = read_xml(source)
     broken = [problem for problem in problems if problem.code in _BROKEN]
     for problem in broken[:1]:
-        yield Finding(Location(problem.span), f"package.xml is not valid XML: {problem.message}")
+        yield Finding(problem.span, f"package.xml is not valid XML: {problem.message}")
     if document is None or broken or document.root.tag != "package":
         return
     if not {"description", "maintainer", "license"} & {c.tag for c in document.root.children}:
@@ -108,10 +108,10 @@ def _missing(package: Element) -> Findings:
     tags = [child.tag for child in package.children]
     for tag in REQUIRED:
         if tag not in tags:
-            yield Finding(Location(package.span), f"the package has no <{tag}>", f"write a <{tag}>")
+            yield Finding(package.span, f"the package has no <{tag}>", f"write a <{tag}>")
     for tag in ("name", "version", "description", "export"):
         for again in package.all(tag)[1:]:
-            yield Finding(Location(again.span), f"duplicate <{tag}>", "keep one")
+            yield Finding(again.span, f"duplicate <{tag}>", "keep one")
 
 
 def _tags(package: Element) -> Findings:
@@ -124,28 +124,26 @@ def _tags(package: Element) -> Findings:
         suggested = renamed.get(child.tag) or nearest(child.tag, known)
         help = f"write <{suggested}>" if suggested in known else "remove it"
         number = package.get("format") or "1"
-        yield Finding(Location(child.span), f"<{child.tag}> is not a tag of format {number}", help)
+        yield Finding(child.span, f"<{child.tag}> is not a tag of format {number}", help)
 
 
 def _values(package: Element) -> Findings:
     name, version = package.child("name"), package.child("version")
     if name and not _is_name(name.text.strip()):
-        yield Finding(Location(name.span), f"'{name.text.strip()}' is not a valid package name")
+        yield Finding(name.span, f"'{name.text.strip()}' is not a valid package name")
     if version and not _is_version(version.text.strip()):
         message = f"version '{version.text.strip()}' does not have three numbers"
-        yield Finding(Location(version.span), message, "write it as 1.0.0")
+        yield Finding(version.span, message, "write it as 1.0.0")
     for maintainer in package.all("maintainer"):
         if not maintainer.get("email"):
-            yield Finding(
-                Location(maintainer.span), "the maintainer has no email", 'write email="..."'
-            )
+            yield Finding(maintainer.span, "the maintainer has no email", 'write email="..."')
     for child in package.all("license"):
         if not child.text.strip():
-            yield Finding(Location(child.span), "the license is empty", "name the licence")
+            yield Finding(child.span, "the license is empty", "name the licence")
     own = name.text.strip() if name else ""
     for child in package.children:
         if own and child.tag.endswith("depend") and child.text.strip() == own:
-            yield Finding(Location(child.span), "the package depends on itself", "remove it")
+            yield Finding(child.span, "the package depends on itself", "remove it")
 
 
 def _is_name(text: str) -> bool:

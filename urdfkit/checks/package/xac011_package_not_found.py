@@ -21,7 +21,7 @@ import re
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import Unavailable
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, reported, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, reported, rule
 from urdfkit.robot.assets.file_names import is_mistyped
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import xacro_xml
@@ -102,7 +102,7 @@ def _launched(context: Context) -> Findings:
             undeclared = " and not declared in package.xml"
             help += f", or add <{manifest.dependency_tag}>{name}</{manifest.dependency_tag}>"
         yield Finding(
-            Location(package.span),
+            package.span,
             f"package '{name}' is not found{undeclared}{suggested}; "
             f"searched: {', '.join(package.searched)}",
             help,

@@ -51,7 +51,7 @@ def check(context: Context) -> Findings:
             continue
         lacking = re.match(_UNDEFINED, finding.message)
         if lacking and lacking[1]:
-            unprefixed.setdefault(finding.at.span.source.path, []).append(finding)
+            unprefixed.setdefault(finding.span.source.path, []).append(finding)
         else:
             yield finding._replace(group_key=lacking[0]) if lacking else finding
     yield from map(_as_one, unprefixed.values())
@@ -59,8 +59,8 @@ def check(context: Context) -> Findings:
 
 def _as_one(findings: list[Finding]) -> Finding:
     """The ``<property>`` elements of a file that lack the prefix, at the first of them."""
-    first, *others = sorted(findings, key=lambda finding: finding.at.span.start)
-    notes = tuple(Related(other.at.span, "without the prefix, too") for other in others)
+    first, *others = sorted(findings, key=lambda finding: finding.span.start)
+    notes = tuple(Related(other.span, "without the prefix, too") for other in others)
     return first._replace(
         message=first.message + more_like_this(len(others)), related=first.related + notes
     )
@@ -70,6 +70,6 @@ def _is_in_plain_macro(finding: Finding) -> bool:
     """True inside ``<macro>``, which xacro of the first years of ROS knew without a namespace."""
     if not re.match(_UNDEFINED, finding.message):
         return False
-    span = finding.at.span
+    span = finding.span
     ends = re.findall(rb"<(/?)macro\b", span.source.data[: span.start])
     return bool(ends) and ends[-1] == b""

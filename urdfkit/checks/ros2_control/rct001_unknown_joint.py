@@ -23,7 +23,7 @@ Sources:
 
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.misspelt_names import corrected_definition
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.controllers import Controller
@@ -124,7 +124,7 @@ def _controller_joints(context: Context) -> Findings:
             is_certain = controller.ros != 1 or (in_gazebo and (is_of_robot or bool(hint)))
             if is_of_robot or hint or file.path not in fitting:
                 yield Finding(
-                    Location(value.span),
+                    value.span,
                     f"controller '{controller.name}': unknown joint '{value.text}'{hint}",
                     "fix the name in the parameter file",
                     related=(file.note,),

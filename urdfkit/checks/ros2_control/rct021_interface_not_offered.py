@@ -23,7 +23,7 @@ Sources:
 
 from collections.abc import Collection
 
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.ros.catalog.ros_control import simulated_hardware, words
 from urdfkit.ros.claims import claims
 from urdfkit.ros.controllers import Controller, ParameterFile
@@ -99,7 +99,7 @@ def _missing(
         missing = [name for name in needed if available is not None and name not in available]
         if missing and available is not None:
             yield Finding(
-                Location(value.span),
+                value.span,
                 f"controller '{controller.name}' requires {direction} interface "
                 f"{', '.join(missing)} of joint '{value.text}', which offers: "
                 + (", ".join(sorted(available)) or "none"),

@@ -12,7 +12,7 @@ Sources:
 """
 
 from urdfkit.core.suggest import Suggester, did_you_mean
-from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Location, Severity, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.gazebo.samples import control_xml, gazebo_xml, sensor_xml, solid_xml
@@ -74,7 +74,7 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
             name = value.text
             if name and not is_expression(name) and name not in exported:
                 yield Finding(
-                    Location(value.span),
+                    value.span,
                     f"controller '{controller.name}': sensor '{name}' does not exist in "
                     f"<ros2_control>{did_you_mean(name, known)}",
                     "use the name of a <sensor> in <ros2_control>",

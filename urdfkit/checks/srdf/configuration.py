@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterable
 
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.moveit.config import (
     MANAGER,
@@ -52,7 +52,7 @@ def _joint_limits(context: Context, srdf: Srdf) -> Findings:
     for limit in unknown:
         message = f"limits of unknown joint '{limit.joint}'{did_you_mean(limit.joint, known)}"
         help = "fix the name, or remove the entry"
-        yield Finding(Location(limit.at.span), message, help, severity=Severity.WARNING)
+        yield Finding(limit.at.span, message, help, severity=Severity.WARNING)
 
 
 def _groups(context: Context, srdf: Srdf) -> Findings:
@@ -64,7 +64,7 @@ def _groups(context: Context, srdf: Srdf) -> Findings:
         is_ours = entry.is_alone or any(other.name in known for other in entries)
         if known and entry.name not in known | others and is_ours:
             yield Finding(
-                Location(entry.name.span),
+                entry.name.span,
                 f"settings of unknown group '{entry.name}'{did_you_mean(entry.name, known)}",
                 f"name a group of {os.path.basename(srdf.path)} ({_few(known)}), or remove "
                 "the settings",
@@ -92,7 +92,7 @@ def _solvers(context: Context, srdf: Srdf) -> Findings:
         if suggested:
             hint = f"unknown solver '{solver.text}'; did you mean '{suggested}'?"
             message = f"group '{entry.name}': {hint}"
-            yield Finding(Location(solver.span), message, f"write {suggested}")
+            yield Finding(solver.span, message, f"write {suggested}")
 
 
 def _planners(context: Context, srdf: Srdf) -> Findings:
@@ -103,12 +103,12 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
         match = None if name.text in known else nearest(name.text, sorted(known), TYPO)
         if match:
             message = f"planner '{name.text}' is not in planner_configs; did you mean '{match}'?"
-            yield Finding(Location(name.span), message, f"write {match}", severity=Severity.WARNING)
+            yield Finding(name.span, message, f"write {match}", severity=Severity.WARNING)
     for plugin in planning_plugins(srdf, context.resolver):
         match = nearest(plugin.text, data("moveit")["planners"], TYPO)
         if match and plugin.text != match:
             message = f"unknown planning plugin '{plugin.text}'; did you mean '{match}'?"
-            yield Finding(Location(plugin.span), message, f"write {match}")
+            yield Finding(plugin.span, message, f"write {match}")
     keys = {name: key for key, names in data("moveit")["adapters"].items() for name in names}
     packages = {name.partition("/")[0] for name in keys}
     for key, adapter, place in adapters(srdf, context.resolver):
@@ -118,7 +118,7 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
             match = same or nearest(adapter, keys, TYPO)
             message = f"{key}: unknown adapter '{adapter}'"
             help = f"write {match} in {keys[match]}" if match else f"remove it from {key}"
-            yield Finding(Location(place.span), message, help)
+            yield Finding(place.span, message, help)
 
 
 def _controllers(context: Context, srdf: Srdf) -> Findings:
@@ -130,7 +130,7 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
         unknown = []  # the file is for another robot or variant
     for who, joint in unknown:
         message = f"{who}: unknown joint '{joint.text}'{did_you_mean(joint.text, known)}"
-        yield Finding(Location(joint.span), message, "fix the name")
+        yield Finding(joint.span, message, "fix the name")
     yield from _manager(context, srdf)
     for name, others, is_outside in names_without_settings(srdf, context.resolver):
         hint = did_you_mean(name.text, others)
@@ -138,7 +138,7 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
             hint = f" in {MANAGER}: they are at the top level of the file"
         message = f"controller '{name.text}' has no settings{hint}"
         help = "indent the settings" if is_outside else "fix the name"
-        yield Finding(Location(name.span), message, help)
+        yield Finding(name.span, message, help)
 
 
 def _manager(context: Context, srdf: Srdf) -> Findings:
@@ -149,13 +149,13 @@ def _manager(context: Context, srdf: Srdf) -> Findings:
     match = nearest(plugin.text, data("moveit")["managers"], CLOSE_TYPO)
     if match and plugin.text != match:
         hint = f"unknown controller manager '{plugin.text}'; did you mean '{match}'?"
-        yield Finding(Location(plugin.span), hint, f"write {match}")
+        yield Finding(plugin.span, hint, f"write {match}")
     if match != _OF_MOVEIT:
         return
     for key, section in misplaced_controllers(srdf, context.resolver):
         message = f"MoveIt reads its controllers below {section}, not below '{key}'"
-        yield Finding(Location(key.span), message, f"write {section}")
+        yield Finding(key.span, message, f"write {section}")
     for key, entry in controller_entries(srdf, context.resolver):
         if "type" in entry and "joints" not in entry:
             message = f"controller '{key}' has no joints, so MoveIt ignores it"
-            yield Finding(Location(key.span), message, "list the joints that it moves")
+            yield Finding(key.span, message, "list the joints that it moves")

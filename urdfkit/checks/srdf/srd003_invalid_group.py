@@ -16,7 +16,7 @@ Sources:
 from collections.abc import Iterator
 from itertools import pairwise
 
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.tree import closed_loops
@@ -88,7 +88,7 @@ def _unsolvable(context: Context, srdf: Srdf) -> Findings:
         if group and (joints := _branch(context, srdf.links_of(entry.name))):
             first, other = joints
             yield Finding(
-                Location(entry.name.span),
+                entry.name.span,
                 f"group '{entry.name}' is not a chain, which solver '{solver.text}' requires: "
                 f"joint '{other.name}' does not follow joint '{first.name}'",
                 "define the group by one <chain>, or remove its solver",

@@ -20,7 +20,7 @@ Sources:
 from collections.abc import Iterator
 
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
@@ -75,7 +75,7 @@ def _missing_acceleration(context: Context) -> Findings:
     at = limit.values.get(switch, limit.at) if limit else next(iter(planned.values())).at
     names = few([f"'{joint.name}'" for joint in lacking], 4)
     yield Finding(
-        Location(at.span),
+        at.span,
         f"no acceleration limit for {'joint' if len(lacking) == 1 else 'joints'} {names}, without "
         "which MoveIt cannot time a trajectory",
         f"write {switch}: true and max_acceleration: VALUE for each",
@@ -85,7 +85,7 @@ def _missing_acceleration(context: Context) -> Findings:
 def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]:
     for name, value, allowed, measure in _compared(planned, joint):
         if _is_wider(name, value, allowed):
-            limit, at = joint.limit, Location(planned.values[name].span)
+            limit, at = joint.limit, planned.values[name].span
             message = f"joint '{joint.name}': {name} {value:g} {measure} exceeds the limit of the "
             message += f"robot, {allowed:g} {measure}"
             related = (Related(limit.at.span, "limit of the robot"),) if limit else ()
@@ -99,7 +99,7 @@ def _invalid(planned: PlannedLimit, context: Context) -> Iterator[tuple[str, Fin
         if value is not None and (invalid := _error_in(name, value, _ros(context))):
             message, help = invalid
             message = f"joint '{planned.joint}': {message}"
-            at = Location(value.span)
+            at = value.span
             yield name, Finding(at, message, help, severity=Severity.ERROR)
 
 

@@ -63,7 +63,7 @@ def _misspelt(srdf: Srdf) -> Findings:
             part = f"attribute '{mistake.name}'"
             edits = rename_attribute(mistake.at, mistake.suggested)
         yield Finding(
-            Location(edits[0].span) if edits else mistake.at,
+            edits[0].span if edits else mistake.at,
             f"unknown {part} in <{mistake.parent.tag}> (ignored); "
             f"did you mean '{mistake.suggested}'?",
             "fix the name",

@@ -5,7 +5,7 @@ from itertools import chain, islice
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog import data
 from urdfkit.ros.controllers import Controller, read
@@ -48,7 +48,7 @@ def _undefined(
     other = next((each for each in controllers if joints & _commanded(each)), None)
     if other is not None and joints.isdisjoint(served):
         yield Finding(
-            Location(key.span),
+            key.span,
             f"controller '{key}' is not defined in a parameter file of ros2_control; "
             f"'{other.name}' commands its joints",
             f"write {other.name}, or define '{key}'",
@@ -78,7 +78,7 @@ def _other_joints(
     commanded = _commanded(known[0])
     differing = few([*sorted(moved - commanded), *sorted(commanded - joints)], 4)
     yield Finding(
-        Location(key.span),
+        key.span,
         f"controller '{key}' has other joints here than in ros2_control: {differing}",
         "list the same joints in both files",
         related=(Related(known[0].type_at, f"controller '{key}'"),),
@@ -93,13 +93,13 @@ def _action(key: Key, entry: dict[str, Node], same: list[Controller]) -> Finding
         value = entry.get(name)
         if value is None:
             message = f"controller '{key}' has no {name}"
-            yield Finding(Location(key.span), message, f"write {name}: {expected}")
+            yield Finding(key.span, message, f"write {name}: {expected}")
         elif isinstance(value, Value) and value.text.strip("/") != expected:
             message = f"{name} of controller '{key}' is '{value.text}', but "
             message += f"{same[0].type} serves '{expected}'"
             # A controller of the real robot may have the same name and another action.
             help = f"write {expected}"
-            yield Finding(Location(value.span), message, help, severity=Severity.WARNING)
+            yield Finding(value.span, message, help, severity=Severity.WARNING)
             return
 
 

@@ -13,6 +13,7 @@ from urdfkit.ros.gazebo.worlds import World, default_systems, read_world, shippe
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.worlds import GZ, StartedWorld, worlds
 from urdfkit.text.diagnostic import Problem
+from urdfkit.text.source import Span
 
 #: Directories of a workspace that are searched for a world without a path.
 _MAX_DIRECTORIES = 2000
@@ -29,10 +30,10 @@ class OpenedWorld(Record):
     problems: tuple[Problem, ...] = ()  # errors of the parser
 
     @property
-    def place(self) -> Location:
+    def place(self) -> Location | Span:
         """The ``<world>``, or the start of the world if the file is not available."""
         if self.world is not None:
-            return Location(self.world.at.span)
+            return self.world.at.span
         return Location(self.started.span, self.started.frame)
 
     @property

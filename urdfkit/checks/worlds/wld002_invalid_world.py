@@ -97,7 +97,7 @@ def _unreadable(opened: OpenedWorld) -> Findings:
     at = Location(opened.started.span, opened.started.frame)
     if error is not None:
         message = f"'{file}' is not a world: {error.message}"
-        yield Finding(Location(error.span), message, "fix the file", related=opened.note)
+        yield Finding(error.span, message, "fix the file", related=opened.note)
     elif not opened.problems:
         message = f"'{file}' is not a world: it has no <world> in an <sdf>"
         yield Finding(at, message, "name a world; spawn models, or include them in a world")
@@ -210,7 +210,7 @@ def _engines(context: Context, opened: OpenedWorld) -> Findings:
             )
 
 
-def _selected_engines(opened: OpenedWorld) -> Iterator[tuple[Location, str]]:
+def _selected_engines(opened: OpenedWorld) -> Iterator[tuple[Location | Span, str]]:
     """The engine of the command line, otherwise of the Sensors system."""
     started = opened.started
     if started.engine:
@@ -219,7 +219,7 @@ def _selected_engines(opened: OpenedWorld) -> Iterator[tuple[Location, str]]:
     for plugin in opened.world.plugins if opened.world is not None else ():
         engine = plugin.child("render_engine")
         if engine is not None and engine.text.strip():
-            yield Location(engine.span), engine.text.strip()
+            yield engine.span, engine.text.strip()
 
 
 def _sensors_of(context: Context, kinds: list[str]) -> Iterator[Sensor]:

@@ -106,7 +106,7 @@ def _without_floor(opened: OpenedWorld, robot: Context) -> Findings:
     solid = ("collision", "heightmap", "include", "population")
     if not is_floating and not any(element.tag in solid for element in world.at.walk()):
         yield Finding(
-            Location(world.at.span),
+            world.at.span,
             f"world '{opened.name}' has no collision geometry, so the robot falls",
             "add a model with a plane, visual and collision, or include a ground plane",
             related=opened.note,

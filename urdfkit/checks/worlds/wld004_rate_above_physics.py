@@ -15,13 +15,14 @@ Sources:
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened_worlds import opened_worlds
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import element_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.controllers import managers
 from urdfkit.ros.gazebo.samples import CART_LAUNCH, gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.gazebo.worlds import DEFAULT_STEP
+from urdfkit.text.source import Span
 
 NAME = "launch/robot.launch.py"
 BAD = CART_LAUNCH
@@ -69,14 +70,14 @@ def check(context: Context) -> Findings:
                 )
 
 
-def _rates(context: Context) -> Iterator[tuple[float, Location, str]]:
+def _rates(context: Context) -> Iterator[tuple[float, Span, str]]:
     """Update rates in Gazebo: rate in Hz, location, and controller manager or sensor."""
     for _, robot in context.described_robots:
         for _, section in managers(robot):
             for value in section.values("update_rate"):
                 if rate := number(value.text):
-                    yield rate, Location(value.span), "controller_manager"
+                    yield rate, value.span, "controller_manager"
         for sensor in sensors(robot.model):
             written = sensor.number("update_rate")
             if written is not None:
-                yield written.value, Location(written.span), sensor.who
+                yield written.value, written.span, sensor.who

@@ -14,7 +14,7 @@ Sources:
 import re
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
@@ -39,12 +39,12 @@ def check(context: Context) -> Findings:
             if not _is_text(name, context):
                 result = "False" if operator == "==" else "True"
                 message = f"'{span.text}' is always {result}: xacro makes a boolean of '{name}'"
-                yield Finding(Location(span), message)
+                yield Finding(span, message)
         for name, word, span in _comparisons(source, _TEXTS):
             default = _default(name, context)
             if word != default and word.lower() == default.lower():
                 message = f"'{word}' is never equal to '{default}', the default of '{name}'"
-                yield Finding(Location(span), message, f"write $(arg {name}) alone, or '{default}'")
+                yield Finding(span, message, f"write $(arg {name}) alone, or '{default}'")
 
 
 def _comparisons(source: Source, pattern: bytes) -> Iterator[tuple[str, str, Span]]:

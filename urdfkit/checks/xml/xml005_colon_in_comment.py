@@ -15,7 +15,7 @@ import os
 import re
 
 from urdfkit.lint.context import Context
-from urdfkit.lint.rules import Finding, Findings, Location, Need, rule
+from urdfkit.lint.rules import Finding, Findings, Need, rule
 from urdfkit.text.diagnostic import Confidence, Severity
 from urdfkit.text.source import Source, Span
 
@@ -44,7 +44,7 @@ def check(context: Context) -> Findings:
         found = next(filter(None, (_written(xacro.sources, text) for text in texts)), None)
     if found:
         yield Finding(
-            Location(found),
+            found,
             "':' and white space in a comment: a ROS 2 launch file may parse the robot as YAML",
             confidence=Confidence.INFERRED,
         )
