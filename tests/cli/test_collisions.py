@@ -74,7 +74,7 @@ def test_an_srdf_is_written_compared_and_updated(
     bent: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     srdf = tmp_path / "bent.srdf"
-    assert main(["collisions", bent, *FEW, "--srdf", str(srdf)]) == 0
+    assert main(["collisions", bent, *FEW, "-o", str(srdf)]) == 0
     assert capsys.readouterr().err == f"{srdf} written\n"
     assert main(["collisions", bent, *FEW, "--compare", str(srdf)]) == 0
     assert "differs from this" in capsys.readouterr().out
@@ -84,10 +84,10 @@ def test_an_srdf_is_written_compared_and_updated(
     srdf.write_text(wrong)
     assert main(["collisions", bent, *FEW, "--compare", str(srdf)]) == 1
     assert "disabled in the SRDF, but can collide" in capsys.readouterr().out
-    assert main(["collisions", bent, *FEW, "--srdf", str(srdf)]) == 0
+    assert main(["collisions", bent, *FEW, "-o", str(srdf)]) == 0
     assert capsys.readouterr().err == f"{srdf} updated\n"
     written = srdf.read_text()
-    assert main(["collisions", bent, *FEW, "--srdf", "-"]) == 0
+    assert main(["collisions", bent, *FEW, "-o", "-"]) == 0
     printed = capsys.readouterr()
     assert (printed.out, printed.err) == (written, "")
     assert not Path("-").exists()
@@ -98,7 +98,7 @@ def test_an_srdf_is_written_compared_and_updated(
     ("words", "reason"),
     [
         (["--compare", "no.srdf"], "no.srdf"),
-        (["--srdf", "no/such/directory/r.srdf"], "no such directory"),
+        (["-o", "no/such/directory/r.srdf"], "no such directory"),
         (["--samples", "-1"], "--samples"),
         (["--joint", "none=1"], "no joint 'none'"),
     ],
@@ -123,7 +123,7 @@ def test_a_urdf_is_not_an_srdf(tmp_path: Path, capsys: pytest.CaptureFixture[str
     path = tmp_path / "gripper.urdf"
     text = (MODELS / "good" / "gripper.urdf").read_bytes()
     path.write_bytes(text)
-    for option in ("--srdf", "--compare"):
+    for option in ("-o", "--compare"):
         assert main(["collisions", str(path), option, str(path), "--samples", "0"]) == 2
         assert "not an SRDF file" in capsys.readouterr().err
     assert path.read_bytes() == text

@@ -80,6 +80,20 @@ def test_every_command_has_colours_which_the_page_of_check_explains(command: str
     assert "`--color WHEN`" in (transcripts.DIRECTORY / "check.md").read_text(encoding="utf-8")
 
 
+def test_names_of_options_agree() -> None:
+    """One name for one thing; what a command writes is named by -o."""
+    flags = set().union(*map(option_names, COMMANDS))
+    assert [flag for flag in flags if f"{flag}s" in flags] == []
+    written = {
+        flag
+        for command in COMMANDS.values()
+        for param in command.params
+        if isinstance(param, click.Option) and param.metavar and " to write" in (param.help or "")
+        for flag in param.opts
+    }
+    assert written == {"-o", "--output"}
+
+
 @pytest.mark.skipif(os.name == "nt", reason="the pages show a Unix shell")
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_transcripts_of_pages_are_current(page: Path) -> None:

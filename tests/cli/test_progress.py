@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS, ROOT
-from urdfkit.cli import progress
+from urdfkit.cli import main, progress
 from urdfkit.cli.progress import ProgressBar, on_terminal
 from urdfkit.mesh.samples import box, stl
 
@@ -179,3 +179,33 @@ def test_on_a_pipe_there_is_none() -> None:
         capture_output=True,
     )
     assert done.stderr == b""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "tree {robot}",
+        "kinematics {robot}",
+        "gazebo {robot}",
+        "importers {robot} --for drake",
+        "expand {robot}",
+        "trace {robot} /robot",
+        "migrate {robot} --to gz-harmonic",
+        "doctor {robot}",
+        "init {directory} --print",
+        "format {directory} --check",
+        "check {directory} --show-files",
+    ],
+)
+def test_commands_that_may_take_long_show_that_they_run(
+    words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    robot = tmp_path / "robot.urdf.xacro"
+    robot.write_bytes((MODELS / "good" / "gripper.urdf").read_bytes())
+    monkeypatch.setattr(progress, "DELAY", 0)
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setenv("TERM", "xterm")
+    assert main([part.format(robot=robot, directory=tmp_path) for part in words.split()]) in (0, 1)
+    shown = capsys.readouterr().err
+    assert shown.startswith(("\rworking ...", "\r[")), words
+    assert "\r\x1b[K" in shown

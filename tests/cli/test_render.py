@@ -101,8 +101,8 @@ def test_a_joint_moves_the_robot(tmp_path: Path) -> None:
         ([ARM, "--distance", "0"], "distance"),
         ([ARM, "--azimuth", "nan"], "angle"),
         ([ARM, "--elevation", "inf"], "angle"),
-        ([ARM, "--turntable", "a.gif", "--size", "0x0"], "16x16"),
-        ([ARM, "--turntable", "a.gif", "--size", "100000x100000"], "million pixels"),
+        ([ARM, "--turntable", "-o", "a.gif", "--size", "0x0"], "16x16"),
+        ([ARM, "--turntable", "-o", "a.gif", "--size", "100000x100000"], "million pixels"),
         ([ARM, "--diff", ARM, "--size", "100000x100000"], "million pixels"),
         ([ARM, "--layers", "frame"], "did you mean"),
         ([ARM, "--diff"], "two files"),
@@ -214,7 +214,7 @@ def test_layers_findings_and_several_views_can_be_combined(tmp_path: Path) -> No
 def test_a_turntable_and_a_sweep(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("orbit", "sweep"):
         monkeypatch.setattr(render, name, partial(getattr(render, name), frames=6))
-    assert main(["render", ARM, "--turntable", str(tmp_path / "t.webp"), *FEW]) == 0
+    assert main(["render", ARM, "--turntable", "-o", str(tmp_path / "t.webp"), *FEW]) == 0
     assert main(["render", ARM, "--sweep", "elbow", "-o", str(tmp_path / "s.gif"), *FEW]) == 0
     for name in ("t.webp", "s.gif"):
         with Image.open(tmp_path / name) as image:

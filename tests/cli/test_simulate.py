@@ -102,12 +102,12 @@ def test_collision_shapes_are_drawn_if_there_are_no_visuals(
     image = pytest.importorskip("PIL.Image")
     file, png = tmp_path / "r.urdf", tmp_path / "r.png"
     file.write_text(BOXES)
-    main(["simulate", str(file), "--png", str(png)])
+    main(["simulate", str(file), "-o", str(png)])
     assert "no link has a <visual>: collision shapes are drawn" in capsys.readouterr().err
     with image.open(png) as picture:
         assert len(picture.convert("L").getcolors(256)) > 50
     file.write_text(BOXES.replace("collision>", "other>"))
-    assert main(["simulate", str(file), "--png", str(png)]) == 2
+    assert main(["simulate", str(file), "-o", str(png)]) == 2
     assert "nothing to draw" in capsys.readouterr().err
 
 
@@ -130,8 +130,8 @@ def test_image_and_animation_of_the_release(
     monkeypatch.setattr(simulate, "MOVING", (64, 40))
     monkeypatch.setattr(animation, "FRAMES", 4)
     gif, png = tmp_path / "a.gif", tmp_path / "a.png"
-    assert main(["simulate", str(ARM), "--gif", str(gif), "--png", str(png)]) == 0
+    assert main(["simulate", str(ARM), "-o", str(gif), "-o", str(png)]) == 0
     with image.open(gif) as moving, image.open(png) as still:
         assert (moving.format, moving.size) == ("GIF", (64, 40))
         assert (still.format, still.size) == ("PNG", (64, 40))
-    assert main(["simulate", str(ARM), "--gif", str(tmp_path / "a.jpg")]) == 2
+    assert main(["simulate", str(ARM), "-o", str(tmp_path / "a.xyz")]) == 2

@@ -95,7 +95,7 @@ COMMANDS = {
     ".toml": [f"check {GRIPPER} --config {{}}"],
     ".json": [f"check {GRIPPER} --baseline {{}}"],
     ".yaml": [f"kinematics {GRIPPER} --pose {{}}"],
-    ".srdf": [f"collisions {GRIPPER} --compare {{}}", f"collisions {GRIPPER} --srdf {{}}"],
+    ".srdf": [f"collisions {GRIPPER} --compare {{}}", f"collisions {GRIPPER} -o {{}}"],
     ".tar": ["scan {} -o out"],
     ".txt": ["scan {} -o out"],
     ".stl": [

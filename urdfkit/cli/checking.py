@@ -41,7 +41,11 @@ def run_check(values: Mapping[str, Any]) -> int:
         return watch(run_check, values)
     settings = check_settings(values)
     if values["show_files"]:
-        output.write(_files(values, settings))
+        from urdfkit.cli.progress import working
+
+        with working():
+            text = _files(values, settings)
+        output.write(text)
         return 0
     if values["show_settings"]:
         from urdfkit.cli.settings import shown_settings

@@ -116,7 +116,7 @@ CONFIG = option("--config FILE", "Configuration file. [default: the nearest one]
 VARIANT = option("--variant NAME", "Variant in the configuration.", default="", show_default=False)
 TARGET = option("--target NAMES", "Target program. [default: detected]", multiple=True)
 DIFF = option("--diff", "Show what --write would change.")
-SEED = click.option("--seed", type=click.IntRange(0), default=0, help="Seed of the samples.")
+SEED = option("--seed N", "Seed of the samples.", type=click.IntRange(0), default=0)
 RULES = option(
     "--rules NAMES", "Rule packages to load: installed names, or modules.", multiple=True
 )

@@ -23,6 +23,7 @@ from urdfkit.cli.decorators import (
     described,
     with_options,
 )
+from urdfkit.cli.progress import working
 from urdfkit.core.cache_directory import cache_directory
 from urdfkit.core.installation import install_command
 from urdfkit.core.words import counted
@@ -95,7 +96,8 @@ def command(words: tuple[str, ...], **values: Any) -> int:
         lines.append(f"configuration: {error}")
     if words:
         describe = _directory if os.path.isdir(near) else _file
-        lines += ["", *describe(near, values, config or Config())]
+        with working():
+            lines += ["", *describe(near, values, config or Config())]
     output.page(lines, {r"\bmissing(?= {7}\S)": YELLOW})
     return 0
 

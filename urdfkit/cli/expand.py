@@ -9,6 +9,7 @@ import click
 
 from urdfkit.cli import output, stdin
 from urdfkit.cli.decorators import described, option, to_file
+from urdfkit.cli.progress import working
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.core import atomic
 from urdfkit.lint.rule_index import get
@@ -63,9 +64,10 @@ def command(
     file = only_file(inputs)
     source = _read(file, root_dir)
     read = reading(inputs, file if file == "-" else os.path.join(root_dir, file))
-    xacro = expand(
-        source, Resolver(read.packages), read.arguments, trust=read.trust, root_dir=root_dir
-    )
+    with working():
+        xacro = expand(
+            source, Resolver(read.packages), read.arguments, trust=read.trust, root_dir=root_dir
+        )
     error = _error(xacro)
     _print_notes(xacro, error, quiet=quiet or verbosity == 0)
     if error is not None:

@@ -7,6 +7,7 @@ import click
 
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.decorators import CONFIG, ISOLATED, described, option, with_options
+from urdfkit.cli.progress import working
 from urdfkit.lint.formatting import Formatted, format_files
 from urdfkit.text.editing.formatter import WIDTH, formatted
 from urdfkit.text.editing.rewriting import Rewrite
@@ -47,7 +48,10 @@ def command(
     width = width or (settings.width if settings else 0)
     if is_stdin:
         return _standard_input(width or WIDTH, check=check, diff=diff)
-    result = format_files(*files, width=width, force=force, check=check or diff, config=settings)
+    with working():
+        result = format_files(
+            *files, width=width, force=force, check=check or diff, config=settings
+        )
     if diff:
         output.write_diff(result.diff())
     elif not check:

@@ -5,6 +5,7 @@ from typing import Any
 
 from urdfkit.cli import output
 from urdfkit.cli.decorators import described, in_formats, option
+from urdfkit.cli.progress import working
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
@@ -46,7 +47,8 @@ def show(context: Context, format: str, *, old: bool) -> int:
         old: convert as sdformat did before 9.10.1 and 12.7.2.
     """
     conversion = SdfConversion(context.tree, OLD if old else NEW)
-    rejected = rejections(run_rules(context, sorted(CODES)).diagnostics, conversion)
+    with working():
+        rejected = rejections(run_rules(context, sorted(CODES)).diagnostics, conversion)
     lines = (*_rejection(rejected), *render(conversion))
     output.json_or_page(format, lambda: as_json(conversion, rejected), lines, COLORS)
     return 0

@@ -6,6 +6,7 @@ from typing import Any
 
 from urdfkit.cli import gazebo, options, output
 from urdfkit.cli.decorators import described, in_formats, option
+from urdfkit.cli.progress import working
 from urdfkit.cli.robot import one_robot, only_file, robot
 from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
@@ -95,7 +96,8 @@ def _errors(inputs: dict[str, Any], context: Context, facts: ImporterFacts) -> l
         settings = settings._replace(targets=(facts.target,))
     else:
         settings = settings._replace(select=STRUCTURE)
-    report = check(context.source, options=settings)
+    with working():
+        report = check(context.source, options=settings)
     return [error for error in report.diagnostics if error.severity is Severity.ERROR]
 
 

@@ -7,6 +7,7 @@ import click
 
 from urdfkit.cli import output
 from urdfkit.cli.decorators import described, option
+from urdfkit.cli.progress import working
 from urdfkit.cli.settings import toml_key, toml_text
 from urdfkit.core import atomic
 from urdfkit.core.words import counted
@@ -39,8 +40,9 @@ def command(directory: str, only_print: bool) -> int:
     Examples:
         urdfkit init --print
     """
-    contents = discover(directory, Config(), Resolver())
-    text = render(contents, directory)
+    with working():
+        contents = discover(directory, Config(), Resolver())
+        text = render(contents, directory)
     if only_print:
         output.write(text)
         return 0

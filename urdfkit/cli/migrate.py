@@ -7,6 +7,7 @@ import click
 
 from urdfkit.cli import output, stdin
 from urdfkit.cli.decorators import described
+from urdfkit.cli.progress import working
 from urdfkit.cli.robot import one_robot, only_file, reading
 from urdfkit.lint.loading import read
 from urdfkit.lint.migrate import Migration, migrate
@@ -33,7 +34,8 @@ def command(inputs: dict[str, Any], target: str) -> int:
     file = only_file(inputs)
     opts = reading(inputs, file)
     source = stdin.opened(file)
-    migration = migrate(source, target, opts.arguments, opts.packages, opts.trust)
+    with working():
+        migration = migrate(source, target, opts.arguments, opts.packages, opts.trust)
     if not any(migration):
         robot = read(source, arguments=opts.arguments, packages=opts.packages, trust=opts.trust)
         if not robot.is_readable or not robot.model.links:

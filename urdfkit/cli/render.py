@@ -11,7 +11,7 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import described, limited, option
 from urdfkit.cli.posing import posed, positions
-from urdfkit.cli.progress import progress_bar
+from urdfkit.cli.progress import progress_bar, working
 from urdfkit.cli.robot import last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.core.temporary import scratch
@@ -32,12 +32,12 @@ _NAMED = 5
 
 @described("render")
 @one_robot
-@option("-o, --output FILE", "Image to write: .png, .webp, .jpg ...")
+@option("-o, --output FILE", "Image to write: .png, .webp, .jpg ...", required=True)
 @option("--view NAMES", f"{', '.join(VIEWS)}, or all.", to="views", multiple=True)
 @option("--layers NAMES", "visual, collision, frames ...", multiple=True)
 @option("--findings", "Colour links with errors red, with warnings orange.")
 @posed
-@option("--turntable FILE", "Turntable animation as .gif, .webp or .apng.")
+@option("--turntable", "Turntable animation as .gif, .webp or .apng.")
 @option("--sweep JOINT", "Animation of a joint over its range, as .gif, .webp or .apng.")
 @option("--diff", "Draw two files, or REVISION:FILE, and their difference.")
 @option("--thumbnail", f"Image of {THUMBNAIL} pixels with a transparent background.")
@@ -77,8 +77,6 @@ def command(inputs: dict[str, Any], **values: Any) -> int:
     kinds = [name for name in ("diff", "sweep", "turntable", "thumbnail") if values[name]]
     if len(kinds) > 1:
         raise options.UsageError(f"--{kinds[0]} and --{kinds[1]} cannot be combined")
-    if not (values["output"] or values["turntable"]):
-        raise options.UsageError("render needs -o FILE, such as -o robot.png")
     if values["diff"]:
         scene = _difference(files, inputs, values)
     else:
@@ -108,7 +106,8 @@ def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Sc
     if not values["findings"]:
         return scene
     as_read = Options(arguments=robot.arguments, trust=robot.trust)
-    report = check_with(as_read, [robot.source], robot.resolver)
+    with working():
+        report = check_with(as_read, [robot.source], robot.resolver)
     return render.marked(scene, robot, report.diagnostics)
 
 
@@ -138,7 +137,7 @@ def _animation(
     """An animation: a turn of the robot, or a sweep of one of its joints."""
     from urdfkit import render
 
-    path = values["turntable"] or values["output"]
+    path = values["output"]
     render.animation_format(path)
     size, view = _size(values["size"] or MOVING), _one_view(values)
     if values["turntable"]:
@@ -149,7 +148,8 @@ def _animation(
         shots = render.followed(list(scenes), view, size=size, **_camera(values))
     with progress_bar() as bar:
         images = render.animated(shots, progress=bar, **_drawing(values))
-    render.save_animation(images, path)
+    with working():
+        render.save_animation(images, path)
     output.page([f"wrote {shown(path)}"])
 
 
@@ -158,7 +158,7 @@ def _difference(files: Sequence[str], inputs: dict[str, Any], values: dict[str, 
     from urdfkit import render
     from urdfkit.output.comparison.states import RobotState
 
-    with scratch() as directory:
+    with working(), scratch() as directory:
         scenes = []
         read_settings = options.check_options(inputs, last_file(files))
         for file, name in zip(files, ("before", "after"), strict=True):

@@ -23,10 +23,10 @@ from urdfkit.text.source import shown
 @choice("--lang", of=LANGUAGES, help="Language of the page.")
 @option("--quick", "Skip images, statics and collisions.")
 @choice("--table", of=COLUMNS, help="Table of a .csv report.")
-@click.option(
-    "--fail-on",
+@option(
+    "--fail-on SEVERITY",
+    "Severity that makes the exit code 1.",
     type=click.Choice(["error", "warning", "info"]),
-    help="Severity that makes the exit code 1.",
 )
 @limited
 def command(

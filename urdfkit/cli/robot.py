@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
 from functools import wraps
 from typing import Any, cast
 
@@ -18,6 +19,7 @@ from urdfkit.cli.decorators import (
     Command,
     with_options,
 )
+from urdfkit.cli.progress import working
 from urdfkit.core.progress import Progress
 from urdfkit.core.words import counted, few
 from urdfkit.errors import UnreadableFile, UnreadableRobot
@@ -126,13 +128,14 @@ def robot(inputs: Mapping[str, Any], progress: Progress | None = None) -> Contex
     file = only_file(inputs)
     read_options = reading(inputs, file)
     try:
-        context = read(
-            stdin.opened(file),
-            arguments=read_options.arguments,
-            packages=read_options.packages,
-            trust=read_options.trust,
-            progress=progress,
-        )
+        with working() if progress is None else nullcontext():
+            context = read(
+                stdin.opened(file),
+                arguments=read_options.arguments,
+                packages=read_options.packages,
+                trust=read_options.trust,
+                progress=progress,
+            )
     except UnreadableRobot as error:
         if not error.problems:
             raise

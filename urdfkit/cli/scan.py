@@ -42,7 +42,7 @@ class _Scan(click.Command):
 @described("scan", cls=_Scan)
 @click.argument("sources", nargs=-1, required=True, metavar="SOURCE...")
 @option("-o, --output DIR", "Directory of the results.", to="directory", required=True)
-@click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
+@option("--jobs N", "Processes. [default: one per processor]", type=click.IntRange(1))
 @option("--timeout SECONDS", "Limit of time for a model.", type=click.FloatRange(0.01), default=60)
 @option("--memory GIB", "Limit of memory for a model.", type=click.FloatRange(0.1), default=4)
 @choice("--engine", of=["local", "dask"], help="Engine that runs the processes.")

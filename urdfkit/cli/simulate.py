@@ -1,11 +1,12 @@
 """``urdfkit simulate``: faults of a robot in MuJoCo."""
 
-from collections.abc import Iterator
+import os
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from urdfkit.cli import output
 from urdfkit.cli.decorators import choice, described, in_formats, limited, option
-from urdfkit.cli.progress import progress_bar
+from urdfkit.cli.progress import progress_bar, working
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
@@ -17,6 +18,7 @@ from urdfkit.text.terminal import GREEN, RED, YELLOW
 
 #: Pixels of the image and of the animation.
 SIZE, MOVING = (1280, 720), (640, 400)
+MOVING_FORMATS = (".gif", ".webp", ".apng")
 COLORS = {r"(?<=^  )FAILS\b": RED, r"(?<=^  )warns\b": YELLOW, r"(?<=^  )passes\b": GREEN}
 
 
@@ -24,16 +26,19 @@ COLORS = {r"(?<=^  )FAILS\b": RED, r"(?<=^  )warns\b": YELLOW, r"(?<=^  )passes\
 @one_robot
 @choice("--base", of=BASES, help="Weld the root to the world, or let it stand on a floor.")
 @option("--srdf FILE", "SRDF whose disabled pairs do not collide; default: that of the package.")
-@option("--gif FILE", "Animation of the release: .gif, .webp or .apng.")
-@option("--png FILE", "Image at the end of the release: .png, .webp ...")
+@option(
+    "-o, --output FILE",
+    "Animation of the release (.gif, .webp, .apng) or image of its end (.png, .jpg); repeatable.",
+    to="images",
+    multiple=True,
+)
 @in_formats("text", "json", "junit")
 @limited
 def command(
     inputs: dict[str, Any],
     base: str,
     srdf: str | None,
-    gif: str | None,
-    png: str | None,
+    images: tuple[str, ...],
     format: str,
 ) -> int:
     """Simulate a robot in MuJoCo; report faulty behaviour.
@@ -47,14 +52,14 @@ def command(
     Examples:
         urdfkit simulate robot.urdf.xacro
         urdfkit simulate robot.urdf.xacro --base free --format json
-        urdfkit simulate robot.urdf.xacro --gif released.gif
+        urdfkit simulate robot.urdf.xacro -o released.gif
     """
     with progress_bar() as bar:
         context = robot(inputs, bar)
     with progress_bar("tests") as bar:
         simulation = simulate(context, base=base, srdf=srdf, progress=bar)
-    if gif or png:
-        _draw(context, base, srdf, gif, png)
+    if images:
+        _draw(context, base, srdf, images)
     if format == "junit":
         from urdfkit.output.simulation.junit import render
 
@@ -72,22 +77,22 @@ def _page(simulation: Simulation) -> Iterator[str]:
         yield from output.indented(str(verdict))
 
 
-def _draw(context: Context, base: str, srdf: str | None, gif: str | None, png: str | None) -> None:
+def _draw(context: Context, base: str, srdf: str | None, paths: Iterable[str]) -> None:
     from urdfkit import render
     from urdfkit.render.animation import FRAMES
 
-    if gif:
-        render.animation_format(gif)
     scene = render.build(context)
     if not scene.items:
         scene = render.build(context, roles=("collision",))
         if not scene.items:
             raise UrdfkitError(f"{context.source.path}: nothing to draw: no geometry")
         output.note("no link has a <visual>: collision shapes are drawn")
-    moments = motion(context, base=base, images=FRAMES, srdf=srdf)
-    scenes = [scene._replace(frames=frames) for frames in moments]
-    if gif:
-        shots = render.followed([(frame, {}) for frame in scenes], size=MOVING)
-        render.save_animation(render.animated(shots), gif)
-    if png:
-        render.save(render.render_image(scenes[-1], ["iso"], size=SIZE), png)
+    with working():
+        moments = motion(context, base=base, images=FRAMES, srdf=srdf)
+        scenes = [scene._replace(frames=frames) for frames in moments]
+        for path in paths:
+            if os.path.splitext(path)[1].lower() in MOVING_FORMATS:
+                shots = render.followed([(frame, {}) for frame in scenes], size=MOVING)
+                render.save_animation(render.animated(shots), path)
+            else:
+                render.save(render.render_image(scenes[-1], ["iso"], size=SIZE), path)

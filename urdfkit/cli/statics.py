@@ -34,12 +34,10 @@ MAX_SAMPLES = 1_000_000
 @one_robot
 @posed
 @option("--payload KG@LINK", "Payload mass at the origin of a link.", multiple=True)
-@click.option(
-    "--samples", type=click.IntRange(0, MAX_SAMPLES), default=200, help="Sampled configurations."
-)
+@option("--samples N", "Sampled configurations.", type=click.IntRange(0, MAX_SAMPLES), default=200)
 @SEED
 @option("--contact LINK", "Contact link with the ground. [default: the lowest]", multiple=True)
-@option("--visuals", "Use the visual where a contact link has no collision.")
+@option("--visual", "Use the visual where a contact link has no collision.")
 @in_formats("text", "json")
 @limited
 def command(
@@ -48,7 +46,7 @@ def command(
     samples: int,
     seed: int,
     contact: tuple[str, ...],
-    visuals: bool,
+    visual: bool,
     format: str,
 ) -> int:
     """Compare gravity torques with effort limits; test for tipping.
@@ -69,7 +67,7 @@ def command(
     loads = _statics(context, pose, payload_masses, samples, seed)
     contacts = [context.model.require_link(link).name for link in contact] or None
     contact_result = standing_verdict(
-        context, pose, contacts, payload=payload_masses, visuals=visuals
+        context, pose, contacts, payload=payload_masses, visuals=visual
     )
     lines = [*render(loads, context.model, posed=bool(pose)), ""]
     lines += (line for text in describe(contact_result) for line in output.wrapped(text))
@@ -146,7 +144,7 @@ def describe(contact_result: StandingVerdict) -> Iterator[str]:
         yield f"centre of mass at {x:.4g} {y:.4g} m, {z - stability.ground:.4g} m above the ground"
         yield _safety(stability, contact_result.verdict)
     if contact_result.visual_only:
-        counted = "counted" if contact_result.visuals else "ignored (--visuals counts it)"
+        counted = "counted" if contact_result.visuals else "ignored (--visual counts it)"
         yield f"visual without collision, {counted}: {', '.join(contact_result.visual_only)}"
 
 

@@ -7,6 +7,7 @@ import click
 
 from urdfkit.cli import options, output, stdin
 from urdfkit.cli.decorators import described
+from urdfkit.cli.progress import working
 from urdfkit.cli.robot import first_error, read_by_options, reading
 from urdfkit.errors import UnreadableRobot
 from urdfkit.text.document import Attribute, Element, Step
@@ -45,7 +46,8 @@ def command(file: str, address: str, arguments: tuple[str, ...], **values: Any) 
     source = Source.of(stdin.opened(file))
     read = reading({**values, options.FILES: (file, *arguments)}, file)
     resolver = Resolver(read.packages)
-    xacro = expand(source, resolver, read.arguments, trust=read.trust, traced=True)
+    with working():
+        xacro = expand(source, resolver, read.arguments, trust=read.trust, traced=True)
     if xacro.document is None:
         error = UnreadableRobot(f"{file} does not expand: {xacro.first_error}", xacro.problems)
         raise first_error(error, file)

@@ -7,7 +7,7 @@
   gripper. The depth is stated for primitives and convex meshes; coal's depth for other meshes is
   not reliable.
 - Overlap in every pose, an info: at zero, at all limits and in some dozens of poses between. MoveIt
-  can plan only if the pair is disabled in the SRDF (`urdfkit collisions --srdf`). A warning if
+  can plan only if the pair is disabled in the SRDF (`urdfkit collisions -o`). A warning if
   `<self_collide>` enables collisions of one of the two with its robot in Gazebo, which has no such
   list: it pushes them apart in every step, and the robot shakes or flies off. gz-sim reads the tag
   of the model, in a `<gazebo>` block without a reference, and not the tags of links.

@@ -3,7 +3,7 @@
 MoveIt does not check the pair, and may drive one link into the other. A pose in which they overlap
 was found among some thousand samples within the joint limits, with the collision geometry as MoveIt
 reads it. In that pose no pair that MoveIt checks overlaps, so MoveIt would not avoid it. The matrix
-is of an older robot, or was computed from too few samples. `urdfkit collisions --srdf` computes it
+is of an older robot, or was computed from too few samples. `urdfkit collisions -o` computes it
 again and keeps the rest of the file. Pairs with another reason, such as "User", are intended and
 not reported; nor are adjacent links, which MoveIt always disables, and links whose mesh has another
 unit, which MoveIt does not read (MSH013).
@@ -48,7 +48,7 @@ _WORK = 400_000
 @rule(
     Severity.WARNING,
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
-    help="compute the matrix again: urdfkit collisions ROBOT --srdf FILE",
+    help="compute the matrix again: urdfkit collisions ROBOT -o FILE",
 )
 def check(context: Context) -> Findings:
     srdf = context.required_srdf

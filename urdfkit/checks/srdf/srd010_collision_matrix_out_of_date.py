@@ -7,7 +7,7 @@
 - A pair that a joint connects overlaps at the zero pose and is not disabled (info). MoveIt finds
   the collision in every pose, and cannot plan. An SRDF without any matrix is not reported.
 
-The matrix is older than the links, or was edited by hand; `urdfkit collisions --srdf` updates it.
+The matrix is older than the links, or was edited by hand; `urdfkit collisions -o` updates it.
 
 Sources:
     SRDF: https://wiki.ros.org/srdf
@@ -43,7 +43,7 @@ _DEEP = 1e-4
 @rule(
     Severity.INFO,
     needs=(Need.MODEL, Need.SRDF, Need.COLLISIONS),
-    help="update it: urdfkit collisions ROBOT --srdf FILE",
+    help="update it: urdfkit collisions ROBOT -o FILE",
 )
 def check(context: Context) -> Findings:
     srdf = context.required_srdf

@@ -24,11 +24,13 @@ if TYPE_CHECKING:
 @described("collisions")
 @one_robot
 @posed
-@click.option("--samples", type=click.IntRange(0), default=10_000, help="Sampled configurations.")
+@option("--samples N", "Sampled configurations.", type=click.IntRange(0), default=10_000)
 @SEED
-@click.option("--jobs", type=click.IntRange(1), help="Processes. [default: one per processor]")
+@option("--jobs N", "Processes. [default: one per processor]", type=click.IntRange(1))
 @option(
-    "--srdf FILE", "Write the matrix to FILE, or update the matrix in it; '-' prints only the SRDF."
+    "-o, --output FILE",
+    "SRDF to write, or to update; '-' prints only the SRDF.",
+    to="srdf",
 )
 @option("--compare FILE", "Compare with the matrix of this SRDF.")
 @click.option(
@@ -56,7 +58,7 @@ def command(
     input error.
 
     Examples:
-        urdfkit collisions robot.urdf.xacro --srdf robot.srdf
+        urdfkit collisions robot.urdf.xacro -o robot.srdf
         urdfkit collisions robot.urdf.xacro --compare robot.srdf
     """
     context = robot(inputs)

@@ -28,7 +28,7 @@ def exclude_disabled(mjcf: MjcfRobot, srdf: Srdf | None) -> None:
 
 
 def exclude_computed(mjcf: MjcfRobot, robot: Context) -> None:
-    """Exclude pairs of links that ``urdfkit collisions --srdf`` would disable."""
+    """Exclude pairs of links that ``urdfkit collisions -o`` would disable."""
     pairs = robot.collisions.matrix().pairs
     _exclude(mjcf, (frozenset((pair.first, pair.second)) for pair in pairs if pair.verdict.reason))
 
