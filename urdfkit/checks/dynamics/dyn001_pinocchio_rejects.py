@@ -33,17 +33,16 @@ _NAME = r"[\[']([^\]']+)[\]']"
 def check(context: Context) -> Findings:
     if "pinocchio" in context.targets.names and not context.is_part:
         need_pinocchio()
-        from urdfkit.physics.dynamics.pinocchio_reading import parse_urdf
+        from urdfkit.physics.dynamics.pinocchio_parser import why_rejected
 
-        refusal = parse_urdf(context.text).refusal
-        if refusal:
-            reason, _, _ = refusal.partition(".  ")  # followed by advice
-            yield Finding(_place(context.model, refusal), f"Pinocchio rejects the robot: {reason}")
+        if text := why_rejected(context.text):
+            reason, _, _ = text.partition(".  ")  # followed by advice
+            yield Finding(_place(context.model, text), f"Pinocchio rejects the robot: {reason}")
 
 
-def _place(model: RobotModel, refusal: str) -> Element:
+def _place(model: RobotModel, reason: str) -> Element:
     """The joint or link that the reason names, otherwise the root element."""
-    for name in re.findall(_NAME, refusal):
+    for name in re.findall(_NAME, reason):
         part = model.joints_by_name.get(name) or model.links_by_name.get(name)
         if part:
             return part.at
