@@ -61,7 +61,12 @@ def changed(pair: Path, old: str, new: str, **allowed: Any) -> Comparison:
 def test_the_same_robot_does_not_differ(pair: Path) -> None:
     found = compare("a/arm.urdf", "b/arm.urdf")
     assert found.kinds == set()
-    assert (found.differences, found.moved, found.came, found.went) == ((), (), (), ())
+    assert (found.differences, found.moved, found.new_findings, found.fixed_findings) == (
+        (),
+        (),
+        (),
+        (),
+    )
     assert as_text.render(found).splitlines() == ["a/arm.urdf -> b/arm.urdf", "no differences"]
 
 
@@ -122,10 +127,10 @@ def test_tolerances_hold_for_frames_and_totals(pair: Path) -> None:
 
 def test_findings_that_came_and_went(pair: Path) -> None:
     found = changed(pair, 'lower="-1" upper="2"', 'lower="3" upper="2"')
-    assert [one.code for one in found.came] == ["JNT003"]
+    assert [one.code for one in found.new_findings] == ["JNT003"]
     assert found.kinds == {"limits", "findings"}
     back = compare("b/arm.urdf", "a/arm.urdf")
-    assert [one.code for one in back.went] == ["JNT003"]
+    assert [one.code for one in back.fixed_findings] == ["JNT003"]
     assert back.kinds == {"limits"}
     assert "- b/arm.urdf:10:" in as_text.render(back)
 
@@ -134,7 +139,7 @@ def test_a_finding_on_another_line_with_other_numbers_is_the_same(pair: Path) ->
     (pair / "a" / "arm.urdf").write_text(ARM.replace('lower="-1"', 'lower="3"'))
     (pair / "b" / "arm.urdf").write_text("\n\n" + ARM.replace('lower="-1"', 'lower="4"'))
     found = compare("a/arm.urdf", "b/arm.urdf")
-    assert (found.came, found.went) == ((), ())
+    assert (found.new_findings, found.fixed_findings) == ((), ())
 
 
 def test_surfaces_are_measured(pair: Path) -> None:
@@ -175,7 +180,7 @@ def test_a_mesh_that_is_gone(pair: Path) -> None:
     (pair / "b" / "base.obj").unlink()
     found = compare("a/arm.urdf", "b/arm.urdf")
     assert "link 'base': the file of its visual mesh is gone" in map(str, found.differences)
-    assert [one.code for one in found.came] == ["MSH001"]
+    assert [one.code for one in found.new_findings] == ["MSH001"]
 
 
 # --- git
@@ -232,7 +237,7 @@ def test_a_package_that_a_revision_did_not_have(repository: Path) -> None:
 
 def test_findings_of_a_revision_name_its_file(repository: Path) -> None:
     found = compare("HEAD:urdf/arm.urdf", "HEAD~1:urdf/arm.urdf")
-    assert [one.span.source.path for one in found.went] == ["HEAD:urdf/arm.urdf"]
+    assert [one.span.source.path for one in found.fixed_findings] == ["HEAD:urdf/arm.urdf"]
     assert found.before == "HEAD:urdf/arm.urdf"
 
 

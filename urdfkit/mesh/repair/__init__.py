@@ -18,12 +18,12 @@ from urdfkit.mesh.repair.cleaning import (
     drop_repeated,
     drop_scraps,
     drop_walls,
+    weld_open_edges,
 )
 from urdfkit.mesh.repair.holes import fill
-from urdfkit.mesh.repair.seams import weld_rims
 from urdfkit.mesh.repair.soup import TriangleSoup, mesh_of, soup_of
 from urdfkit.mesh.repair.union import unite
-from urdfkit.mesh.repair.winding import agree, face_outwards
+from urdfkit.mesh.repair.winding import face_outwards, orient_consistently
 from urdfkit.mesh.welding import finite
 
 #: Distance, as a part of the diagonal, below which points of open edges are merged.
@@ -93,7 +93,7 @@ def repair(
     if before.non_finite:
         steps.append(RepairStep("dropped triangles that are not finite", before.non_finite))
     if one_sided:
-        soup = _do(_OPTIONAL[0], drop_back_sides, soup, steps)
+        soup = _apply(_OPTIONAL[0], drop_back_sides, soup, steps)
     initial = best = examine(soup.points, soup.faces)
     for number in range(_ROUNDS):  # while they reduce the defects
         if best.defects == 0:
@@ -106,7 +106,7 @@ def repair(
             break
         soup, best = candidate, state
         steps += new_steps
-    if union and (united := _do(_OPTIONAL[1], unite, soup, steps)) is not soup:
+    if union and (united := _apply(_OPTIONAL[1], unite, soup, steps)) is not soup:
         soup, mesh = united, _without_vertex_attributes(mesh)
     if not steps:
         return Repair(mesh, (), before, before)
@@ -126,17 +126,17 @@ def _round(soup: TriangleSoup, steps: list[RepairStep], *, holes: bool) -> Trian
     actions: list[tuple[str, _Action]] = [
         ("dropped collapsed triangles", drop_collapsed),
         ("dropped repeated triangles", drop_repeated),
-        ("welded open edges", lambda soup: drop_collapsed(weld_rims(soup, tolerance))),
+        ("welded open edges", lambda soup: drop_collapsed(weld_open_edges(soup, tolerance))),
         ("dropped repeated triangles", drop_repeated),
         ("dropped fins", drop_fins),
         ("dropped walls inside", drop_walls),
         ("dropped loose scraps", drop_scraps),
-        ("turned triangles to agree with their neighbours", agree),
+        ("turned triangles to agree with their neighbours", orient_consistently),
         *([("closed holes", fill)] if holes else []),
         ("turned bodies outside out", face_outwards),
     ]
     for name, act in actions:
-        soup = _do(name, act, soup, steps)
+        soup = _apply(name, act, soup, steps)
     return soup
 
 
@@ -149,7 +149,7 @@ def _summed(steps: list[RepairStep]) -> list[RepairStep]:
     return [*sums.values()]
 
 
-def _do(name: str, act: _Action, soup: TriangleSoup, steps: list[RepairStep]) -> TriangleSoup:
+def _apply(name: str, act: _Action, soup: TriangleSoup, steps: list[RepairStep]) -> TriangleSoup:
     result = act(soup) if len(soup.faces) else soup
     if result is soup:
         return soup

@@ -1,6 +1,7 @@
-"""Removal of collapsed and repeated triangles, fins, inner walls and scraps."""
+"""Removal of collapsed and repeated triangles, fins, inner walls and scraps; welding of edges."""
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from urdfkit.mesh.components import split_pieces
 from urdfkit.mesh.edges import Edges, have_distinct_corners
@@ -14,6 +15,16 @@ _SCRAP = 4
 _SMALL = 1e-4
 #: Rounds of removing fins, as a fin may carry another one.
 _ROUNDS = 50
+
+
+def weld_open_edges(soup: TriangleSoup, tolerance: float) -> TriangleSoup:
+    """Merge points of open edges within a tolerance; closed parts of the surface do not change."""
+    edges = Edges(soup.faces)
+    ends = np.unique(edges.ends[edges.is_open])
+    pairs = cKDTree(soup.points[ends]).query_pairs(tolerance, output_type="ndarray")
+    if not len(pairs):
+        return soup
+    return soup.merge(components(len(soup.points), ends[pairs]))
 
 
 def drop_collapsed(soup: TriangleSoup) -> TriangleSoup:

@@ -11,7 +11,7 @@ from urdfkit.mesh.grouping import components
 from urdfkit.mesh.repair.soup import TriangleSoup
 
 
-def agree(soup: TriangleSoup) -> TriangleSoup:
+def orient_consistently(soup: TriangleSoup) -> TriangleSoup:
     """Orient adjacent faces consistently; flips the smaller part of the area of each piece."""
     edges = Edges(soup.faces)
     if not edges.is_inconsistent.any():

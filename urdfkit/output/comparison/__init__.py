@@ -36,8 +36,7 @@ class Comparison(Record):
         names: renamed links and joints.
         moved: links with another pose when all joints are at zero, the farthest first.
         whole, whole_after: the robot as one body, all joints at zero, in the frame of its root.
-        came: new findings.
-        went: fixed findings.
+        new_findings, fixed_findings: of the check, without those in both states.
         notes: sentences on parts that could not be compared.
         tolerances: the tolerances of the comparison.
         images: URIs of images of both states; empty if not requested.
@@ -51,8 +50,8 @@ class Comparison(Record):
     moved: tuple[MovedLink, ...]
     whole: CompositeBody
     whole_after: CompositeBody
-    came: tuple[Diagnostic, ...]
-    went: tuple[Diagnostic, ...]
+    new_findings: tuple[Diagnostic, ...]
+    fixed_findings: tuple[Diagnostic, ...]
     notes: tuple[str, ...]
     tolerances: Tolerances
     images: tuple[str, ...] = ()
@@ -85,7 +84,7 @@ class Comparison(Record):
             kinds.add("frames")
         if self.total_differs:
             kinds.add("masses")
-        if any(kinds.severity is not Severity.INFO for kinds in self.came):
+        if any(kinds.severity is not Severity.INFO for kinds in self.new_findings):
             kinds.add("findings")
         return kinds
 
@@ -142,7 +141,7 @@ def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comp
     names = renames(old.model, new.model, allowed)
     found = differences(old.model, new.model, allowed, names)
     changed, notes = changed_surfaces(old, new, allowed, names)
-    came, went = _findings(before, after, names)
+    new_findings, fixed_findings = _findings(before, after, names)
     return Comparison(
         before.word,
         after.word,
@@ -151,8 +150,8 @@ def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comp
         moved_frames(old.tree, new.tree, allowed, names),
         composite_body(old.tree, frames(old.tree, {})),
         composite_body(new.tree, frames(new.tree, {})),
-        came,
-        went,
+        new_findings,
+        fixed_findings,
         tuple(notes),
         allowed,
         directories=tuple(dict.fromkeys((*_directories(old), *_directories(new)))),
@@ -182,9 +181,9 @@ def _findings(
     old, new = before.report.diagnostics, after.report.diagnostics
     old_keys = {key for finding in old for key in _keys(finding, names)}
     new_keys = {key for finding in new for key in _keys(finding)}
-    came = tuple(finding for finding in new if old_keys.isdisjoint(_keys(finding)))
-    went = tuple(finding for finding in old if new_keys.isdisjoint(_keys(finding, names)))
-    return came, went
+    new_findings = tuple(finding for finding in new if old_keys.isdisjoint(_keys(finding)))
+    fixed_findings = tuple(finding for finding in old if new_keys.isdisjoint(_keys(finding, names)))
+    return new_findings, fixed_findings
 
 
 def _keys(finding: Diagnostic, names: RenamedParts | None = None) -> set[tuple[str, str]]:

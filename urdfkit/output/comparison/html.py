@@ -33,8 +33,8 @@ def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> 
         findings=[
             (title, found[:MAX_ROWS])
             for title, found in (
-                ("New findings", comparison.came),
-                ("Fixed findings", comparison.went),
+                ("New findings", comparison.new_findings),
+                ("Fixed findings", comparison.fixed_findings),
             )
             if found
         ],

@@ -30,8 +30,8 @@ def render(comparison: Comparison, *, width: int = 80) -> str:
             "differs": comparison.total_differs,
         },
         "findings": {
-            "came": [_finding(found) for found in comparison.came],
-            "went": [_finding(found) for found in comparison.went],
+            "came": [_finding(found) for found in comparison.new_findings],
+            "went": [_finding(found) for found in comparison.fixed_findings],
         },
         "notes": list(comparison.notes),
     }

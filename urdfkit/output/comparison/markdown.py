@@ -46,7 +46,10 @@ def _sections(comparison: Comparison) -> Iterator[str]:
         ]
         header = ["link", "mm", "deg", ""]
         yield _section("Links that moved, all joints at zero", table(header, rows))
-    for title, findings in (("New findings", comparison.came), ("Fixed findings", comparison.went)):
+    for title, findings in (
+        ("New findings", comparison.new_findings),
+        ("Fixed findings", comparison.fixed_findings),
+    ):
         if findings:
             yield _section(title, table(["", "where", "what"], _findings(findings)))
     for note in comparison.notes:

@@ -20,7 +20,7 @@ def render(comparison: Comparison, *, width: int = 80) -> str:
 
 
 def _body(comparison: Comparison, width: int) -> Iterator[str]:
-    if not (comparison.kinds or comparison.came or comparison.went):
+    if not (comparison.kinds or comparison.new_findings or comparison.fixed_findings):
         yield "no differences"
     if comparison.total_differs:
         yield "\ntotal"
@@ -33,9 +33,12 @@ def _body(comparison: Comparison, width: int) -> Iterator[str]:
     if comparison.moved:
         yield "\nlinks that moved, all joints at zero"
         yield from _moved(comparison.moved)
-    if comparison.came or comparison.went:
+    if comparison.new_findings or comparison.fixed_findings:
         yield "\nfindings"
-        lines = [*_findings("+", comparison.came, width), *_findings("-", comparison.went, width)]
+        lines = [
+            *_findings("+", comparison.new_findings, width),
+            *_findings("-", comparison.fixed_findings, width),
+        ]
         yield from _some(lines)
     for note in comparison.notes:
         yield f"\nnote: {note}"
