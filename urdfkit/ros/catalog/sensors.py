@@ -11,7 +11,6 @@ from urdfkit.ros.catalog import data, record
 class SensorType(Record):
     """A type of sensor."""
 
-    blocks: tuple[str, ...]  # tags of the children with its settings; empty without settings
     #: classic and gz: True if Gazebo Classic, or gz-sim, supports it.
     classic: bool
     gz: bool
