@@ -29,6 +29,8 @@ def test_values_of_options() -> None:
 def test_links_and_joints_of_the_robot() -> None:
     joints = values(f"render {ARM} -o a.gif --sweep")
     assert "elbow" in joints
+    gripper = "models/good/gripper.urdf"  # a fixed joint, and one that follows the other
+    assert values(f"info {gripper} --joint") == ["left_finger_joint="]
     assert values(f"info {ARM} --joint", "elb") == ["elbow="]
     assert "mount" in values(f"kinematics {ARM} --jacobian", "mou")
     assert values("kinematics /no/such.urdf --jacobian") == []

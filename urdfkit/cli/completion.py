@@ -107,7 +107,9 @@ def _links(words: list[str]) -> Iterable[str]:
 
 
 def _joints(words: list[str]) -> Iterable[str]:
-    return sorted(_robot(words).model.joints_by_name)
+    """The joints that can be moved: not those that are fixed or follow others."""
+    joints = _robot(words).model.joints_by_name
+    return sorted(name for name, joint in joints.items() if joint.is_single_dof and not joint.mimic)
 
 
 def _elements(words: list[str]) -> Iterable[str]:
