@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from PIL import Image, ImageDraw
 
+from urdfkit.core.words import counted
 from urdfkit.render.arrays import Floats, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fonts import writing
@@ -107,7 +108,8 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
         draw.text(start, text, fill=INK, font=font, anchor="lm")
     image.alpha_composite(layer)
     omitted = len(scene.labels) - len(boxes)
-    write_legend(image, (*scene.legend, *[(None, f"{omitted} labels not shown")] * bool(omitted)))
+    remark = [(None, f"{counted(omitted, 'label')} not shown")] * bool(omitted)
+    write_legend(image, (*scene.legend, *remark))
 
 
 def _draw_leader(draw: ImageDraw.ImageDraw, x: float, y: float, box: LabelBox, size: float) -> None:

@@ -88,7 +88,7 @@ def bundled(
 
 
 def _loaded(path: str) -> Mesh:
-    with needing(f"{path}: to read it", "meshes"):
+    with needing(f"{path}: reading it", "meshes"):
         from urdfkit.mesh.io.load import load
     return load(path)
 

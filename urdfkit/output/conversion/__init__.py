@@ -55,7 +55,7 @@ def convert(
         raise UrdfkitError(
             f"the format '{to}' does not support base, fixed, collision and exclude; omit them"
         )
-    with needing(f"to convert to {to}", FORMATS[to]):
+    with needing(f"conversion to {to}", FORMATS[to]):
         module = import_module(f"{__name__}.{to}")
     context = robot if isinstance(robot, Context) else read(robot)
     conversion: Conversion = module.write(context, os.path.abspath(out), options, force=force)
