@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from urdfkit.core.record import Record
 from urdfkit.lint.engine import check_with
-from urdfkit.lint.fix_guard import key_of, real_path
+from urdfkit.lint.fix_guard import finding_key, real_path
 from urdfkit.lint.ignore_comments import CommentPlaces
 from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Diagnostic
@@ -42,15 +42,15 @@ def add_ignores(
     commented = [finding for finding, reason in reasons if not reason]
     texts = {**options.texts, **{file.path: file.after for file in places.rewritten(commented)}}
     after = check_with(options._replace(texts=texts), files)
-    remaining = set(map(key_of, after.diagnostics))
-    suppressed = tuple(finding for finding in commented if key_of(finding) not in remaining)
+    remaining = set(map(finding_key, after.diagnostics))
+    suppressed = tuple(finding for finding in commented if finding_key(finding) not in remaining)
     return AddedIgnores(
         places.rewritten(suppressed),
         suppressed,
         tuple(
             (finding, reason or "a comment does not reach it")
             for finding, reason in reasons
-            if reason or key_of(finding) in remaining
+            if reason or finding_key(finding) in remaining
         ),
     )
 

@@ -25,7 +25,7 @@ from urdfkit.workspace.resolve import Resolver
 FindingKey = tuple[str, str, str]
 
 #: Identity of an edit across robots: real path, first and last byte, new text.
-Place = tuple[str, int, int, str]
+EditKey = tuple[str, int, int, str]
 
 #: Reads the robots of a report, in its order.
 Robots = Callable[[], Iterable[Context | None]]
@@ -134,7 +134,7 @@ def ineffective(before: Report, after: Report, applied: list[Diagnostic]) -> str
 def _places(diagnostic: Diagnostic) -> list[tuple[FindingKey, str]]:
     """The key of a finding with each of its elements."""
     elements = [call.element for call in diagnostic.calls] or [""]
-    return [(key_of(diagnostic), element) for element in elements]
+    return [(finding_key(diagnostic), element) for element in elements]
 
 
 class Checker:
@@ -217,7 +217,7 @@ class RegressionGuard:
         """The findings whose fix edits text of another robot that does not propose the edit."""
         chosen = tuple(chosen)
         edits = {
-            key_of(finding): [place_of(edit) for edit in finding.fix.edits]
+            finding_key(finding): [edit_key(edit) for edit in finding.fix.edits]
             for finding in chosen
             if finding.fix
         }
@@ -232,7 +232,7 @@ class RegressionGuard:
             proposals += self._checker.proposals(texts, others, codes)
         conflicts: set[FindingKey] = set()
         for context, proposal in zip(robots, proposals, strict=True):
-            proposed = set(map(place_of, proposal))
+            proposed = set(map(edit_key, proposal))
             missing = {key: set(places) - proposed for key, places in edits.items()}
             if context is None or not any(missing.values()):
                 continue
@@ -302,7 +302,7 @@ def _tags(context: Context, files: set[str]) -> dict[str, list[tuple[int, int]]]
     return {path: sorted(spans) for path, spans in tags.items()}
 
 
-def _is_used(place: Place, tags: Mapping[str, list[tuple[int, int]]]) -> bool:
+def _is_used(place: EditKey, tags: Mapping[str, list[tuple[int, int]]]) -> bool:
     """True if an edit changes a start tag; edits between tags do not affect other robots."""
     path, start, end, _ = place
     spans = tags.get(path, [])
@@ -313,12 +313,12 @@ def _is_used(place: Place, tags: Mapping[str, list[tuple[int, int]]]) -> bool:
     )
 
 
-def key_of(diagnostic: Diagnostic) -> FindingKey:
+def finding_key(diagnostic: Diagnostic) -> FindingKey:
     """The identity of a finding across rounds."""
     return (diagnostic.code, real_path(diagnostic.span.source), diagnostic.message)
 
 
-def place_of(edit: Edit) -> Place:
+def edit_key(edit: Edit) -> EditKey:
     """The identity of an edit, independent of links to its file."""
     return (real_path(edit.span.source), *edit.span[1:], edit.text)
 

@@ -13,8 +13,8 @@ from urdfkit.lint.fix_guard import (
     FindingKey,
     RegressionGuard,
     Robots,
+    finding_key,
     ineffective,
-    key_of,
     real_path,
     regression,
 )
@@ -166,13 +166,13 @@ class FixSession:
     def _reason(self, diagnostic: Diagnostic) -> str:
         """Why the fix of a finding is not applied; empty if it may be, or there is none."""
         reason = self._reasons.of(diagnostic, self._texts)
-        return reason or self._dropped.get(key_of(diagnostic), "")
+        return reason or self._dropped.get(finding_key(diagnostic), "")
 
     def _round(self, report: Report, chosen: list[Diagnostic], *, is_careful: bool) -> Report:
         """Apply the fixes that cause no regression; the report on the resulting texts."""
         conflicting = self._guard.conflicts(chosen, self._texts, report)
         self._dropped.update(dict.fromkeys(conflicting, _CONFLICTING))
-        chosen = [finding for finding in chosen if key_of(finding) not in conflicting]
+        chosen = [finding for finding in chosen if finding_key(finding) not in conflicting]
         applied: list[Diagnostic] = []
         texts, latest = self._texts, report
         batches = [chosen] if chosen else []
@@ -195,7 +195,7 @@ class FixSession:
                 middle = len(batch) // 2
                 batches += [batch[middle:], batch[:middle]]
             else:
-                self._dropped[key_of(batch[0])] = reason
+                self._dropped[finding_key(batch[0])] = reason
         self._texts = texts
         self._applied += applied
         return latest

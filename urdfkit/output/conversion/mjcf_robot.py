@@ -6,7 +6,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from urdfkit.core.spatial import AXES, Rotation, Transform, rotation
+from urdfkit.core.spatial import AXES, Rotation, Transform, basis, cross, rotation
 from urdfkit.lint.context import Context
 from urdfkit.output.bundle.meshes import FreeNames
 from urdfkit.output.conversion.losses import LossTable
@@ -62,7 +62,7 @@ class MjcfRobot:
         for joint in tree.model.joints:
             self._joint_names.take(joint.name)
         self._tree = tree
-        self._merged = merged(robot) if options.fixed == "merge" else frozenset()
+        self._merged = mergeable_joints(robot) if options.fixed == "merge" else frozenset()
         self._inertials = dict(_inertials(tree, self._merged))
         self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options)
         self.mesh_places = self._geoms.places  # source locations of the spec's meshes, by name
@@ -130,12 +130,13 @@ class MjcfRobot:
             self._damping(mj_joint, joint)
         elif joint.kind == "floating":
             motions = (*((_SLIDE, axis) for axis in AXES), (_BALL, None))
-            self._several(body, joint, motions)
+            self._add_joints(body, joint, motions)
             self._lose(joint, ("axis", "limit", "dynamics"), "a floating joint has none")
         elif joint.kind == "planar":
-            first, second, normal = _plane(direction(joint))
-            motions = ((_SLIDE, first), (_SLIDE, second), (_HINGE, normal))
-            self._several(body, joint, motions)
+            normal = direction(joint)
+            _, first, _ = basis(normal)
+            motions = ((_SLIDE, first), (_SLIDE, cross(normal, first)), (_HINGE, normal))
+            self._add_joints(body, joint, motions)
             keep(at.child("axis"), "axes")
             why = "a planar joint has three motions, and URDF does not define which one this limits"
             self._lose(joint, ("limit", "dynamics"), why)
@@ -146,7 +147,7 @@ class MjcfRobot:
         for tag in tags:
             self.losses.lose(joint.at.child(tag), reason)
 
-    def _several(self, body: Any, joint: Joint, motions: Iterable[tuple[Any, Any]]) -> None:
+    def _add_joints(self, body: Any, joint: Joint, motions: Iterable[tuple[Any, Any]]) -> None:
         """Add several MuJoCo joints for a joint with several coordinates."""
         for n, (kind, axis) in enumerate(motions):
             mj_joint = body.add_joint(name=self._joint_names.take(f"{joint.name}[{n}]"), type=kind)
@@ -258,7 +259,7 @@ class MjcfRobot:
         self.losses.lose(joint.at.child("mimic"), f"{why}: the joint moves freely{free}")
 
 
-def merged(robot: Context) -> frozenset[str]:
+def mergeable_joints(robot: Context) -> frozenset[str]:
     """Names of fixed joints whose links can be merged; a force-torque sensor needs a body."""
     joints = {sensor.reference for sensor in sensors(robot.model) if sensor.type == "force_torque"}
     fixed = {joint.name for joint in robot.model.joints if joint.kind == "fixed"}
@@ -313,11 +314,3 @@ def _empty(name: str, directory: str) -> Any:
     spec.compiler.saveinertial = True
     spec.compiler.inertiafromgeom = mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_FALSE
     return spec
-
-
-def _plane(normal: tuple[float, float, float]) -> tuple[Any, Any, Any]:
-    """A right-handed basis of unit vectors, the last of which is ``normal``."""
-    least = np.eye(3)[np.argmin(np.abs(normal))]
-    first = np.cross(normal, least)
-    first /= np.linalg.norm(first)
-    return first, np.cross(normal, first), np.array(normal)
