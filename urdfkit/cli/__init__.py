@@ -53,6 +53,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     # MuJoCo's renderer, which takes 0.07 s to load, is not used.
     os.environ.setdefault("MUJOCO_GL", "disabled")
+    if os.name == "nt" and sys.stderr is not None and sys.stderr.isatty():
+        os.system("")  # a console of Windows then understands escape sequences
     words = sys.argv[1:]
     if words and words[0] in COMPUTING and hasattr(os, "fork"):
         from urdfkit.cli.own_process import run_forked

@@ -4,6 +4,7 @@ Reports for people (terminal, pull request, HTML) show groups. Programs get sing
 editor marks every place, and a baseline must recognise an additional finding as new.
 """
 
+import re
 from collections.abc import Iterator, Sequence
 
 from urdfkit.core.words import more_like_this
@@ -15,11 +16,19 @@ MAX_SINGLE = 2
 MAX_NOTES = 20
 #: Rules whose findings in several files have one cause: a missing package.
 _ACROSS_FILES = frozenset(("XAC011",))
+#: What a message is about, such as ``link 'arm'``.
+_SUBJECT = re.compile(r"[a-z][\w -]* '[^']+'(?=: )")
 
 
-def grouped(diagnostics: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """Findings, with each group in a file replaced by one finding at the place of its first."""
-    return tuple(_as_one(group) if len(group) > 1 else group[0] for group in groups(diagnostics))
+def grouped(diagnostics: Sequence[Diagnostic], *, brief: bool = False) -> tuple[Diagnostic, ...]:
+    """Findings, with each group in a file replaced by one finding at the place of its first.
+
+    Args:
+        brief: of a further finding of a group, note what it is about, not its message.
+    """
+    return tuple(
+        _as_one(group, brief=brief) if len(group) > 1 else group[0] for group in groups(diagnostics)
+    )
 
 
 def groups(diagnostics: Sequence[Diagnostic]) -> Iterator[list[Diagnostic]]:
@@ -36,21 +45,24 @@ def groups(diagnostics: Sequence[Diagnostic]) -> Iterator[list[Diagnostic]]:
         yield from [group] if len(group) > most else ([finding] for finding in group)
 
 
-def _as_one(group: list[Diagnostic]) -> Diagnostic:
+def _as_one(group: list[Diagnostic], *, brief: bool) -> Diagnostic:
     first, *others = group
+    notes = tuple(_note(other, first, brief=brief) for other in others[:MAX_NOTES])
     return first._replace(
         message=first.message + more_like_this(len(others)),
-        related=first.related + tuple(_note(other, first) for other in others[:MAX_NOTES]),
+        related=first.related + notes,
         fix=_combined([finding.fix for finding in group]),
     )
 
 
-def _note(other: Diagnostic, first: Diagnostic) -> Related:
+def _note(other: Diagnostic, first: Diagnostic, *, brief: bool) -> Related:
     """The note about a further finding of a group, with its help if it differs."""
+    message, help = other.message, other.help if other.help != first.help else ""
     if other.code in _ACROSS_FILES:
-        return Related(other.span, without_search(other.message))
-    help = other.help if other.help != first.help else ""
-    return Related(other.span, f"{other.message}: {help}" if help else other.message)
+        message, help = without_search(message), ""
+    elif brief and (subject := _SUBJECT.match(message)):
+        message = subject[0]
+    return Related(other.span, f"{message}: {help}" if help else message)
 
 
 def without_search(message: str) -> str:

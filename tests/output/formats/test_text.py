@@ -135,3 +135,21 @@ def test_colours_only_when_asked_for() -> None:
     found = diagnostic(ARM, help="h")
     assert "\x1b" not in render(report(found))
     assert "\x1b[1;33mwarning\x1b[0m" in render(report(found), color=True)
+
+
+def test_notes_of_findings_that_are_alike_name_what_they_are_about() -> None:
+    message = "link '{}': the visual mesh '{}.stl' does not exist"
+    offers = {"a": "use one", "b": "use one", "c": "use another"}
+    errors = (
+        diagnostic(
+            ARM,
+            severity=Severity.ERROR,
+            message=message.format(name, name),
+            help=help,
+            group_key="lost",
+        )
+        for name, help in offers.items()
+    )
+    lines = shown(*errors).splitlines()
+    assert "  note: line 2:14: link 'b'" in lines
+    assert "  note: line 2:14: link 'c': use another" in lines

@@ -32,7 +32,7 @@ def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterato
     """Errors, warnings and crashed rules only."""
     page = TextPage(color, width)
     for error in _of(report, Severity.ERROR):
-        yield from (f"{page.finding(finding)}\n" for finding in grouped(error))
+        yield from (f"{page.finding(finding)}\n" for finding in grouped(error, brief=True))
     for warning in _of(report, Severity.WARNING):
         yield from map(page.brief, groups(warning))
     if report.count(Severity.WARNING):
