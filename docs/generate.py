@@ -86,7 +86,8 @@ def page(rule: Rule) -> str:
     if fixed and fixed != good:
         parts += ["## After the fix", block("xml", fixed)]
     for name, text in rule.example_files.items():
-        parts += [f"## `{name}` beside it", block("yaml" if name.endswith("yaml") else "xml", text)]
+        language = "yaml" if name.endswith("yaml") else "xml"
+        parts += [f"## `{name}` in the same package", block(language, text)]
     for name, data in getattr(sys.modules[rule.module], "FIXED_FILES", {}).items():
         parts += [f"## `{name}` after the fix", block("xml", data.decode())]
     if rule.sources:
