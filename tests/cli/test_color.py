@@ -91,7 +91,7 @@ def test_severities_of_rules(capsys: pytest.CaptureFixture[str]) -> None:
         ),
         ("libsdformat [rejects this robot]:", gazebo.COLORS, RED),
         ("dropped          -  [dropped]: no mass", gazebo.COLORS, YELLOW),
-        ("[  info]     TRE001  multiple-roots: line 1", output.SEVERITIES, CYAN),
+        ("  [info]     TRE001  multiple-roots: line 1", output.SEVERITIES, CYAN),
     ],
 )
 def test_verdicts(line: str, colors: dict[str, str], color: str) -> None:

@@ -15,8 +15,11 @@ _ASCII = str.maketrans({"·": " ", "²": "^2", "³": "^3"})
 _DIFF = {"---": "1", "+++": "1", "@@": "36", "-": "31", "+": "32"}
 #: ANSI colour codes of the words that begin a line of standard error.
 _LABELS = {"error": RED, "warning": YELLOW}
-#: Colours of a severity that begins a line, for `colored`.
-SEVERITIES = {r"^ *error\b": RED, r"^ *warning\b": YELLOW, r"^ *info\b": CYAN}
+#: Colours of a severity that begins a line, or is indented by two columns, for `colored`.
+SEVERITIES = {
+    rf"(?:^|(?<=^  )){word}\b": code
+    for word, code in (("error", RED), ("warning", YELLOW), ("info", CYAN))
+}
 
 _color = "auto"
 
