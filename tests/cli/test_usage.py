@@ -129,3 +129,17 @@ def test_usage_errors_begin_like_other_errors(
 ) -> None:
     assert main(words) == 2
     assert capsys.readouterr().err.startswith(f"error: {message}")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["bundle", GOOD],
+        ["convert", GOOD, "--to", "mjcf"],
+        ["scan", GOOD],
+        ["new", "robot", "--kind", "arm"],
+    ],
+)
+def test_a_stream_is_no_directory(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*words, "-o", "-"]) == 2
+    assert "'-' is not a directory" in capsys.readouterr().err

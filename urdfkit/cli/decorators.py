@@ -99,7 +99,7 @@ def to_file(name: str, help: str) -> Callable[[Command], Command]:
     )
 
 
-def _no_stream(context: click.Context, option: click.Parameter, out: str) -> str:
+def no_stream(context: click.Context, option: click.Parameter, out: str) -> str:
     """Reject '-', which other commands interpret as standard output."""
     if out == "-":
         raise click.BadParameter("'-' is not a directory; pass './-' for a directory of that name")
@@ -107,7 +107,7 @@ def _no_stream(context: click.Context, option: click.Parameter, out: str) -> str
 
 
 OUT = option(
-    "-o, --output OUT", "Directory or .zip to write.", to="out", required=True, callback=_no_stream
+    "-o, --output OUT", "Directory or .zip to write.", to="out", required=True, callback=no_stream
 )
 TRUST = option("--trust", "Let the model run any expression and read any file.")
 PACKAGE = option("--package NAME=DIR", "Directory of a ROS package.", multiple=True)

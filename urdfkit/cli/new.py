@@ -6,14 +6,20 @@ import shlex
 import click
 
 from urdfkit.cli import output
-from urdfkit.cli.decorators import described, option
+from urdfkit.cli.decorators import described, no_stream, option
 from urdfkit.output.package_templates import KINDS, create
 
 
 @described("new")
 @click.argument("name")
 @click.option("--kind", type=click.Choice(KINDS), required=True, help="Kind of robot.")
-@option("-o, --output DIR", "Directory to write NAME in.", to="out", default=os.curdir)
+@option(
+    "-o, --output DIR",
+    "Directory to write NAME in.",
+    to="out",
+    default=os.curdir,
+    callback=no_stream,
+)
 def command(name: str, kind: str, out: str) -> int:
     """Write a ROS 2 package with a valid robot to start from.
 

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.decorators import choice, described, option
+from urdfkit.cli.decorators import choice, described, no_stream, option
 from urdfkit.cli.progress import progress_bar
 from urdfkit.core import atomic, limits
 from urdfkit.core.installation import install_command
@@ -41,7 +41,13 @@ class _Scan(click.Command):
 
 @described("scan", cls=_Scan)
 @click.argument("sources", nargs=-1, required=True, metavar="SOURCE...")
-@option("-o, --output DIR", "Directory of the results.", to="directory", required=True)
+@option(
+    "-o, --output DIR",
+    "Directory of the results.",
+    to="directory",
+    required=True,
+    callback=no_stream,
+)
 @option("--jobs N", "Processes. [default: one per processor]", type=click.IntRange(1))
 @option("--timeout SECONDS", "Limit of time for a model.", type=click.FloatRange(0.01), default=60)
 @option("--memory GIB", "Limit of memory for a model.", type=click.FloatRange(0.1), default=4)
