@@ -44,8 +44,8 @@ def option_names(command: str) -> set[str]:
     return {flag for param in params if isinstance(param, click.Option) for flag in param.opts}
 
 
-@pytest.mark.parametrize("command", [name for name in COMMANDS if COMMANDS[name].epilog])
-def test_the_examples_in_the_help_are_command_lines(command: str) -> None:
+@pytest.mark.parametrize("command", [name for name in COMMANDS if name != "mesh"])
+def test_the_help_has_examples_that_are_command_lines(command: str) -> None:
     lines = (COMMANDS[command].epilog or "").splitlines()[2:]
     assert lines
     for line in lines:
