@@ -1,5 +1,5 @@
 from collections.abc import Callable
-from math import pi, sqrt
+from math import pi
 
 import pytest
 
@@ -56,7 +56,6 @@ def test_a_box(shape: Callable[..., MeshPart]) -> None:
     assert (found.triangles, found.vertices, found.bodies) == (12, 8, 1)
     assert (found.low, found.high) == ((10.0, 20.0, 30.0), (12.0, 23.0, 34.0))
     assert found.edges == (2.0, 3.0, 4.0)
-    assert found.diagonal == sqrt(29)
     assert found.area == pytest.approx(52)
     assert counts(found) == (0, 0, 0)
     assert found.is_closed
@@ -220,7 +219,7 @@ def test_flat_pieces() -> None:
 
 def test_one_point_and_one_line() -> None:
     point = of(MeshPart(np.zeros((1, 3)), np.zeros((1, 3), dtype=int)))
-    assert (point.hull, point.bodies, point.degenerate, point.diagonal) == (None, 0, 1, 0)
+    assert (point.hull, point.bodies, point.degenerate) == (None, 0, 1)
     line = of(MeshPart(np.array([(0, 0, 0), (1, 0, 0), (2, 0, 0)], float), np.array([(0, 1, 2)])))
     assert (line.hull, line.degenerate, line.is_closed) == (None, 1, False)
 

@@ -65,11 +65,6 @@ class Measures(Record):
         x, y, z = (high - low for low, high in zip(self.low, self.high, strict=True))
         return (x, y, z)
 
-    @property
-    def diagonal(self) -> float:
-        """Length of the diagonal of the bounding box."""
-        return float(sum(edge * edge for edge in self.edges) ** 0.5)
-
 
 def to_json(measures: Measures) -> dict[str, Any]:
     """Measures as lists and dictionaries that ``json`` can write."""
