@@ -17,7 +17,6 @@ class SuppressionResult(Record):
     """Findings after suppression."""
 
     kept: tuple[Diagnostic, ...]  # remaining findings, with their remaining macro calls
-    suppressed: int  # number of findings that were suppressed completely
     hits: frozenset[Span]  # comments that suppressed a finding or call
 
 
@@ -26,7 +25,6 @@ def apply_suppressions(
 ) -> SuppressionResult:
     """Remove the findings, or their single macro calls, that comments suppress."""
     kept: list[Diagnostic] = []
-    suppressed = 0
     hits: set[Span] = set()
     known: dict[tuple[str, str, Severity], CommentIndex] = {}  # the comments that name a rule
     for diagnostic in diagnostics:
@@ -37,13 +35,11 @@ def apply_suppressions(
         at_place = naming.covering(diagnostic.span)
         hits.update(comment.span for comment in at_place)
         calls = [] if at_place else _remaining(diagnostic, naming, hits)
-        if not calls:
-            suppressed += 1
-        elif len(calls) == len(diagnostic.calls):
+        if calls and len(calls) == len(diagnostic.calls):
             kept.append(diagnostic)
-        else:
+        elif calls:
             kept.append(diagnostic._replace(calls=tuple(calls), message=calls[0].message))
-    return SuppressionResult(tuple(kept), suppressed, frozenset(hits))
+    return SuppressionResult(tuple(kept), frozenset(hits))
 
 
 def _names(comment: Ignore, diagnostic: Diagnostic) -> bool:

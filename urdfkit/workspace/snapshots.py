@@ -16,7 +16,6 @@ class Snapshot(Record):
     """A file of a git revision, in a checkout of the repository."""
 
     path: str  # of the file in the checkout
-    top: str  # top directory of the original repository
     packages: dict[str, str]  # directories by name; in the checkout if they are in the repository
 
 
@@ -44,7 +43,7 @@ def check_out_snapshot(
     old = _moved(real, top, directory)
     if not os.path.exists(old):
         raise UrdfkitError(f"{path} is not in revision {revision}")
-    return Snapshot(old, top, _packages(real, packages or {}, top, directory))
+    return Snapshot(old, _packages(real, packages or {}, top, directory))
 
 
 def _packages(path: str, explicit: Mapping[str, str], top: str, directory: str) -> dict[str, str]:

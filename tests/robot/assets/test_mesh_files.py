@@ -88,23 +88,23 @@ def test_every_file_is_read_once(package: Path, monkeypatch: pytest.MonkeyPatch)
 
 
 def test_the_case_on_disk(package: Path) -> None:
-    path = add_file(package / "meshes" / "Arm.STL")
+    add_file(package / "meshes" / "Arm.STL")
     found = files(package, mesh_link("package://arm/Meshes/arm.stl", "../MESHES/arm.stl", "x.stl"))
     assert [found.spelling_on_disk(mesh) for mesh in found.missing] == [
-        Suggestion("package://arm/meshes/Arm.STL", str(path), sure=True),
-        Suggestion("../meshes/Arm.STL", str(path), sure=True),
+        Suggestion("package://arm/meshes/Arm.STL", sure=True),
+        Suggestion("../meshes/Arm.STL", sure=True),
         None,
     ]
     absolute = files(package, mesh_link(f"file://{package}/meshes/ARM.stl"))
     assert absolute.spelling_on_disk(absolute.missing[0]) == Suggestion(
-        "package://arm/meshes/Arm.STL", str(path), sure=True
+        "package://arm/meshes/Arm.STL", sure=True
     )
 
 
 def test_a_similar_name_in_the_same_directory(package: Path) -> None:
-    path = str(add_file(package / "meshes" / "forearm.stl"))
+    add_file(package / "meshes" / "forearm.stl")
     add_file(package / "meshes" / "forarn.txt")
-    expected = Suggestion("package://arm/meshes/forearm.stl", path, sure=True)
+    expected = Suggestion("package://arm/meshes/forearm.stl", sure=True)
     assert nearest(package, "package://arm/meshes/forarm.stl") == [expected]
     assert nearest(package, "../meshes/forarm.stl") == [
         expected._replace(reference="../meshes/forearm.stl")
@@ -112,14 +112,14 @@ def test_a_similar_name_in_the_same_directory(package: Path) -> None:
     assert nearest(package, f"{package}/meshes/forarm.stl") == [expected]
     # Another link has it already.
     assert nearest(package, "../meshes/forarm.stl", "../meshes/forearm.stl") == [
-        Suggestion("../meshes/forearm.stl", path, sure=False)
+        Suggestion("../meshes/forearm.stl", sure=False)
     ]
     assert nearest(package, "package://arm/meshes/wheel.stl") == [None]
 
 
 def test_the_same_name_elsewhere_in_the_package(package: Path) -> None:
-    path = str(add_file(package / "meshes" / "visual" / "forearm.stl"))
-    expected = Suggestion("package://arm/meshes/visual/forearm.stl", path, sure=True)
+    add_file(package / "meshes" / "visual" / "forearm.stl")
+    expected = Suggestion("package://arm/meshes/visual/forearm.stl", sure=True)
     assert nearest(package, "package://arm/meshes/forearm.stl") == [expected]
     assert nearest(package, "package://arm/mesh/Forearm.STL") == [expected]
     assert nearest(package, "forearm.stl") == [
@@ -147,24 +147,22 @@ def test_the_search_for_names_is_bounded(package: Path, monkeypatch: pytest.Monk
 
 def test_without_a_package_its_own_directory_is_searched(tmp_path: Path) -> None:
     directory = tmp_path / "a" / "b" / "c" / "d"
-    path = str(add_file(directory / "shapes" / "forearm.stl"))
+    add_file(directory / "shapes" / "forearm.stl")
     assert nearest(directory, "forearm.stl") == [None]  # above the directory of the robot
     inside = str(add_file(directory / "urdf" / "parts" / "forearm.stl"))
-    assert nearest(directory, "forearm.stl") == [Suggestion("parts/forearm.stl", inside, sure=True)]
+    assert nearest(directory, "forearm.stl") == [Suggestion("parts/forearm.stl", sure=True)]
     add_file(directory / ".git" / "HEAD")
     os.remove(inside)
-    assert nearest(directory, "forearm.stl") == [
-        Suggestion("../shapes/forearm.stl", path, sure=True)
-    ]
+    assert nearest(directory, "forearm.stl") == [Suggestion("../shapes/forearm.stl", sure=True)]
 
 
 def test_without_a_package_the_meshes_next_to_its_own_directory_are_searched(
     tmp_path: Path,
 ) -> None:
     directory = tmp_path / "arm"
-    path = str(add_file(directory / "meshes" / "visual" / "forearm.stl"))
+    add_file(directory / "meshes" / "visual" / "forearm.stl")
     reference = "../meshes/visual/forearm.stl"
-    assert nearest(directory, "forearm.stl") == [Suggestion(reference, path, sure=True)]
+    assert nearest(directory, "forearm.stl") == [Suggestion(reference, sure=True)]
 
 
 @pytest.mark.parametrize(

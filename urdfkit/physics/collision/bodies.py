@@ -52,11 +52,6 @@ class CollisionBody(Record):
         """The shortest side of the bounding box."""
         return 2 * min(self.half)
 
-    def box(self, link: Transform) -> Transform:
-        """The frame of the centre of the bounding box, from the frame of the link."""
-        frame = link @ self.origin
-        return Transform(frame.rotation, frame.apply(self.center))
-
 
 def collision_bodies(robot: Robot, *, unit: bool) -> Iterator[CollisionBody]:
     """The usable collision bodies of a robot.

@@ -51,7 +51,6 @@ class Suggestion(Record):
     """The file that was probably intended by a reference."""
 
     reference: str  # the corrected reference
-    path: str  # the file
     sure: bool  # True if it is the only candidate
 
 
@@ -170,7 +169,7 @@ class MeshFiles:
         if spelling is None:
             return None
         path = os.path.normpath(os.path.join(base, spelling))
-        return Suggestion(self.reference_to(path, mesh.located), path, sure=True)
+        return Suggestion(self.reference_to(path, mesh.located), sure=True)
 
     def nearest(self, mesh: MeshReference) -> Suggestion | None:
         """The file that was probably intended by a reference to a missing file.
@@ -199,7 +198,7 @@ class MeshFiles:
         reference = self.reference_to(path, located)
         # An absolute path is not replaced by another absolute path.
         portable = _relative(path, self._directory) if reference == path else reference
-        return Suggestion(portable, path, sure)
+        return Suggestion(portable, sure)
 
     def _installed(self, located: ResolvedReference) -> Suggestion | None:
         """The file of a package at an absolute path of its installation on another computer."""
@@ -207,7 +206,7 @@ class MeshFiles:
             return None
         reference = f"package://{found[1]}/{found[2]}"
         path = self.resolver.locate(reference, self.top).path
-        return Suggestion(reference, path, sure=True) if path else None
+        return Suggestion(reference, sure=True) if path else None
 
     def reference_to(self, path: str, like: ResolvedReference) -> str:
         """A reference to a file, of the same scheme as another reference if possible."""

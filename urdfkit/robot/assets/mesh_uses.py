@@ -9,7 +9,7 @@ from urdfkit.core.spatial import Vector
 from urdfkit.mesh.measures import Measures
 from urdfkit.robot.inertials.shape_mass import stretched
 from urdfkit.robot.model import Body, Link, Placed, Shape
-from urdfkit.robot.shapes import BoundingBox, MeshSolid
+from urdfkit.robot.shapes import MeshSolid
 from urdfkit.text.document import Attribute
 
 
@@ -52,11 +52,6 @@ class MeshUse(Record):
         x, y, z = self.factors
         apply = self.body.origin.apply
         return tuple(apply((a * x, b * y, c * z)) for a, b, c in self.measures.points)
-
-    @property
-    def box(self) -> BoundingBox:
-        """The bounding box along the axes of the link, in m."""
-        return BoundingBox.of(self.points)
 
     @property
     def solid(self) -> MeshSolid | None:
