@@ -96,7 +96,7 @@ def render(result: Mapping[str, Any], root_of: Mapping[str, str]) -> Iterator[st
         rows = [(name, _numbers(column)) for name, column in columns]
         yield from output.two_columns([("", head), *rows])
     if "mass_matrix" in result:
-        yield f"mass matrix, {pose_note}, in kg, kg m and kg·m²"
+        yield f"mass matrix, {pose_note}, in kg, kg·m and kg·m²"
         yield from _matrix(result["mass_matrix"], result["columns"])
 
 

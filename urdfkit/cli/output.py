@@ -10,7 +10,7 @@ from urdfkit.text.source import shown_text
 from urdfkit.text.terminal import CYAN, RED, YELLOW, columns, painted, printable, wrap
 
 #: Units for terminals whose encoding lacks these letters, such as kg m^2.
-_ASCII = str.maketrans({"·": " ", "²": "^2", "³": "^3"})
+_ASCII = str.maketrans({"·": " ", "²": "^2", "³": "^3", "µ": "u"})
 #: ANSI colour codes of the lines in a diff, by prefix.
 _DIFF = {"---": "1", "+++": "1", "@@": "36", "-": "31", "+": "32"}
 #: ANSI colour codes of the words that begin a line of standard error.

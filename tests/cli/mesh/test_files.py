@@ -37,7 +37,7 @@ def test_info(ball: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["mesh", "info", str(ball), str(BAD / "truncated.stl")]) == 0
     text = capsys.readouterr().out
     assert "closed, a solid" in text
-    assert f"{trimesh.load_mesh(ball).volume * 1e6:.6g} cm^3" in text
+    assert f"{trimesh.load_mesh(ball).volume * 1e6:.6g} cm³" in text
     assert "declares 12 triangles and contains 6; 6 of 12 triangles are readable" in text
     assert all(len(line) <= 80 for line in text.splitlines()[1:])
     assert main(["mesh", "info", "--format", "json", str(ball)]) == 0

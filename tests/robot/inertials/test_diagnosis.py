@@ -72,21 +72,21 @@ def test_units(unit: str, factor: float) -> None:
 
 def test_units_in_si() -> None:
     # NIST SP 811: 1 lb = 0.453 592 37 kg, 1 in = 2.54 cm, 1 ft = 30.48 cm, all exact.
-    assert dict(UNITS)["lb in^2"] == pytest.approx(2.92639653e-4, rel=1e-8)
-    assert dict(UNITS)["lb ft^2"] == pytest.approx(4.21401101e-2, rel=1e-8)
+    assert dict(UNITS)["lb·in²"] == pytest.approx(2.92639653e-4, rel=1e-8)
+    assert dict(UNITS)["lb·ft²"] == pytest.approx(4.21401101e-2, rel=1e-8)
 
 
 def test_a_stand_in_is_in_no_unit() -> None:
-    # 0.001 kg mm^2 would fit this ball by chance.
+    # 0.001 kg·mm² would fit this ball by chance.
     assert unlike(part("a", 2.5e-7, (1e-3,) * 3, BALL)).cause == ""
 
 
 def test_equal_moments_of_a_box_are_in_no_unit() -> None:
-    """Links of 1 kg that all have 0.0226667 three times, which fit one of them in lb ft^2."""
-    even = sum(BOX_MOMENTS) / 3 / dict(UNITS)["lb ft^2"]
+    """Links of 1 kg that all have 0.0226667 three times, which fit one of them in lb·ft²."""
+    even = sum(BOX_MOMENTS) / 3 / dict(UNITS)["lb·ft²"]
     assert unlike(part("a", 12, (even,) * 3, BOX)).cause == ""
-    ball = 0.004 / dict(UNITS)["lb ft^2"]
-    assert unlike(part("a", 1, (ball,) * 3, BALL)).cause == "is in lb ft^2"
+    ball = 0.004 / dict(UNITS)["lb·ft²"]
+    assert unlike(part("a", 1, (ball,) * 3, BALL)).cause == "is in lb·ft²"
 
 
 def test_about_the_origin_of_the_link() -> None:

@@ -43,7 +43,7 @@ def command(files: tuple[str, ...], format: str) -> int:
 
 
 def render(description: MeshDescription) -> Iterator[str]:
-    yield f"{description.path}: {description.format}, {description.bytes} bytes"
+    yield f"{description.path}: {description.format}, {description.bytes:,} bytes"
     if description.defect:
         yield from output.indented(f"broken: {description.defect}")
     size = [high - low for low, high in zip(description.low, description.high, strict=True)]
@@ -55,11 +55,11 @@ def render(description: MeshDescription) -> Iterator[str]:
     yield "  reaches    x {}, y {}, z {}".format(*ranges)
     health = description.health
     bodies = "1 body" if health.bodies == 1 else f"{health.bodies} bodies"
-    yield f"  triangles  {health.faces} in {bodies}"
+    yield f"  triangles  {health.faces:,} in {bodies}"
     yield from output.labelled("surface", tables.surface(health))
     if health.is_solid:
         yield f"  volume     {tables.volume(health.volume)}"
-    yield f"  area       {description.area:.4g} m^2"
+    yield f"  area       {description.area:.4g} m²"
     if description.mesh.unit != 1.0:
         yield f"  unit       {description.mesh.unit:g} m, applied above"
     if description.mesh.up_axis:
@@ -71,7 +71,7 @@ def render(description: MeshDescription) -> Iterator[str]:
 
 
 def _part(part: MeshPart) -> str:
-    text = f"{len(part.faces)} triangles"
+    text = f"{len(part.faces):,} triangles"
     if part.material is None:
         return text
     color = spaced(part.material.rgba, 3)

@@ -12,14 +12,14 @@ def length(metres: float) -> str:
     if size < 1e-9:
         return "0 m"
     if size < 1e-4:
-        return f"{metres * 1e6:.3g} um"
+        return f"{metres * 1e6:.3g} µm"
     return f"{metres * 1e3:.3g} mm" if size < 0.1 else f"{metres:.4g} m"
 
 
 def volume(cubic_metres: float) -> str:
     if abs(cubic_metres) < 0.1:
-        return f"{cubic_metres * 1e6:.6g} cm^3"
-    return f"{cubic_metres:.6g} m^3"
+        return f"{cubic_metres * 1e6:.6g} cm³"
+    return f"{cubic_metres:.6g} m³"
 
 
 def surface(health: Health) -> str:

@@ -29,12 +29,12 @@ if TYPE_CHECKING:
 
 #: Units of CAD programs in kg·m²; 1 lb is 0.45359237 kg and 1 in is 0.0254 m by definition.
 UNITS = (
-    ("g mm^2", 1e-9),
-    ("g cm^2", 1e-7),
-    ("kg mm^2", 1e-6),
-    ("kg cm^2", 1e-4),
-    ("lb in^2", 0.45359237 * 0.0254**2),
-    ("lb ft^2", 0.45359237 * 0.3048**2),
+    ("g·mm²", 1e-9),
+    ("g·cm²", 1e-7),
+    ("kg·mm²", 1e-6),
+    ("kg·cm²", 1e-4),
+    ("lb·in²", 0.45359237 * 0.0254**2),
+    ("lb·ft²", 0.45359237 * 0.3048**2),
 )
 
 #: Largest ratio of the corrected moments to those of the shape.
