@@ -46,7 +46,6 @@ class Packages:
         self, explicit: Mapping[str, str], environment: Mapping[str, str], directories: Directories
     ) -> None:
         self.explicit = {name: os.path.abspath(directory) for name, directory in explicit.items()}
-        self.directories = directories
         self._packages = PackageDirectories(directories)
         self._roots = SearchRoots(self._packages, environment)
         self.prefixes = path_list(environment, "AMENT_PREFIX_PATH")

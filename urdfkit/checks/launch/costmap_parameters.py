@@ -6,7 +6,7 @@ Sources: ``costmap_plugins.xml`` and ``obstacle_layer.cpp`` of nav2_costmap_2d (
 import re
 
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Findings, Location, Severity
+from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Node, Value, mapping, scalars
@@ -31,7 +31,7 @@ def plugins(node: NodeParameters) -> Findings:
         for plugin in plugin_names:
             if plugin.text not in sections and f"{plugin.text}.plugin" not in node.values:
                 yield Finding(
-                    Location(plugin.span),
+                    plugin.span,
                     f"'{node.name}': no parameters for '{plugin.text}' of {key}"
                     f"{did_you_mean(plugin.text, sections)}",
                     f"add {plugin.text} with its plugin, or fix the name",
@@ -53,7 +53,7 @@ def misspelt_servers(node: NodeParameters) -> Findings:
         if suggested and suggested != text and isinstance(plugin, Value):
             suggested = suggested.replace("::", "/") if "/" in plugin.text else suggested
             hint = f"unknown plugin '{plugin.text}'; did you mean '{suggested}'?"
-            at = Location(plugin.span)
+            at = plugin.span
             yield Finding(at, hint, f"write {suggested}", severity=Severity.WARNING)
 
 
@@ -62,7 +62,7 @@ def misplaced(node: NodeParameters) -> Findings:
     is_nested = node.name in node.namespace.split("/") or "*" in node.namespace
     if node.name in COSTMAPS and not is_nested and "robot_base_frame" in node.values:
         yield Finding(
-            Location(node.at),
+            node.at,
             f"the parameters of '{node.name}' are not read: the node is '{node.name}/{node.name}'",
             f"write {node.name} twice, the second below the first",
         )
@@ -74,7 +74,7 @@ def _sources(layer: dict[str, Node]) -> Findings:
     for name in listed.text.split() if isinstance(listed, Value) else ():
         if isinstance(listed, Value) and name not in sections:
             yield Finding(
-                Location(listed.span),
+                listed.span,
                 f"observation source '{name}' has no parameters{did_you_mean(name, sections)}",
                 f"add {name} with its topic and data_type, or fix the name",
                 severity=Severity.WARNING,
@@ -93,12 +93,12 @@ def _layer(layer: dict[str, Node]) -> Findings:
     if suggested and plugin.text != f"{_PACKAGE}::{suggested}":
         hint = f"'{plugin.text}'; did you mean '{_PACKAGE}::{suggested}'?"
         help = f"write {_PACKAGE}::{suggested}"
-        yield Finding(Location(plugin.span), f"unknown layer {hint}", help)
+        yield Finding(plugin.span, f"unknown layer {hint}", help)
     for source in layer.values() if suggested in ("ObstacleLayer", "VoxelLayer") else ():
         kind = mapping(source).get("data_type")
         if isinstance(kind, Value) and kind.text not in _DATA:
             yield Finding(
-                Location(kind.span),
+                kind.span,
                 f"unknown data_type '{kind.text}', which stops the costmap"
                 f"{did_you_mean(kind.text, _DATA)}",
                 f"write {' or '.join(_DATA)}",

@@ -21,7 +21,7 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import is_typo, nearest_file
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, reported, rule
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import MAP, FileUse
@@ -66,18 +66,18 @@ def _missing_image(context: Context, file: FileUse) -> Findings:
             stem = os.path.splitext(path)[0]
             suggested = next((kind for kind in _IMAGES if disk.is_file(stem + kind)), None)
             hint = f"write {os.path.splitext(image.text)[0]}{suggested}" if suggested else ""
-            yield Finding(Location(image.span), f"image of the map not found: {path}", hint)
+            yield Finding(image.span, f"image of the map not found: {path}", hint)
 
 
 def _not_found(what: str, path: str, span: Span) -> Finding:
     suggested = nearest_file(path)
     help = f"did you mean '{suggested}'?" if suggested else ""
-    return Finding(Location(span), f"{what} not found: {path}", help)
+    return Finding(span, f"{what} not found: {path}", help)
 
 
 def _outside_workspace(subject: str, span: Span) -> Finding:
     help = "move it into the package, or pass --trust"
-    return Finding(Location(span), f"{subject} {OUTSIDE}: not read", help)
+    return Finding(span, f"{subject} {OUTSIDE}: not read", help)
 
 
 def _worlds(context: Context) -> Findings:
@@ -87,7 +87,7 @@ def _worlds(context: Context) -> Findings:
         name = started.name
         if started.is_glued and started.span.source is context.source:
             message = f"missing space between '-r' and the world '{name}'"
-            yield Finding(Location(started.span), message, "write '-r ' with a space")
+            yield Finding(started.span, message, "write '-r ' with a space")
             continue
         if started.span.source is not context.source or name.startswith(UNKNOWN):
             continue
@@ -107,7 +107,7 @@ def _worlds(context: Context) -> Findings:
             files = context.resolver.directories.files_below(root, _MAX_DIRECTORIES)
             if suggested and not any(path.endswith(f"/{name}") for path in files):
                 hint = f"did you mean '{suggested}'?"
-                yield Finding(Location(started.span), f"Gazebo has no world '{name}'", hint)
+                yield Finding(started.span, f"Gazebo has no world '{name}'", hint)
 
 
 def _may_exist_elsewhere(context: Context, path: str) -> bool:

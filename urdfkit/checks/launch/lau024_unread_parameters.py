@@ -136,7 +136,7 @@ def _configurations(node: NodeParameters) -> Findings:
             continue
         if isinstance(value, list) and len(value) != _STATES:
             yield Finding(
-                Location(key.span),
+                key.span,
                 f"'{node.name}': {key} has {len(value)} values, not {_STATES}",
                 "write five rows: x y z, roll pitch yaw, their velocities, accelerations of x y z",
             )
@@ -174,7 +174,7 @@ def _has_section(node: StartedProgram, files: dict[str, list[NodeParameters]]) -
 def _of_other_name(section: NodeParameters, node: StartedProgram, name: str, help: str) -> Finding:
     """Parameters of a section that the node with another name does not read."""
     return Finding(
-        Location(section.at),
+        section.at,
         f"parameters of '{section.name}' are not read: the node is '{name}'",
         help,
         related=(Related(node.span, "the node that loads the file"),),

@@ -27,13 +27,13 @@ def wrong_types(node: NodeParameters) -> Findings:
         # The end of an inner list ends the outer list: a single inner list is read as flat.
         if isinstance(value, list) and sum(isinstance(item, list) for item in value) > 1:
             yield Finding(
-                Location(key.span),
+                key.span,
                 f"'{node.name}': {key} is a list of lists, which ROS 2 does not read",
                 'write one list, or for a footprint a text: "[[x, y], ...]"',
             )
         elif isinstance(value, Value) and key in fractions and _is_whole(value):
             yield Finding(
-                Location(value.span),
+                value.span,
                 f"'{node.name}' stops: {key} is declared as a double, and {value.text} is an "
                 "integer",
                 f"write {value.text}.0",
@@ -46,7 +46,7 @@ def wrong_sizes(node: NodeParameters) -> Findings:
         value = node.values.get(key)
         if isinstance(value, Value) and re.fullmatch(r"[-+]?\d+\.\d*", value.text):
             message = f"'{node.name}' stops: {key} is declared as an integer, not {value.text}"
-            yield Finding(Location(value.span), message, f"write {round(float(value.text))}")
+            yield Finding(value.span, message, f"write {round(float(value.text))}")
 
 
 def integer_frequency(started: StartedProgram) -> Findings:
@@ -67,7 +67,7 @@ def outdated_motion_model(node: NodeParameters) -> Findings:
         return
     if name := data("nodes")["motion_models"].get(model.text):
         yield Finding(
-            Location(model.span),
+            model.span,
             f"'amcl' of Humble and later stops: robot_model_type is a class, not '{model.text}'",
             f"write {name}",
             severity=Severity.WARNING,

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import TYPO, nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.ros.launch.contents import FileUse
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import DISPLAYS, displays, topic_of
@@ -121,4 +121,4 @@ def relative_meshes(context: Context) -> Findings:
 
 def _finding(at: Span, message: str, help: str, file: FileUse) -> Finding:
     note = Related(file.span, "the file is named here")
-    return Finding(Location(at), message, help, related=(note,), severity=Severity.WARNING)
+    return Finding(at, message, help, related=(note,), severity=Severity.WARNING)

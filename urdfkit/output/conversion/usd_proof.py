@@ -68,7 +68,6 @@ class Stage:
             if prim.IsA("PhysicsJoint")
         }  # by the names in the robot
         self.links: dict[str, Any] = {}  # prims of links, by name
-        self._robot = robot
         tree = robot.tree
         placed = tree.frames
         for name in tree.below(tree.roots[0].name):
