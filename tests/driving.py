@@ -22,10 +22,13 @@ drive:
 """
 
 
-def reported(directory: Path, code: str, text: str, robot: str = WHEELS) -> list[Diagnostic]:
-    """What a rule says about a robot with these controllers."""
+def reported(
+    directory: Path, code: str, text: str, robot: str = WHEELS, namespace: str = ""
+) -> list[Diagnostic]:
+    """What a rule says about a robot with these controllers, whose manager has a namespace."""
     (directory / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
+    ros = f"<ros><namespace>{namespace}</namespace></ros>" if namespace else ""
+    names = plugin("gz_ros2_control-system", f"{ros}<parameters>{directory}/c.yaml</parameters>")
     (directory / "r.urdf").write_text(whole_robot(robot + names))
     report = check(directory / "r.urdf", select=[code])
     assert report.crashed == ()

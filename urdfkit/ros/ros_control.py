@@ -113,6 +113,12 @@ def control_plugins(model: RobotModel) -> list[ControlPlugin]:
     return plugins
 
 
+def namespace_of(plugin: Element) -> Element | None:
+    """The namespace that a control plugin of ROS 2 gives its controller manager."""
+    ros = plugin.child("ros")
+    return ros.child("namespace") if ros else None
+
+
 def parameter(element: Element, name: str) -> Element | None:
     return next((found for found in element.all("param") if found.get("name") == name), None)
 

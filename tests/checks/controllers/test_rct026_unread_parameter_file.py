@@ -59,3 +59,22 @@ def test_parameters_outside_of_ros_parameters(tmp_path: Path) -> None:
 def test_type_that_is_not_a_controller(tmp_path: Path, old: str, new: str, text: str) -> None:
     (found,) = reported(tmp_path, "RCT026", DRIVE.replace(old, new))
     assert place(found) == ("c.yaml", 4, text)
+
+
+@pytest.mark.parametrize(
+    ("key", "namespace", "count"),
+    [
+        ("controller_manager", "r1", 1),
+        ("controller_manager", "/r1/", 1),
+        ("r2/controller_manager", "r1", 1),
+        ("r1/controller_manager", "r1", 0),
+        ("/r1/controller_manager", "/r1", 0),
+        ("/**/controller_manager", "r1", 0),
+        ("controller_manager", "", 0),
+        ("controller_manager", "/", 0),
+    ],
+)
+def test_a_manager_in_a_namespace(tmp_path: Path, key: str, namespace: str, count: int) -> None:
+    text = DRIVE.replace("controller_manager", key)
+    found = reported(tmp_path, "RCT026", text, namespace=namespace)
+    assert [place(one) for one in found] == [("c.yaml", 1, key)] * count

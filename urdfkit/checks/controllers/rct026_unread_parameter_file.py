@@ -8,10 +8,13 @@
 - The file is not YAML, `ros__parameters` is misspelt (two underscores), or parameters are below a
   name that no controller has. The controller then starts without its joints, and stops: "parameter
   'joints' was not set".
+- The control plugin has a `<namespace>`, and the parameters of its controller manager are not below
+  this namespace (warning): "The 'type' param was not defined for 'joint_state_broadcaster'".
 
 Sources:
     gz_ros2_control_plugin.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_ros2_control_plugin.cpp
     gazebo_ros2_control_plugin.cpp: https://github.com/ros-controls/gazebo_ros2_control/blob/master/gazebo_ros2_control/src/gazebo_ros2_control_plugin.cpp
+    ros-controls/ros2_control#1552: https://github.com/ros-controls/ros2_control/issues/1552
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
 """
 
@@ -19,9 +22,11 @@ import os
 import re
 
 from urdfkit.core.suggest import nearest_file
-from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.ros.controllers import parameter_files, syntax_errors, unread_keys
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
+from urdfkit.ros.launch.node_parameters import node_parameters
+from urdfkit.ros.ros_control import control_plugins, namespace_of
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -34,6 +39,7 @@ FILES = {
 _FIND = "$(find PACKAGE)/config/FILE.yaml in the xacro, which works everywhere"
 #: Directories of generated files.
 _GENERATED = ("generated", "temp", "tmp")
+_MANAGER = "controller_manager"
 
 
 @rule(Severity.ERROR, help="fix the parameter file")
@@ -44,6 +50,30 @@ def check(context: Context) -> Findings:
     for file, problems in unread_keys(context):
         for span, message, help in problems:
             yield Finding(span, message, help, related=(file.note,))
+    yield from _outside_namespace(context)
+
+
+def _outside_namespace(context: Context) -> Findings:
+    """Parameters of a controller manager that is in another namespace."""
+    files = {file.path: file for file in parameter_files(context) if file.element}
+    for plugin in control_plugins(context.model):
+        element = namespace_of(plugin.at)
+        namespace = element.text.strip().strip("/") if element else ""
+        paths = [each.text.strip() for each in plugin.at.all("parameters")]
+        named = [files[path] for path in paths if namespace and path in files]
+        sources = (context.resolver.readable(file.found) for file in named if file.found)
+        sections = [section for source in sources if source for section in node_parameters(source)]
+        written = {f"{section.namespace}/{section.name}".strip("/") for section in sections}
+        lost = next((each for each in sections if each.name == _MANAGER), None)
+        node = f"{namespace}/{_MANAGER}"
+        if element and lost and node not in written and not any("*" in name for name in written):
+            yield Finding(
+                lost.at,
+                f"parameters of '{_MANAGER}' are not read: the node is '/{node}'",
+                f"write /{node}, or /**/{_MANAGER}, and likewise for the controllers",
+                related=(Related(element.span, "the namespace"), named[0].note),
+                severity=Severity.WARNING,
+            )
 
 
 def _missing(context: Context) -> Findings:

@@ -14,7 +14,7 @@ from urdfkit.ros.launch.spawned_controllers import (
     topic_name,
 )
 from urdfkit.ros.launch.spawning import options, spawner_of
-from urdfkit.ros.ros_control import control_plugins
+from urdfkit.ros.ros_control import control_plugins, namespace_of
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 
@@ -120,8 +120,7 @@ def _ros1_manager(plugin: Element) -> str | None:
 
 def _plugin_manager(plugin: Element) -> str | None:
     """The controller manager of a plugin of Gazebo; None if the plugin adds a prefix."""
-    ros = plugin.child("ros")
-    namespace = ros.child("namespace") if ros else None
+    namespace = namespace_of(plugin)
     named = plugin.child("controller_manager_name") or plugin.child("controller_manager_node_name")
     if named is None and plugin.child("controller_manager_prefix_node_name") is not None:
         return None
