@@ -106,6 +106,30 @@ def test_topics(tmp_path: Path, text: str, count: int) -> None:
     assert len([one for one in found if "waits for '/imu'" in one.message]) == count
 
 
+SCAN = NODE.format(
+    "ros_gz_bridge",
+    "parameter_bridge",
+    "arguments=['{}@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan']",
+)
+SLAM = NODE.format("slam_toolbox", "async_slam_toolbox_node", "{}")
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (SCAN.format("/scan") + SLAM.format(""), 0),
+        (SCAN.format("/lidar") + SLAM.format(""), 1),
+        (SCAN.format("/lidar") + SLAM.format("parameters=[{'scan_topic': '/lidar'}]"), 0),
+        (SCAN.format("/lidar") + SLAM.format("remappings=[('scan', 'lidar')]"), 0),
+        (SLAM.format(""), 0),  # its publisher is unknown
+    ],
+)
+def test_default_topics(tmp_path: Path, text: str, count: int) -> None:
+    found = reported(tmp_path, "LAU022", "a.launch.py", text)
+    words = "'async_slam_toolbox_node' waits for '/scan', which nothing publishes"
+    assert [one.message.partition(";")[0] for one in found] == [words] * count
+
+
 @pytest.mark.parametrize(
     ("value", "words"), [("False", "is false, but"), ("True", ""), (None, "lacks use_sim_time")]
 )

@@ -51,6 +51,32 @@ def test_parameters(tmp_path: Path, frame: str, count: int) -> None:
     assert len(messages(tmp_path, PUBLISHER.format("") + FILTER.format(""), f_yaml=text)) == count
 
 
+SLAM = 'Node(package="slam_toolbox", executable="async_slam_toolbox_node"{})\n'
+INCLUDED_SLAM = """IncludeLaunchDescription(PythonLaunchDescriptionSource(
+    get_package_share_directory("slam_toolbox") + "/launch/online_async_launch.py"){})
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (SLAM.format(""), 1),
+        (SLAM.format(', parameters=[{"use_sim_time": True}]'), 1),
+        (SLAM.format(', parameters=[{"base_frame": "base_link"}]'), 0),
+        (SLAM.format(', parameters=[{"base_frame": x}]'), 0),
+        (SLAM.format(', parameters=["../f.yaml"]'), 0),
+        (SLAM.format(", parameters=[x]"), 0),
+        (SLAM.format("") + STATIC.format("base_link", "base_footprint"), 0),
+        (INCLUDED_SLAM.format(""), 1),
+        (INCLUDED_SLAM.format(', launch_arguments={"slam_params_file": x}.items()'), 0),
+    ],
+)
+def test_default_frames(tmp_path: Path, text: str, count: int) -> None:
+    file = "slam_toolbox:\n  ros__parameters:\n    base_frame: base_link\n"
+    found = messages(tmp_path, PUBLISHER.format("") + text, f_yaml=file)
+    assert ["'base_footprint' is neither" in one for one in found] == [True] * count
+
+
 @pytest.mark.parametrize(
     ("text", "other", "count"),
     [

@@ -9,7 +9,7 @@ exist". A static transform with such a parent creates a second tree.
 Checked are:
 
 - `base_link_frame`, `base_link_output_frame`, `robot_base_frame`, `base_frame`, `base_frame_id` and
-  `sensor_frame`.
+  `sensor_frame`. slam_toolbox and AMCL without such a parameter use `base_footprint`.
 - RViz's fixed frame and the frames of its displays. `map`, `odom` and `world` as the fixed frame
   are reported if a launch file starts only RViz with joint_state_publisher.
 - Parents of static transforms, unless the launch file starts drivers that are not in the workspace,
@@ -25,6 +25,7 @@ Sources:
     REP 105, coordinate frames: https://www.ros.org/reps/rep-0105.html
     robot_localization, parameters: https://github.com/cra-ros-pkg/robot_localization/blob/ros2/params/ekf.yaml
     Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
+    slam_toolbox, slam_toolbox_common.cpp: https://github.com/SteveMacenski/slam_toolbox/blob/ros2/src/slam_toolbox_common.cpp
     RViz, frame_manager.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_common/src/rviz_common/frame_manager.cpp
 """
 
@@ -36,7 +37,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Relat
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch
-from urdfkit.ros.launch.frames import GLOBAL, NamedFrame, named_frames
+from urdfkit.ros.launch.frames import GLOBAL, NamedFrame, default_frames, named_frames
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
 from urdfkit.text.located_yaml import Node, Value, load, mapping
@@ -83,7 +84,10 @@ _NAMED = 4
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     launch = context.launch
-    frames = list(named_frames(launch, context.resolver))
+    frames = [
+        *named_frames(launch, context.resolver),
+        *default_frames(launch, context.resolver),
+    ]
     if not frames and not any(True for _ in _transforms(launch)):
         return
     known = _published_frames(context)
@@ -168,12 +172,15 @@ def _frames_of_filters(launch: Launch, frames: list[NamedFrame]) -> frozenset[st
 
 def _finding(frame: NamedFrame, known: frozenset[str]) -> Finding:
     published = sorted(_GLOBAL if frame.key == GLOBAL else known - _WELL_KNOWN)
+    is_default = frame.named_at is None
+    note = () if frame.named_at is None else (Related(frame.named_at, "the file is named here"),)
     return Finding(
         Location(frame.span),
         f"{frame.who} '{frame.name}' is neither a link of the robot nor a static transform"
         f"{did_you_mean(frame.name, published)}",
-        f"name a frame that is published: {few(published, _NAMED)}",
-        related=(Related(frame.named_at, "the file is named here"),),
+        f"{f'set {frame.key} to' if is_default else 'name'} a frame that is published: "
+        f"{few(published, _NAMED)}",
+        related=note,
     )
 
 

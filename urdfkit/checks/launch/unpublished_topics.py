@@ -20,11 +20,12 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.node_parameters import node_parameters
+from urdfkit.ros.launch.node_parameters import given_parameter, node_parameters
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import topic_of
 from urdfkit.ros.launch.spawned_controllers import controllers
 from urdfkit.text.located_yaml import Node, Value, mapping
+from urdfkit.text.source import Span
 
 #: Packages whose programs do not publish these messages.
 _SILENT = re.compile(
@@ -35,6 +36,7 @@ _CONTROLLERS = "controller_manager"
 #: robot_localization, and the topic that it publishes.
 _FILTER, _FILTERED = "robot_localization", "/odometry/filtered"
 _PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge")
+_SCAN_TOPIC = "scan_topic"
 _INPUT = re.compile(r"(odom|imu)\d+")
 _READ = {"odom": "Odometry", "imu": "Imu"}
 #: The displays of RViz that are named after their message.
@@ -44,15 +46,17 @@ _SHOWN = ("Image", "LaserScan", "Odometry", "PointCloud2")
 class _ReadTopic(Record):
     """A topic that a node reads."""
 
-    topic: Value
+    topic: str
+    at: Span  # of the topic; of the node for a default
     message: str  # without its package
     who: str
     others: tuple[str, ...] = ()  # further topics of the same message; one of them is enough
+    key: str = ""  # the parameter of a default
 
 
 def unpublished_inputs(context: Context) -> Findings:
     topics = (*_read_by_nodes(context), *_read_by_rviz(context))
-    inputs = [read for read in topics if not read.topic.text.startswith(("$", "~"))]
+    inputs = [read for read in topics if not read.topic.startswith(("$", "~"))]
     if not inputs or is_included(context.source.path, context.resolver):
         return
     others = launches_of_workspace(context.source.path, context.resolver)
@@ -64,7 +68,7 @@ def unpublished_inputs(context: Context) -> Findings:
             if published:
                 break
         is_known = all(_is_known(node, read.message) for node in started)
-        name = "/" + read.topic.text.strip("/")
+        name = "/" + read.topic.strip("/")
         names = {name, *(f"/{topic.strip('/')}" for topic in read.others)}
         if any(node.package == _FILTER for launch in others for node in launch.started):
             names.discard(_FILTERED)
@@ -74,10 +78,10 @@ def unpublished_inputs(context: Context) -> Findings:
             continue
         other = nearest(name, published, 0) or next(iter(published))
         yield Finding(
-            Location(read.topic.span),
+            Location(read.at),
             f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "
             f"are on '{other}'",
-            f"write {other}",
+            f"set {read.key}: {other}" if read.key else f"write {other}",
             related=(Related(published[other].span, "the publisher is started here"),),
         )
 
@@ -100,7 +104,8 @@ def _read_by_rviz(context: Context) -> Iterator[_ReadTopic]:
         if message in _SHOWN and (topic := topic_of(display)):
             topics_by_message.setdefault(message, []).append(topic)
     for message, topics in topics_by_message.items():
-        yield _ReadTopic(topics[0], message, "RViz", tuple(topic.text for topic in topics))
+        others = tuple(topic.text for topic in topics)
+        yield _ReadTopic(topics[0].text, topics[0].span, message, "RViz", others)
 
 
 def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
@@ -111,18 +116,25 @@ def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
             for key, value in node.values.items():
                 match = _INPUT.fullmatch(key)
                 if match and isinstance(value, Value) and f"{key}_config" in node.values:
-                    yield _ReadTopic(value, _READ[match.group(1)], node.name)
+                    yield _ReadTopic(value.text, value.span, _READ[match.group(1)], node.name)
                 elif (message := inputs.get(f"{node.name}/{key}")) and isinstance(value, Value):
-                    yield _ReadTopic(value, message, node.name)
+                    yield _ReadTopic(value.text, value.span, message, node.name)
                 elif isinstance(value, dict):
                     yield from _read_by_layer(value, node.name)
+    for started in context.launch.programs if not context.launch.has_scopes else ():
+        is_own = started.frame is None and started.is_sure and started.remappings == {}
+        defaults: dict[str, str] = data("nodes")["defaults"].get(started.package, {})
+        topic = defaults.get(_SCAN_TOPIC) if is_own and started.namespace == "" else None
+        if topic and given_parameter(started, _SCAN_TOPIC, context.resolver) == "":
+            who = started.executable
+            yield _ReadTopic(topic, started.span, "LaserScan", who, key=_SCAN_TOPIC)
 
 
 def _read_by_layer(layer: dict[str, Node], who: str) -> Iterator[_ReadTopic]:
     for source in layer.values() if "observation_sources" in layer else ():
         topic, message = mapping(source).get("topic"), mapping(source).get("data_type")
         if isinstance(topic, Value) and isinstance(message, Value):
-            yield _ReadTopic(topic, message.text, who)
+            yield _ReadTopic(topic.text, topic.span, message.text, who)
 
 
 def _published(

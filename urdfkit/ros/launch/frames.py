@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import Launch
+from urdfkit.ros.launch.node_parameters import given_parameter
 from urdfkit.ros.launch.rviz import displays, manager_of
 from urdfkit.text.located_yaml import Key, Node, Value, load, mapping
 from urdfkit.text.source import Source, Span
@@ -31,8 +33,8 @@ class NamedFrame(Record):
     name: str  # of the frame, without a leading slash
     who: str  # owner of the reference, for messages
     key: str  # of the parameter; empty for RViz
-    span: Span  # of the name
-    named_at: Span  # location of the file's reference in the launch file
+    span: Span  # of the name; of the node for a default
+    named_at: Span | None  # location of the file's reference in the launch file; None for a default
 
 
 def named_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
@@ -53,6 +55,16 @@ def named_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
             name = value.text.strip().lstrip("/")
             if name and not any(mark in name for mark in _OPEN):
                 yield NamedFrame(name, owner, key, value.span, file.span)
+
+
+def default_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
+    """Frames of the robot that nodes of the file itself use because no parameter is given."""
+    for node in launch.programs if not launch.has_scopes else ():
+        defaults: dict[str, str] = data("nodes")["defaults"].get(node.package, {})
+        for key in defaults.keys() & _OF_ROBOT if node.frame is None and node.is_sure else ():
+            if given_parameter(node, key, resolver) == "":
+                who = f"default {key} of '{node.executable}':"
+                yield NamedFrame(defaults[key], who, key, node.span, None)
 
 
 def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:

@@ -47,6 +47,7 @@ def shipped_nodes(included: IncludedFile) -> Iterator[StartedProgram]:
     file, time = arguments.get(shipped["parameters"]), arguments.get(_SIM_TIME)
     files = (file.text,) if file and file.text and os.path.isabs(file.text) else ()
     values = {_SIM_TIME: time.text if time else None}
+    is_whole = bool(files) or (file is None and shipped["is_default"])
     for node in shipped["nodes"].split():
         path, _, name_of_node = node.partition("=")
         package_of_node, _, executable = path.partition("/")
@@ -57,7 +58,7 @@ def shipped_nodes(included: IncludedFile) -> Iterator[StartedProgram]:
             included.span,
             included.frame,
             included.is_sure,
-            parameters=GivenParameters(values, files, is_whole=bool(files)),
+            parameters=GivenParameters(values, files, is_whole),
             name=name_of_node,
         )
 
