@@ -1,6 +1,16 @@
 from pathlib import Path
 
-from tests.controls import NEXT, ROBOT, control, driven, transmission
+import pytest
+
+from tests.controls import (
+    NEXT,
+    ROBOT,
+    TRAJECTORY,
+    control,
+    driven,
+    reported_with_file,
+    transmission,
+)
 from tests.jointed import joint, limit, robot
 from tests.reported import fixed, messages, places, reported
 from urdfkit import check
@@ -59,3 +69,23 @@ def test_fix_renames_the_joint_if_two_blocks_agree() -> None:
     once, twice = (joints + control(driven("swing")) * count for count in (1, 2))
     assert fixed("RCT001", once).count('<joint name="swnig"') == 2
     assert fixed("RCT001", twice).count('<joint name="swing"') == 3
+
+
+@pytest.mark.parametrize(
+    ("joints", "other", "count"),
+    [
+        ("joints: [wheel], interfaces: [position]", "slide", 1),
+        ("joints: [wheel]", "slide", 0),  # read only with interfaces
+        ("joints: [wheel], interfaces: [position]", "elbow", 0),  # of another robot
+        ("joints: [wheel, slide], interfaces: [position]", "elbow", 1),
+    ],
+)
+def test_joints_of_a_broadcaster(tmp_path: Path, joints: str, other: str, count: int) -> None:
+    kind = "joint_state_broadcaster/JointStateBroadcaster"
+    text = (
+        f"b: {{ros__parameters: {{type: {kind}, {joints}}}}}\n"
+        f"arm: {{ros__parameters: {{type: {TRAJECTORY}, joints: [{other}]}}}}\n"
+        f"hand: {{ros__parameters: {{type: {TRAJECTORY}, joints: [swing]}}}}\n"
+    )
+    found = reported_with_file("RCT001", tmp_path, text, "")
+    assert [one.message for one in found] == ["controller 'b': unknown joint 'wheel'"] * count

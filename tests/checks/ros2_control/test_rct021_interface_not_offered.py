@@ -150,9 +150,20 @@ def test_a_gripper(tmp_path: Path) -> None:
     assert "velocity of joint 'slide'" in found.message
 
 
+BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
+
+
+def test_a_broadcaster(tmp_path: Path) -> None:
+    text = controller("b", BROADCASTER, joints="[slide]", interfaces="[position, effort]")
+    (found,) = state_reported(tmp_path, text)
+    assert found.message.endswith("effort of joint 'slide', which offers: position")
+
+
 @pytest.mark.parametrize(
     "text",
     [
+        controller("b", BROADCASTER, interfaces="[effort]"),
+        controller("b", BROADCASTER, joints="[slide]"),
         controller("d", WHEELS, left_wheel_names="[swing]", position_feedback="false"),
         controller("d", WHEELS, left_wheel_names="[swing]", open_loop="true"),
         controller("arm", joints="[slide]", state_interfaces="[position]"),

@@ -42,6 +42,7 @@ from urdfkit.text.located_yaml import Value
 
 #: Values of ``mimic`` since ROS 2 Iron; before, it is the name of a joint.
 _SWITCH = ("true", "false")
+_BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 
 BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", driven_xml("sholder")))
 FIXED = GOOD = BAD.replace("sholder", "shoulder")
@@ -112,8 +113,13 @@ def _controller_joints(context: Context) -> Findings:
     in_gazebo = bool(control_plugins(context.model))
     joints = [(file, controller, _joints(controller)) for file, controller in context.controllers]
     fitting = {file.path for file, _, values in joints if _has_any(values, known)}
+    foreign = {id(user) for _, user, values in joints if values and not _has_any(values, known)}
     for file, controller, values in joints:
-        is_of_robot = _has_any(values, known)
+        is_broadcaster = controller.type == _BROADCASTER and foreign == {id(controller)}
+        # It is in the file of the robot's other controllers; without interfaces it reads no joints.
+        is_of_robot = _has_any(values, known) or (
+            is_broadcaster and bool(controller.values(["interfaces"]))
+        )
         for value in values:
             is_prefixed = _is_prefixed(value.text, known)
             if value.text in known or (is_prefixed and not is_of_robot):

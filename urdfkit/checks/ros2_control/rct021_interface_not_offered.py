@@ -3,12 +3,12 @@
 The controller manager cannot activate the controller: "not in the list of available interfaces".
 Add the command or state interface to the joint if the hardware has it, or configure the controller
 without it: `position_feedback: false` or `open_loop: true` of a wheel controller,
-`state_interfaces` of a trajectory controller. A joint with command interfaces but no state
-interface is reported even without a controller (warning): most controllers do not start, and the
-joint is missing in the joint states. Joints without any `<ros2_control>` are not reported. If a
-file defines several controllers of a joint, one with available interfaces is enough: a launch file
-starts only some of them. In ROS 1, Gazebo offers the `<hardwareInterface>` of the joint's
-transmission.
+`state_interfaces` of a trajectory controller, `interfaces` of joint_state_broadcaster. A joint with
+command interfaces but no state interface is reported even without a controller (warning): most
+controllers do not start, and the joint is missing in the joint states. Joints without any
+`<ros2_control>` are not reported. If a file defines several controllers of a joint, one with
+available interfaces is enough: a launch file starts only some of them. In ROS 1, Gazebo offers the
+`<hardwareInterface>` of the joint's transmission.
 
 Simulators and mock hardware offer exactly the listed interfaces. Other hardware may offer more: a
 warning, or an info if the joint lists no interface of that kind.
@@ -48,6 +48,7 @@ FILES = {
 _OF_ROS1 = "gazebo_ros_control"
 _GRIPPER = "GripperActionController"
 _DRIVE = "diff_drive_controller/DiffDriveController"
+_BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 
 #: Hardware that offers only the listed interfaces, as the hardware of simulators does.
 _MOCK = ("mock_components/GenericSystem", "fake_components/GenericSystem")
@@ -176,7 +177,8 @@ def _states(controller: Controller) -> list[str]:
         return ["velocity" if _has_value(controller, "position_feedback", "false") else "position"]
     if controller.type.endswith(_GRIPPER):
         return ["position", "velocity"]
-    return [value.text for value in controller.values(["state_interfaces"]) if value.text]
+    name = "interfaces" if controller.type == _BROADCASTER else "state_interfaces"
+    return [value.text for value in controller.values([name]) if value.text]
 
 
 def _has_value(controller: Controller, name: str, word: str) -> bool:
