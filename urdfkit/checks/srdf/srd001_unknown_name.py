@@ -23,6 +23,8 @@
   than in ros2_control, which rejects each trajectory ("Joints on incoming trajectory don't match
   the controller joints"; fixed, mimic, passive and virtual joints are ignored); or with another
   type or action ("Action client not connected").
+- In the file of MoveIt Servo, an unknown group or frame, or the topic of a controller that is not
+  defined (warning): the robot does not follow the commands.
 
 The SRDF is out of date, or the name is misspelt.
 
@@ -36,6 +38,8 @@ Sources:
     MoveIt, controllers: https://moveit.picknik.ai/main/doc/examples/controller_configuration/controller_configuration_tutorial.html
     ros2_controllers, joint_trajectory_controller: https://control.ros.org/rolling/doc/ros2_controllers/joint_trajectory_controller/doc/userdoc.html
     MoveIt, moveit_simple_controller_manager.cpp: https://github.com/moveit/moveit2/blob/main/moveit_plugins/moveit_simple_controller_manager/src/moveit_simple_controller_manager.cpp
+    MoveIt, Servo: https://moveit.picknik.ai/main/doc/examples/realtime_servo/realtime_servo_tutorial.html
+    ros-controls/gz_ros2_control#456: https://github.com/ros-controls/gz_ros2_control/issues/456
     moveit/moveit#955: https://github.com/moveit/moveit/issues/955
     moveit/moveit_planners#6: https://github.com/moveit/moveit_planners/issues/6
     moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
@@ -44,6 +48,7 @@ Sources:
 from itertools import chain, islice
 
 from urdfkit.checks.srdf.configuration import unknown_names
+from urdfkit.checks.srdf.servo import unknown_in_servo
 from urdfkit.checks.srdf.trajectory_controllers import mismatched_controllers
 from urdfkit.core.suggest import SIMILAR, Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
@@ -93,6 +98,7 @@ def check(context: Context) -> Findings:
     yield from _not_in_group(context, srdf)
     yield from unknown_names(context, srdf)
     yield from mismatched_controllers(context, srdf)
+    yield from unknown_in_servo(context, srdf)
 
 
 def _names_with_other_arguments(context: Context, srdf: Srdf) -> set[str]:

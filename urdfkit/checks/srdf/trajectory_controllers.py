@@ -25,7 +25,7 @@ def mismatched_controllers(context: Context, srdf: Srdf) -> Findings:
     if manifest is None or manifest.ros != 2:
         return
     entries = list(controller_entries(srdf, context.resolver))
-    controllers = _defined(context, srdf) if entries else ()
+    controllers = defined_controllers(context, srdf) if entries else ()
     defined = by_key((controller.name, controller) for controller in controllers)
     served = {
         joint for key, entry in entries if key.strip("/") in defined for joint in _joints(entry)
@@ -121,7 +121,7 @@ def _has_unknown_joints(controller: Controller) -> bool:
     return any(mark in joint for joint in _commanded(controller) for mark in "$<{")
 
 
-def _defined(context: Context, srdf: Srdf) -> Iterator[Controller]:
+def defined_controllers(context: Context, srdf: Srdf) -> Iterator[Controller]:
     """The ROS 2 controllers in YAML files of the workspaces of the robot and the SRDF."""
     resolver = context.resolver
     workspaces = {resolver.packages.workspace(path) for path in (context.source.path, srdf.path)}

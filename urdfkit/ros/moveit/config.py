@@ -14,6 +14,7 @@ from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars
+from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 _OMPL = "ompl_planning.yaml"
@@ -34,6 +35,8 @@ _PIPELINES = (
     "stomp_planning.yaml",
 )
 _INITIAL = "initial_positions.yaml"
+#: Keys of MoveIt Servo's file, whose name differs from robot to robot.
+_OF_SERVO = (b"move_group_name:", b"command_out_topic:")
 MANAGER = "moveit_simple_controller_manager"
 #: First characters of values that only launch or a template resolves.
 _OPEN = ("$", "<", "{")
@@ -149,6 +152,25 @@ def names_without_settings(
     for name in scalars(manager.get("controller_names")):
         if name.text not in configured and not name.text.startswith(_OPEN):
             yield name, configured, name.text in root
+
+
+def servo_values(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Source, dict[str, Value]]]:
+    """The files of MoveIt Servo next to an SRDF, and their values by key."""
+    directory = os.path.dirname(os.path.abspath(srdf.path))
+    for name in sorted(disk.names(directory)) if disk.is_directory(directory) else ():
+        path = os.path.join(directory, name)
+        source = resolver.readable(path) if name.endswith((".yaml", ".yml")) else None
+        if source is None or not all(key in source.data for key in _OF_SERVO):
+            continue
+        values: dict[str, Value] = {}
+        stack: list[Node] = [load(source)]
+        while stack:
+            for key, node in mapping(stack.pop()).items():
+                if isinstance(node, Value) and not node.text.startswith(_OPEN):
+                    values[str(key)] = node
+                elif isinstance(node, dict):
+                    stack.append(node)
+        yield source, values
 
 
 def _mappings(node: dict[str, Node]) -> Iterator[tuple[Key, dict[str, Node]]]:

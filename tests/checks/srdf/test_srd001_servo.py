@@ -1,0 +1,73 @@
+"""SRD001 in the files of MoveIt Servo."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.srdfs import findings
+
+GROUP = '<group name="arm"><chain base_link="base" tip_link="hand"/></group>'
+VIRTUAL = '<virtual_joint name="v" type="fixed" parent_frame="world" child_link="base"/>'
+SERVO = """\
+servo_node:
+  ros__parameters:
+    moveit_servo:
+      move_group_name: arm
+      planning_frame: base
+      ee_frame_name: hand
+      command_out_topic: /arm_controller/joint_trajectory
+"""
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    arm_controller: {type: joint_trajectory_controller/JointTrajectoryController}
+    states: {type: joint_state_broadcaster/JointStateBroadcaster}
+arm_controller: {ros__parameters: {joints: [shoulder]}}
+"""
+
+
+def messages(directory: Path, text: str, body: str = GROUP, controllers: str = "") -> list[str]:
+    (directory / "servo_config.yaml").write_text(text)
+    (directory / "ros2_controllers.yaml").write_text(controllers)
+    (directory / "package.xml").write_text("<package><name>r</name></package>")
+    return [found.message for found in findings(directory, body, "SRD001")]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("", "", ""),
+        ("name: arm", "name: panda_arm", "unknown move_group_name 'panda_arm'"),
+        ("frame: base", "frame: panda_link0", "unknown planning_frame 'panda_link0'"),
+        ("frame: base", "frame: world", "unknown planning_frame 'world'"),
+        ("frame: base", "frame: $(var frame)", ""),
+        ("ee_frame_name: hand", "ee_frame_name: tool", "unknown ee_frame_name 'tool'"),
+        ("ee_frame_name: hand", "other_frame: tool", ""),
+        ("command_out_topic", "out_topic", ""),  # a file of another program
+    ],
+)
+def test_groups_and_frames(tmp_path: Path, old: str, new: str, words: str) -> None:
+    found = messages(tmp_path, SERVO.replace(old, new))
+    assert [words in one for one in found] == [True] * bool(words)
+
+
+def test_the_frame_of_a_virtual_joint(tmp_path: Path) -> None:
+    assert messages(tmp_path, SERVO.replace("frame: base", "frame: world"), GROUP + VIRTUAL) == []
+
+
+@pytest.mark.parametrize(
+    ("topic", "controllers", "count"),
+    [
+        ("/arm_controller/joint_trajectory", CONTROLLERS, 0),
+        ("~/arm_controller/joint_trajectory", CONTROLLERS, 0),
+        ("/panda_arm_controller/joint_trajectory", CONTROLLERS, 1),
+        ("panda_arm_controller/commands", CONTROLLERS, 1),
+        ("/panda_arm_controller/joint_trajectory", "", 0),  # no controller is known
+        ("/servo/out", CONTROLLERS, 0),
+    ],
+)
+def test_controllers(tmp_path: Path, topic: str, controllers: str, count: int) -> None:
+    text = SERVO.replace("/arm_controller/joint_trajectory", topic)
+    found = messages(tmp_path, text, controllers=controllers)
+    words = "command_out_topic is of controller 'panda_arm_controller'"
+    assert [one.partition(",")[0] for one in found] == [words] * count

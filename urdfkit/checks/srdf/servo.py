@@ -1,0 +1,56 @@
+"""Unknown groups, frames and controllers in the files of MoveIt Servo.
+
+Source: ``servo_calcs.cpp`` of moveit_servo (Humble), ``servo.cpp`` and ``servo_parameters.yaml``
+(Jazzy).
+"""
+
+import os
+
+from urdfkit.checks.srdf.trajectory_controllers import defined_controllers
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.words import few
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
+from urdfkit.ros.moveit.config import servo_values
+from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.ros.moveit.srdf_variant import names_of_other_robots
+from urdfkit.text.located_yaml import Value
+
+_GROUP, _TOPIC = "move_group_name", "command_out_topic"
+#: In Humble and before; later Servo takes frames from its commands.
+_FRAMES = ("planning_frame", "ee_frame_name", "robot_link_command_frame")
+_OUTPUTS = ("joint_trajectory", "commands")
+_NAMED = 4
+
+
+def unknown_in_servo(context: Context, srdf: Srdf) -> Findings:
+    above = {each.get("parent_frame") or "" for each in srdf.root.all("virtual_joint")}
+    for source, values in servo_values(srdf, context.resolver):
+        file = os.path.basename(source.path)
+        known = {_GROUP: srdf.known("group"), **dict.fromkeys(_FRAMES, srdf.known("link") | above)}
+        written = {key: values[key].text for key in known if key in values}
+        lost = {name for key, name in written.items() if name and name not in known[key]}
+        lost -= names_of_other_robots(context, srdf, lost)
+        for key, name in written.items():
+            if name in lost and known[key]:
+                message = f"{file}: unknown {key} '{name}'{did_you_mean(name, known[key])}"
+                help = f"write one of {few(sorted(known[key]), _NAMED)}"
+                yield Finding(Location(values[key].span), message, help, severity=Severity.WARNING)
+        if _TOPIC in values:
+            yield from _unknown_controller(context, srdf, values[_TOPIC])
+
+
+def _unknown_controller(context: Context, srdf: Srdf, topic: Value) -> Findings:
+    """A topic that no controller of the workspace reads."""
+    owner, _, output = topic.text.strip("/").rpartition("/")
+    name = owner.rpartition("/")[2]
+    defined = {each.name: each for each in defined_controllers(context, srdf)}
+    users = [each.name for each in defined.values() if each.values(["joints"])]
+    moving = [user for user in users if "broadcaster" not in defined[user].type]
+    if name and output in _OUTPUTS and name not in defined and moving:
+        yield Finding(
+            Location(topic.span),
+            f"{_TOPIC} is of controller '{name}', which no parameter file of ros2_control defines"
+            f"{did_you_mean(name, moving)}",
+            f"name a controller that is defined: {few(sorted(moving), _NAMED)}",
+            severity=Severity.WARNING,
+        )
