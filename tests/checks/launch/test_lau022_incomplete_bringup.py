@@ -106,6 +106,47 @@ def test_topics(tmp_path: Path, text: str, count: int) -> None:
     assert len([one for one in found if "waits for '/imu'" in one.message]) == count
 
 
+ROLLER = """<robot name="r"><link name="a"/><link name="b"/>
+<joint name="roll" type="{}"><parent link="a"/><child link="b"/></joint>
+<gazebo><plugin filename="gz-sim-{}-system" name="p"/></gazebo></robot>"""
+SHOWN = (
+    STATE.format(", parameters=[{'robot_description': open('../r.urdf').read()}]")
+    + NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    + NODE.format("rviz2", "rviz2", "")
+)
+JOINTS = NODE.format(
+    "ros_gz_bridge",
+    "parameter_bridge",
+    "arguments=['/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock'{}]",
+)
+
+
+@pytest.mark.parametrize(
+    ("kind", "system", "more", "help"),
+    [
+        ("continuous", "diff-drive", JOINTS.format(""), "add gz-sim-joint-state-publisher-system"),
+        ("continuous", "joint-state-publisher", JOINTS.format(""), "bridge its topic as sensor_"),
+        ("continuous", "pose-publisher", JOINTS.format(""), ""),
+        ("fixed", "diff-drive", JOINTS.format(""), ""),
+        ("continuous", "diff-drive", "", ""),  # the bridge is started elsewhere
+        ("continuous", "diff-drive", JOINTS.format("") + NODE.format("arm", "states", ""), ""),
+        (
+            "continuous",
+            "joint-state-publisher",
+            JOINTS.format(", '/joint_states@sensor_msgs/msg/JointState[gz.msgs.Model'"),
+            "",
+        ),
+    ],
+)
+def test_joint_states_of_gazebo(
+    tmp_path: Path, kind: str, system: str, more: str, help: str
+) -> None:
+    files = {"r.urdf": ROLLER.format(kind, system)}
+    found = reported(tmp_path, "LAU022", "a.launch.py", SHOWN + more, files)
+    assert [one.help.startswith(help) for one in found] == [True] * bool(help)
+    assert all("states of roll: RViz has no transform" in one.message for one in found)
+
+
 SCAN = NODE.format(
     "ros_gz_bridge",
     "parameter_bridge",

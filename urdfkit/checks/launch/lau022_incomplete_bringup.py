@@ -34,6 +34,7 @@ Sources:
     ros2_control, spawner.py: https://github.com/ros-controls/ros2_control/blob/master/controller_manager/controller_manager/spawner.py
     ros-controls/gz_ros2_control#474: https://github.com/ros-controls/gz_ros2_control/issues/474
     ros-controls/gz_ros2_control#720: https://github.com/ros-controls/gz_ros2_control/issues/720
+    Ekumen-OS/andino_gz#39: https://github.com/Ekumen-OS/andino_gz/issues/39
     turtlebot/turtlebot4#571: https://github.com/turtlebot/turtlebot4/issues/571
     ROS 2, clock and time: https://design.ros2.org/articles/clock_and_time.html
 """
@@ -96,6 +97,7 @@ def check(context: Context) -> Findings:
     yield from simulation.hardware_without_simulator(context, started)
     if not launch.has_scopes and all(map(is_part_of_ros, launch.unread)):
         yield from mismatched_names.unpublished_description(context, started)
+        yield from simulation.unpublished_joint_states(context, started)
         yield from unpublished_inputs(context)
         yield from unread_commands(context, started)
         yield from mistyped_commands(context, started)

@@ -1,9 +1,13 @@
-"""Nodes and hardware that do not match the simulation: clock, pause, ros2_control."""
+"""Nodes and hardware that do not match the simulation: clock, pause, ros2_control, joint states."""
 
+import re
 from collections.abc import Iterable
 
+from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
+from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import activates, controllers
@@ -19,6 +23,14 @@ _GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign
 #: Hardware that only Gazebo's plugin loads.
 _OF_GAZEBO = ("gazebo_ros2_control/", "gz_ros2_control/", "ign_ros2_control/")
 _MOCK = ("mock_components/GenericSystem", "fake_components/GenericSystem")
+#: Packages whose programs publish no joint states, and no transforms of the links of joints.
+_STATELESS = re.compile(
+    r"robot_state_publisher|ros_gz_(sim|bridge|image)|rviz2|tf2_ros|robot_localization"
+    r"|slam_toolbox|joy|twist_mux|teleop_twist_(joy|keyboard)|nav2_\w+"
+)
+#: Systems of gz-sim: one publishes joint states, the other the poses of links.
+_STATES, _POSES = "joint-state-publisher", "pose-publisher"
+_NAMED = 2
 
 
 def missing_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
@@ -121,6 +133,42 @@ def hardware_without_simulator(context: Context, started: tuple[StartedProgram, 
                     "file without a simulator",
                     related=(Related(managers[0].span, "the controller manager"),),
                 )
+
+
+def unpublished_joint_states(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """A robot of gz-sim in RViz whose joints have no states, so that links have no transform."""
+    publisher = next((node for node in started if node.package == "robot_state_publisher"), None)
+    bridges = [node for node in started if is_bridge(node)]
+    packages = {node.package for node in started}
+    is_gz = any(node.package == "ros_gz_sim" and spawner_of(node) for node in started)
+    if publisher is None or not is_gz or "rviz2" not in packages or not bridges:
+        return
+    if not all(map(_STATELESS.fullmatch, packages)) or not all(map(_is_known, bridges)):
+        return
+    bridged = [topic for node in bridges for topic in bridged_topics(node, context.resolver)]
+    is_bridged = any(topic.ros_type.endswith("/JointState") for topic in bridged)
+    if is_bridged or is_included(context.source.path, context.resolver):
+        return
+    for description, robot in context.described_robots:
+        systems = _systems(robot.model)
+        joints = [joint.name for joint in robot.model.joints if joint.degrees_of_freedom == 1]
+        is_posed = any(_POSES in system for system in systems) or control_plugins(robot.model)
+        if not joints or is_posed or not description.is_whole:
+            continue
+        help = "bridge its topic as sensor_msgs/msg/JointState to /joint_states"
+        if not any(_STATES in system for system in systems):
+            help = f"add gz-sim-{_STATES}-system to the robot, and {help}"
+        yield Finding(
+            Location(publisher.span, publisher.frame),
+            f"nothing publishes the states of {few(joints, _NAMED)}: RViz has no transform of "
+            "their links",
+            help,
+        )
+
+
+def _systems(model: RobotModel) -> list[str]:
+    plugins = (plugin for block in model.gazebo for plugin in block.all("plugin"))
+    return [plugin.get("filename") or "" for plugin in plugins]
 
 
 def _is_known(bridge: StartedProgram) -> bool:
