@@ -161,6 +161,31 @@ def test_a_system_on_its_default_topic(tmp_path: Path) -> None:
     assert found.help == "write <odom_topic>/odom</odom_topic> into the plugin"
 
 
+@pytest.mark.parametrize(
+    ("content", "topic", "help"),
+    [
+        ("", "/model/r/joint/swing/0/cmd_pos", None),
+        ("", "/model/r/joint/swing/cmd_pos", "write <topic>/model/r/joint/swing/cmd_pos</topic>"),
+        ("<topic>swing</topic>", "/swing", None),
+        ("<topic>swing</topic>", "/swing_cmd", "write /swing"),
+        ("<sub_topic>swing</sub_topic>", "/model/r/swing", None),
+        ("<sub_topic>swing</sub_topic>", "/swing", "write <topic>/swing</topic>"),
+        ("<use_actuator_msg>true</use_actuator_msg>", "/swing", None),
+    ],
+)
+def test_commands_of_a_joint(tmp_path: Path, content: str, topic: str, help: str | None) -> None:
+    name = "gz-sim-joint-position-controller-system"
+    tags = f"<gazebo><plugin filename='{name}' name='p'>{content}</plugin></gazebo>"
+    files = {"r.urdf": ROBOT.replace("</robot>", f"{tags}</robot>")}
+    config = (
+        f"- {{ros_topic_name: /swing, gz_topic_name: {topic}, ros_type_name: std_msgs/msg/Float64, "
+        "gz_type_name: gz.msgs.Double, direction: ROS_TO_GZ}\n"
+    )
+    (tmp_path / "b.yaml").write_text(config)
+    found = of_words(tmp_path, "--ros-args", "-p", f"config_file:={tmp_path}/b.yaml", files=files)
+    assert [one.help.partition(" into")[0] for one in found] == [help] * (help is not None)
+
+
 def test_one_topic_serves_images_and_their_calibration(tmp_path: Path) -> None:
     camera = ROBOT.replace("gpu_lidar", "camera").replace("<topic>scan</topic>", "")
     words = (

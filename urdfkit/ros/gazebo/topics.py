@@ -68,13 +68,18 @@ def _of_sensor(sensor: Sensor) -> Iterator[GazeboTopic]:
 
 def of_plugin(plugin: Element) -> Iterator[GazeboTopic]:
     """The topics of a system, if it is catalogued."""
+    below_model = plugin.child("sub_topic")
     for entry in _entries("plugins", _library(plugin)):
         message, parameter, default = entry.split()
+        if message == "Double" and plugin.child("use_actuator_msg") is not None:
+            continue  # it reads Actuators
         tags = parameter[1:].split("/")
         written = [plugin.child(tag) for tag in tags]
         texts = [tag.text.strip().strip("/") if tag is not None else "" for tag in written]
         defaults = default.strip("/").rsplit("/", len(tags) - 1)
         name = "/".join(text or part for text, part in zip(texts, defaults, strict=True))
+        if below_model is not None and name == default.strip("/"):
+            name = f"model/*/{below_model.text.strip().strip('/')}"
         who = f"plugin '{plugin.get('name')}'"
         is_read = parameter.startswith("<")
         yield GazeboTopic(who, message, name, is_read, tags[-1], is_system=True)
