@@ -312,3 +312,32 @@ def test_remappings_of_a_controller(
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text)
     words = f"remapping of '{old}' has no effect"
     assert [one.message.partition(":")[0] for one in found] == [words] * count
+
+
+@pytest.mark.parametrize(
+    ("path", "count"),
+    [
+        ("package://arm/mesh.stl", 0),
+        ("file://{}/mesh.stl", 0),
+        ("{}/mesh.stl", 1),
+        ("mesh.stl", 1),
+        ("model://arm/mesh.stl", 1),
+        ("{}/other.stl", 0),  # it does not exist
+    ],
+)
+def test_meshes_in_rviz(tmp_path: Path, path: str, count: int) -> None:
+    directory = tmp_path / "arm"
+    directory.mkdir()
+    (directory / "mesh.stl").write_bytes(bytes(84))
+    mesh = f'<geometry><mesh filename="{path.format(directory)}"/></geometry>'
+    files = {
+        "r.urdf": f'<robot name="r"><link name="a"><visual>{mesh}</visual></link></robot>',
+    }
+    text = (
+        "from launch_ros.actions import Node\n\nnodes = [\n"
+        '    Node(package="robot_state_publisher", executable="robot_state_publisher",\n'
+        '         parameters=[{"robot_description": open("../r.urdf").read()}]),\n'
+        '    Node(package="rviz2", executable="rviz2"),\n]\n'
+    )
+    found = reported(directory, "LAU024", "a.launch.py", text, files)
+    assert ["is not found by RViz" in one.message for one in found] == [True] * count

@@ -16,8 +16,8 @@
 - A lifecycle manager waits for a node that nothing starts, or no lifecycle manager activates a node
   of Nav2, which stays unconfigured (warning).
 - An RViz configuration has a display of a class that RViz 2 does not have, such as `rviz/LaserScan`
-  of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes have relative paths
-  or Gazebo's `model://`: "Could not load resource" (warning).
+  of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes have paths, such as
+  `$(find PACKAGE)/mesh.stl`, or Gazebo's `model://`: "Could not load resource" (warning).
 - A planning pipeline of MoveIt has no plugin (warning), neither in the file of MoveItConfigsBuilder
   nor in the dictionaries that the launch file passes to move_group ("Planning plugin name is empty
   or not defined in namespace 'ompl'"). Or `default_planning_pipeline` is not in
@@ -42,7 +42,7 @@ from itertools import chain
 
 from urdfkit.checks.launch import costmap_parameters, parameter_types
 from urdfkit.checks.launch.lifecycle import not_activated
-from urdfkit.checks.launch.rviz_displays import relative_meshes, unknown_classes
+from urdfkit.checks.launch.rviz_displays import meshes_without_uri, unknown_classes
 from urdfkit.checks.launch.unread_remappings import unread_remappings
 from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
@@ -106,7 +106,7 @@ def check(context: Context) -> Findings:
     yield from _other_nodes(context, files)
     yield from not_activated(context)
     yield from unknown_classes(context)
-    yield from relative_meshes(context)
+    yield from meshes_without_uri(context)
     yield from unread_remappings(context)
     yield from reported(context, "LAU024")
     for started in context.launch.started:

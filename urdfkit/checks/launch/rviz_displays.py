@@ -1,6 +1,7 @@
 """Displays of RViz that stay empty: unknown classes, unpublished topics, missing meshes.
 
-Sources: plugins_description.xml of rviz_default_plugins, Humble to Rolling.
+Sources: plugins_description.xml of rviz_default_plugins and retriever.cpp of resource_retriever,
+Humble to Rolling; kobuki-base/kobuki_ros#51.
 """
 
 import os
@@ -95,8 +96,8 @@ def _is_shown_elsewhere(context: Context, path: str, topic: str) -> bool:
     return False
 
 
-def relative_meshes(context: Context) -> Findings:
-    """Meshes with relative paths or Gazebo's ``model://``."""
+def meshes_without_uri(context: Context) -> Findings:
+    """Meshes with paths in place of URIs, as of ``$(find)``, or with Gazebo's ``model://``."""
     if all(node.package not in ("rviz", "rviz2") for node in context.launch.started):
         return
     reported: set[str] = set()
@@ -105,7 +106,8 @@ def relative_meshes(context: Context) -> Findings:
         for mesh in robot.files.meshes if robot.reading.document else ():
             path = mesh.located.path
             package = context.resolver.packages.enclosing(path) if path else None
-            is_lost = mesh.located.scheme in ("relative", "model")
+            is_path = mesh.located.reference.startswith("/")
+            is_lost = is_path or mesh.located.scheme in ("relative", "model")
             if path is None or package is None or not is_lost or description.path in reported:
                 continue
             reported.add(description.path)
