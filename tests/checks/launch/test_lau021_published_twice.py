@@ -221,3 +221,37 @@ def test_nav2_with_its_slam(tmp_path: Path) -> None:
     nav2 = NAV2.format("bringup_launch.py")[:-2]
     text = f"{nav2}, launch_arguments={{'slam': 'True'}}.items())\n"
     assert messages(tmp_path, SLAM.format("online_sync", tmp_path) + text) == []
+
+
+MOVED = """
+controller_manager:
+  ros__parameters:
+    drive: {{type: diff_drive_controller/DiffDriveController}}
+drive: {{ros__parameters: {{{}}}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("parameters", "parent", "child", "help"),
+    [
+        ("base_frame_id: base", "map", "base", "publish that from map to odom"),
+        ("base_frame_id: base", "odom", "/base", "remove the static_transform_publisher"),
+        ("base_frame_id: base, odom_frame_id: o", "map", "base", "publish that from map to o"),
+        ("base_frame_id: base, enable_odom_tf: false", "map", "base", ""),
+        ("base_frame_id: base", "map", "odom", ""),
+        ("", "map", "base_link", "publish that from map to odom"),
+    ],
+)
+def test_odometry_and_a_static_transform(
+    tmp_path: Path, parameters: str, parent: str, child: str, help: str
+) -> None:
+    start = (
+        "Node(package='controller_manager', executable='ros2_control_node', "
+        f"parameters=['{tmp_path}/c.yaml'])\n"
+    )
+    words = ["--frame-id", parent, "--child-frame-id", child]
+    text = start + SPAWNER.format(["drive"], "") + STATIC.format(words)
+    files = {"c.yaml": MOVED.format(parameters)}
+    found = reported(tmp_path, "LAU021", "a.launch.py", text, files)
+    assert [one.help for one in found] == [help] * bool(help)
+    assert all("and by controller 'drive'" in one.message for one in found)

@@ -10,15 +10,18 @@ from collections.abc import Iterator
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.controllers import Controller
 from urdfkit.ros.gazebo.topics import of_plugin
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.spawned_controllers import activates, controllers
 from urdfkit.ros.launch.spawning import spawner_of
+from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.document import Element
 from urdfkit.text.located_yaml import Value
+from urdfkit.text.source import Span
 
 _PUBLISHER = "robot_state_publisher"
 _DRIVE = "diff_drive_controller/DiffDriveController"
@@ -105,26 +108,63 @@ def second_odometry(context: Context, started: list[StartedProgram]) -> Findings
                     "remove /tf from the bridge",
                     related=(Related(filter.span, "the filter is started here"),),
                 )
+    for controller, odometry, _ in _publishing_drives(context, started):
+        if other := filters.get(odometry):
+            section = controller.section
+            places = section.values("enable_odom_tf") or section.values("odom_frame_id")
+            at = places[0].span if places else section.at or controller.type_at
+            yield Finding(
+                at,
+                f"the transform of '{odometry}' is published twice: by controller "
+                f"'{controller.name}', and by '{other.name or other.executable}'",
+                "write enable_odom_tf: false",
+                related=(Related(other.span, "the filter is started here"),),
+            )
+
+
+def _publishing_drives(
+    context: Context, started: list[StartedProgram]
+) -> Iterator[tuple[Controller, str, str]]:
+    """The drives that publish a transform, its parent and its child."""
     defined = defined_controllers(context)
     for node in started:
         for word in controllers(node) if activates(node) else ():
             controller = defined.get((word.text or "").strip("/"))
             if controller is None or controller.ros != 2 or controller.type != _DRIVE:
                 continue
-            section = controller.section
-            written = [value.text for value in section.values("enable_odom_tf")]
-            parents = [value.text for value in section.values("odom_frame_id")] or ["odom"]
-            other = filters.get(parents[0].strip("/"))
-            if other is None or "false" in map(str.lower, written):
-                continue
-            places = section.values("enable_odom_tf") or section.values("odom_frame_id")
-            at = places[0].span if places else section.at or controller.type_at
+            values = controller.section.values
+            if "false" not in [value.text.lower() for value in values("enable_odom_tf")]:
+                odometry = [value.text.strip("/") for value in values("odom_frame_id")]
+                base = [value.text.strip("/") for value in values("base_frame_id")]
+                yield controller, (odometry or ["odom"])[0], (base or ["base_link"])[0]
+
+
+def static_odometry(context: Context, started: list[StartedProgram]) -> Findings:
+    """A static transform of the frame that odometry moves."""
+    static = [(node, found) for node in started if (found := static_transform(node))]
+    if not static or context.launch.has_scopes:
+        return
+    moved: dict[str, tuple[str, str, Span]] = {}
+    for drive, parent, child in _publishing_drives(context, started):
+        moved[child] = (parent, f"controller '{drive.name}'", drive.section.at or drive.type_at)
+    for filter in started:
+        for frames in _filter_frames(filter, context):
+            who = f"'{filter.name or filter.executable}'"
+            moved[frames[_BASE]] = (frames[_ODOM], who, filter.span)
+    for _, robot in context.described_robots:
+        for bridged in _bridged_odometry(context, started, robot):
+            moved[bridged.base] = (bridged.odometry, bridged.who, bridged.bridge.span)
+    for node, transform in static:
+        child = (transform.child.text or "").strip("/")
+        parent = (transform.parent.text or "").strip("/")
+        if child in moved and child:
+            odometry, who, at = moved[child]
+            remove = "remove the static_transform_publisher"
             yield Finding(
-                Location(at),
-                f"the transform of '{parents[0]}' is published twice: by controller "
-                f"'{controller.name}', and by '{other.name or other.executable}'",
-                "write enable_odom_tf: false",
-                related=(Related(other.span, "the filter is started here"),),
+                Location(transform.child.span, node.frame),
+                f"the transform of '{child}' is published twice: by this node, and by {who}",
+                remove if parent == odometry else f"publish that from {parent} to {odometry}",
+                related=(Related(at, "published here"),),
             )
 
 

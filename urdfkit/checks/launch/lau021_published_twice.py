@@ -1,7 +1,8 @@
 """Two programs of a launch file do what only one may do.
 
 - A static_transform_publisher and robot_state_publisher both publish the transform of a link: tf
-  keeps the last one, and the robot flickers if the two differ.
+  keeps the last one, and the robot flickers if the two differ. Or it publishes the transform of the
+  frame that odometry moves, such as map to base_link next to odom to base_link.
 - joint_state_publisher and joint_state_broadcaster of ros2_control (joint_state_controller in
   ROS 1) publish on the same `joint_states`: the model jumps between the real positions and those of
   the sliders. The same holds for joint states that are bridged from Gazebo.
@@ -67,6 +68,7 @@ def check(context: Context) -> Findings:
     yield from duplicate_programs.second_manager(context, started)
     yield from duplicate_programs.second_odometry(context, started)
     yield from duplicate_programs.second_parent(context, started)
+    yield from duplicate_programs.static_odometry(context, started)
     yield from duplicate_programs.second_map(context, started)
 
 

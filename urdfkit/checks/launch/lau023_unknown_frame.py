@@ -175,7 +175,7 @@ def _finding(frame: NamedFrame, known: frozenset[str]) -> Finding:
     is_default = frame.named_at is None
     note = () if frame.named_at is None else (Related(frame.named_at, "the file is named here"),)
     return Finding(
-        Location(frame.span),
+        frame.span,
         f"{frame.who} '{frame.name}' is neither a link of the robot nor a static transform"
         f"{did_you_mean(frame.name, published)}",
         f"{f'set {frame.key} to' if is_default else 'name'} a frame that is published: "
@@ -281,14 +281,14 @@ def _wrong_filter_frames(context: Context) -> Findings:
             if isinstance(odom, Value) and odom.text in (base.text, names[1]):
                 key = "base_link_frame" if odom.text == base.text else "map_frame"
                 yield Finding(
-                    Location(odom.span),
+                    odom.span,
                     f"odom_frame and {key} are both '{odom.text}': robot_localization requires "
                     "three different frames",
                     "write odom_frame: odom, map_frame: map and the robot's link",
                 )
             elif isinstance(world, Value) and world.text not in names:
                 yield Finding(
-                    Location(world.span),
+                    world.span,
                     f"world_frame '{world.text}' is neither odom_frame '{names[0]}' nor "
                     f"map_frame '{names[1]}'",
                     f"write {names[0]}, or {names[1]} for the filter that uses GPS",

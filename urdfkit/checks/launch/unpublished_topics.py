@@ -15,7 +15,7 @@ from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.rviz_displays import has_other_topics, read_by_rviz
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
@@ -78,7 +78,7 @@ def unpublished_inputs(context: Context) -> Findings:
             continue
         other = nearest(name, published, 0) or next(iter(published))
         yield Finding(
-            Location(read.at),
+            read.at,
             f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "
             f"are on '{other}'",
             f"set {read.key}: {other}" if read.key else f"write {other}",

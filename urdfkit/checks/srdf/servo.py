@@ -9,7 +9,7 @@ import os
 from urdfkit.checks.srdf.trajectory_controllers import defined_controllers
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.moveit.config import servo_values
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_variant import names_of_other_robots
@@ -34,7 +34,7 @@ def unknown_in_servo(context: Context, srdf: Srdf) -> Findings:
             if name in lost and known[key]:
                 message = f"{file}: unknown {key} '{name}'{did_you_mean(name, known[key])}"
                 help = f"write one of {few(sorted(known[key]), _NAMED)}"
-                yield Finding(Location(values[key].span), message, help, severity=Severity.WARNING)
+                yield Finding(values[key].span, message, help, severity=Severity.WARNING)
         if _TOPIC in values:
             yield from _unknown_controller(context, srdf, values[_TOPIC])
 
@@ -48,7 +48,7 @@ def _unknown_controller(context: Context, srdf: Srdf, topic: Value) -> Findings:
     moving = [user for user in users if "broadcaster" not in defined[user].type]
     if name and output in _OUTPUTS and name not in defined and moving:
         yield Finding(
-            Location(topic.span),
+            topic.span,
             f"{_TOPIC} is of controller '{name}', which no parameter file of ros2_control defines"
             f"{did_you_mean(name, moving)}",
             f"name a controller that is defined: {few(sorted(moving), _NAMED)}",
