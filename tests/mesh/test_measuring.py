@@ -10,10 +10,14 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from urdfkit.mesh.components import split_pieces
+from urdfkit.mesh.edges import Edges
 from urdfkit.mesh.geometry import Mesh, MeshPart
-from urdfkit.mesh.grouping import components
-from urdfkit.mesh.measures import Measures, from_json, to_json
+from urdfkit.mesh.grouping import components, equal_numbers
+from urdfkit.mesh.measures import OVERLAP, Measures, from_json, to_json
 from urdfkit.mesh.measuring import measure
+from urdfkit.mesh.overlap import most_overlap, overlap
+from urdfkit.mesh.welding import weld
 
 CORNERS = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
 #: The triangles of a cube, seen from outside.
@@ -252,6 +256,18 @@ def test_a_long_chain_takes_few_rounds() -> None:
     assert not components(200_000, ends).any()
 
 
+@given(st.lists(st.integers(-5, 5), max_size=60))
+def test_equal_numbers_are_those_of_numpy(numbers: list[int]) -> None:
+    found = equal_numbers(np.array(numbers, dtype=np.int64))
+    expected = np.unique(
+        np.array(numbers, dtype=np.int64),
+        return_index=True,
+        return_inverse=True,
+        return_counts=True,
+    )[1:]
+    assert [array.tolist() for array in found] == [array.tolist() for array in expected]
+
+
 def test_measures_survive_json() -> None:
     import json
 
@@ -283,6 +299,25 @@ def test_what_pieces_share_counts_twice(shared: float, scale: float) -> None:
     assert measures.bodies == 3
     assert measures.overlap == pytest.approx(twice / (3 - twice), abs=1e-6)
     assert measures.solid.volume == pytest.approx(3 * scale**3)
+
+
+@given(
+    st.lists(st.tuples(*[st.floats(0, 2)] * 3), min_size=2, max_size=4),
+    st.lists(st.tuples(*[st.floats(0, 2)] * 3), max_size=2),
+)
+def test_bounding_boxes_limit_the_overlap(
+    cubes: list[tuple[float, float, float]], cavities: list[tuple[float, float, float]]
+) -> None:
+    parts = [box(at=place) for place in cubes]
+    parts += [inverted(box((0.3, 0.3, 0.3), place)) for place in cavities]
+    mesh = Mesh(tuple(parts))
+    places, faces = weld(mesh.vertices, mesh.faces)
+    edges = Edges(faces)
+    pieces = split_pieces(places, edges)
+    found, is_drawn_twice = overlap(places, faces, pieces), edges.is_non_manifold.any()
+    assert most_overlap(pieces) >= found - 1e-6 or is_drawn_twice
+    is_measured = most_overlap(pieces) > OVERLAP or is_drawn_twice
+    assert measure(mesh).overlap == pytest.approx(found if is_measured else 0)
 
 
 def test_a_cavity_is_no_overlap() -> None:

@@ -42,7 +42,7 @@ def split_pieces(places: Floats, edges: Edges) -> Pieces:
     """
     faces, of_face = edges.faces, edges.bodies
     number = int(of_face.max(initial=-1)) + 1
-    corners = places[faces.T]
+    corners = places.take(faces.T, axis=0)
     low, high = _extents(corners, of_face, number)
     corners -= ((low + high) / 2)[of_face]
     a, b, c = corners
@@ -62,10 +62,29 @@ def _extents(corners: Floats, of_face: Integers, number: int) -> tuple[Floats, F
     return low, high
 
 
-def are_flat(places: Floats, faces: Integers, pieces: Pieces, thickness: float) -> Flags:
-    """(p,), True for pieces that lie in the plane of their largest triangle."""
-    of_face, number = pieces.of_face, len(pieces.volumes)
-    corners = places[faces]
+def are_flat(
+    places: Floats, faces: Integers, areas: Floats, pieces: Pieces, thickness: float
+) -> Flags:
+    """(p,), True for closed pieces that lie in the plane of their largest triangle.
+
+    Args:
+        places: (n, 3).
+        faces: (m, 3).
+        areas: (m,), of the faces.
+    """
+    # A surface whose points are less than the thickness from a plane encloses at most this volume.
+    most = thickness * np.bincount(pieces.of_face, areas, len(pieces.volumes))
+    is_flat = np.asarray(pieces.is_closed & (np.abs(pieces.volumes) <= 2 * most))
+    if is_flat.any():
+        own = is_flat[pieces.of_face]
+        of_face = (np.cumsum(is_flat) - 1)[pieces.of_face[own]]
+        is_flat[is_flat] = _farthest(places[faces[own]], of_face) <= thickness
+    return is_flat
+
+
+def _farthest(corners: Floats, of_face: Integers) -> Floats:
+    """(p,), distance of the points of each piece from the plane of its largest triangle."""
+    number = int(of_face.max()) + 1
     normals = scaled_normals(corners)
     areas = np.einsum("ij,ij->i", normals, normals)
     order = np.lexsort((areas, of_face))
@@ -77,7 +96,7 @@ def are_flat(places: Floats, faces: Integers, pieces: Pieces, thickness: float) 
     )
     farthest = np.zeros(number)
     np.maximum.at(farthest, of_face, distances.max(axis=1))
-    return np.asarray(farthest <= thickness)
+    return farthest
 
 
 def inside_out(

@@ -70,12 +70,13 @@ class Edges:
     @cached_property
     def bodies(self) -> Integers:
         """(m,), the number of the edge-connected piece that each face belongs to."""
-        order = np.argsort(self.of_face.reshape(-1), kind="stable")
+        order = np.argsort(self.of_face.reshape(-1))  # in any order of the faces of an edge
         edge, face = self.of_face.reshape(-1)[order], order // 3
         same = edge[1:] == edge[:-1]
         links = np.column_stack([face[:-1][same], face[1:][same]])
-        _, bodies = np.unique(components(len(self.faces), links), return_inverse=True)
-        return np.asarray(bodies, dtype=np.int64).reshape(-1)
+        least = components(len(self.faces), links)  # the smallest index in the component of each
+        number = np.cumsum(least == np.arange(len(least))) - 1
+        return np.asarray(number[least], dtype=np.int64)
 
 
 def have_distinct_corners(faces: Integers) -> Flags:

@@ -19,7 +19,7 @@ from urdfkit.mesh.io.facts import MAX_BYTES
 from urdfkit.mesh.measures import Measures, from_json, to_json
 
 #: Increases when the measures, their texts, or the data they are computed from change.
-VERSION = 11
+VERSION = 12
 
 #: Most entries in one of the 256 directories; about 2 kB each.
 MAX_ENTRIES = 100

@@ -42,7 +42,7 @@ class Measures(Record):
     degenerate: int  # triangles without area
     bodies: int  # connected components
     #: Volume inside several closed surfaces at once, counted as often in ``solid``, as a part of
-    #: the true volume.
+    #: the true volume; 0 also if it is certainly less than ``OVERLAP``.
     overlap: float
     inverted_bodies: int  # significant closed pieces that face inwards and lie in no other piece
     #: unit, up_axis, losses, extras, textures: as in `urdfkit.mesh.geometry.Mesh`.

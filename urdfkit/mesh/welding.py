@@ -4,7 +4,7 @@ import numpy as np
 
 from urdfkit.mesh.edges import Edges, have_distinct_corners
 from urdfkit.mesh.geometry import Flags, Floats, Integers
-from urdfkit.mesh.grouping import components
+from urdfkit.mesh.grouping import components, equal_numbers
 
 #: Distance below which vertices are merged, relative to the largest coordinate.
 ROUNDING = 1e-6
@@ -42,7 +42,7 @@ def _distinct(places: Floats) -> tuple[Integers, Integers]:
         key = columns[:, 0] * np.uint64(0x9E3779B97F4A7C15)
         key = (key ^ (key >> np.uint64(29))) + columns[:, 1] * np.uint64(0xBF58476D1CE4E5B9)
         key = (key ^ (key >> np.uint64(32))) + columns[:, 2] * np.uint64(0x94D049BB133111EB)
-    _, first, which = np.unique(key, return_index=True, return_inverse=True)
+    first, which, _ = equal_numbers(key)
     if not np.array_equal(places[first][which], places):  # a hash collision
         _, first, which = np.unique(places, axis=0, return_index=True, return_inverse=True)
     return first, which.reshape(-1)

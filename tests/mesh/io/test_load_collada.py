@@ -141,6 +141,18 @@ def test_every_kind_of_surface_looks_upwards(tmp_path: Path, surface: str, faces
     assert mesh.losses == ()
 
 
+def test_a_list_for_each_polygon(tmp_path: Path) -> None:
+    """Of which one ends within a corner, and one is empty."""
+    both = INPUT + '<input semantic="VERTEX" source="#corners" offset="1"/>'
+    lists = ("0 9 1 9 2 9 3", "", "0 9 2 9 3 9 1 9")
+    surface = f"<polygons>{both}{''.join(f'<p>{each}</p>' for each in lists)}</polygons>"
+    mesh = square(tmp_path, surface=surface)
+    corners = mesh.vertices[mesh.faces][:, :, :2].tolist()
+    assert corners[0] == [[0, 0], [1, 0], [1, 1]]
+    assert len(corners) == 3
+    assert mesh.losses[0] == "1 truncated list of corners"
+
+
 @pytest.mark.parametrize(
     ("moves", "corner"),
     [

@@ -7,6 +7,7 @@ import numpy as np
 
 from urdfkit.core.words import counted
 from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh, MeshMaterial, MeshPart, NoTriangles
+from urdfkit.mesh.grouping import equal_numbers
 from urdfkit.mesh.io.referenced_files import ReferencedFiles
 
 Item = TypeVar("Item")
@@ -181,7 +182,7 @@ def _unified(streams: list[Stream]) -> tuple[list[Integers], Integers]:
         # Renumbered in each round, so that no product overflows.
         _, key = np.unique(key, return_inverse=True)
         key = key * len(stream.values) + stream.rows.reshape(-1)
-    _, corners, faces = np.unique(key, return_index=True, return_inverse=True)
+    corners, faces, _ = equal_numbers(key)
     return [stream.rows.reshape(-1)[corners] for stream in streams], faces.reshape(-1, 3)
 
 

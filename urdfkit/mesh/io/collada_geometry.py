@@ -165,13 +165,12 @@ class Geometries:
             whole = np.cumsum(counts) <= len(rows)
             self._losses.add("polygon* with missing corners", np.count_nonzero(~whole))
             return rows, triangles(counts[whole], _places(rows, position))
-        pieces = [self._rows(text(p), width) for p in children(element, "p")]
+        lists = [text(p) for p in children(element, "p")]
         if kind == "polygons":
             holed = list(children(element, "ph"))
             self._losses.add("polygon* with filled holes", len(holed))
-            pieces += [self._rows(text(child(ph, "p")), width) for ph in holed]
-        counts = np.array([len(piece) for piece in pieces], dtype=np.int64)
-        rows = np.concatenate(pieces) if pieces else np.zeros((0, width), dtype=np.int64)
+            lists += [text(child(ph, "p")) for ph in holed]
+        rows, counts = self._lists_of_rows(lists, width)
         if kind == "tristrips":
             return rows, strips(counts)
         if kind == "trifans":
@@ -179,10 +178,21 @@ class Geometries:
         return rows, triangles(counts, _places(rows, position))
 
     def _rows(self, numbers: str, width: int) -> Integers:
-        indices = integers(numbers)
-        whole = len(indices) // width * width
-        self._losses.add("truncated list* of corners", int(whole < len(indices)))
-        return indices[:whole].reshape(-1, width)
+        return self._lists_of_rows([numbers], width)[0]
+
+    def _lists_of_rows(self, lists: list[str], width: int) -> tuple[Integers, Integers]:
+        """The rows of all lists, (c, width), and the number of rows of each."""
+        indices = integers(" ".join(lists))  # at once: a file may have a list for each polygon
+        if len(lists) == 1:
+            lengths = np.array([len(indices)])
+        else:
+            lengths = np.array([len(numbers.split()) for numbers in lists], dtype=np.int64)
+        counts, rest = np.divmod(lengths, width)
+        self._losses.add("truncated list* of corners", np.count_nonzero(rest))
+        if rest.any():
+            within = np.arange(len(indices)) - np.repeat(np.cumsum(lengths) - lengths, lengths)
+            indices = indices[within < np.repeat(counts * width, lengths)]
+        return indices.reshape(-1, width), counts
 
 
 def _places(rows: Integers, position: _Input) -> Floats:

@@ -7,6 +7,9 @@ from urdfkit.mesh.geometry import Flags, Floats, Integers
 #: Turn of a concave corner, relative to the sharpest corner, above which it is not rounding.
 _TURN = 1e-6
 
+#: The axes of a plane that a polygon is projected to, by the axis that its normal is nearest to.
+_OTHER_AXES = np.array([(1, 2), (0, 2), (0, 1)])
+
 
 def triangles(counts: Integers, places: Floats) -> Integers:
     """The triangulation of convex and concave polygons.
@@ -18,17 +21,13 @@ def triangles(counts: Integers, places: Floats) -> Integers:
     Returns:
         (t, 3), indices of corners; polygons of fewer than three have no triangles.
     """
-    concave = _are_concave(counts, places)
+    normals, is_concave = _orientations(counts, places)
     convex = fans(counts)
-    if not concave.any():
+    concave = np.flatnonzero(is_concave)
+    if not len(concave):
         return convex
-    keep = ~np.repeat(concave, np.maximum(counts - 2, 0))
-    starts = np.cumsum(counts) - counts
-    ears = [
-        _clip_ears(places[starts[i] : starts[i] + counts[i]]) + starts[i]
-        for i in np.flatnonzero(concave)
-    ]
-    return np.concatenate([convex[keep], *ears])
+    keep = ~np.repeat(is_concave, np.maximum(counts - 2, 0))
+    return np.concatenate([convex[keep], _clip_ears(counts, places, normals, concave)])
 
 
 def fans(counts: Integers) -> Integers:
@@ -44,9 +43,13 @@ def fans(counts: Integers) -> Integers:
     return np.stack([first, first + within + 1, first + within + 2], axis=1)
 
 
-def _are_concave(counts: Integers, places: Floats) -> Flags:
-    """(p,), True for polygons with a corner that turns against the polygon's orientation."""
-    is_concave = np.zeros(len(counts), dtype=bool)
+def _orientations(counts: Integers, places: Floats) -> tuple[Floats, Flags]:
+    """Normals of polygons, and which have a corner that turns against the others.
+
+    Returns:
+        (p, 3), 0 for triangles; and (p,), True for concave polygons.
+    """
+    normals, is_concave = np.zeros((len(counts), 3)), np.zeros(len(counts), dtype=bool)
     starts = np.cumsum(counts) - counts
     for number in np.unique(counts[counts > 3]):
         of_number = np.flatnonzero(counts == number)
@@ -54,9 +57,10 @@ def _are_concave(counts: Integers, places: Floats) -> Flags:
         with np.errstate(over="ignore", invalid="ignore"):  # non-finite is not concave
             edges = np.roll(corners, -1, axis=1) - corners
             turns = np.cross(np.roll(edges, 1, axis=1), edges)
-            along = np.einsum("pkj,pj->pk", turns, _normals(corners))
+            normals[of_number] = _normals(corners)
+            along = np.einsum("pkj,pj->pk", turns, normals[of_number])
             is_concave[of_number] = along.min(axis=1) < -_TURN * np.abs(along).max(axis=1)
-    return is_concave
+    return normals, is_concave
 
 
 def _normals(corners: Floats) -> Floats:
@@ -65,23 +69,24 @@ def _normals(corners: Floats) -> Floats:
     return np.asarray(np.cross(spokes, np.roll(spokes, -1, axis=1)).sum(axis=1))
 
 
-def _clip_ears(corners: Floats) -> Integers:
-    """The triangulation of a polygon (k, 3) by ear clipping; a fan if that fails."""
-    import mapbox_earcut
+def _clip_ears(counts: Integers, places: Floats, normals: Floats, concave: Integers) -> Integers:
+    """(t, 3), the triangles of the concave polygons by ear clipping; of a fan where that fails."""
+    from mapbox_earcut import triangulate_float64
 
-    fan = fans(np.array([len(corners)]))
-    normal = _normals(corners[None])[0]
-    if not np.isfinite(corners).all() or not normal.any():
-        return fan
-    across = int(np.argmax(np.abs(normal)))
-    flat = np.ascontiguousarray(np.delete(corners, across, axis=1))
-    ends = np.array([len(corners)], dtype=np.uint32)
-    ears = mapbox_earcut.triangulate_float64(flat, ends).astype(np.int64).reshape(-1, 3)
-    if len(ears) != len(fan):
-        return fan
-    along = np.einsum("tj,j->t", _normals(corners[ears]), normal)
-    ears[along < 0] = ears[along < 0][:, ::-1]
-    return ears
+    starts, across = np.cumsum(counts) - counts, np.argmax(np.abs(normals), axis=1)
+    pieces, is_clipped = [], []
+    for polygon in concave:
+        start, number = starts[polygon], counts[polygon]
+        flat = places[start : start + number].take(_OTHER_AXES[across[polygon]], axis=1)
+        ears = triangulate_float64(flat, np.array([number], dtype=np.uint32)).reshape(-1, 3)
+        is_clipped.append(len(ears) == number - 2)
+        pieces.append(start + (ears if is_clipped[-1] else fans(counts[[polygon]])))
+    faces = np.concatenate(pieces).astype(np.int64)
+    triangles = counts[concave] - 2
+    along = np.einsum("tj,tj->t", _normals(places[faces]), normals[np.repeat(concave, triangles)])
+    flipped = np.repeat(is_clipped, triangles) & (along < 0)
+    faces[flipped] = faces[flipped][:, ::-1]
+    return faces
 
 
 def strips(counts: Integers) -> Integers:
