@@ -275,7 +275,7 @@ def test_the_page_offers_the_versions_and_the_repository(deployed: Path) -> None
     with served(deployed) as address, browser() as page:
         page.driver.get(f"{address}/0.1/faq/")
         page.driver.implicitly_wait(20)
-        page.find(".md-version__link")
+        page.find("[data-md-component=outdated]:not([hidden])")
         assert "older version" in page.find(".md-banner--warning").text
         offered = page.driver.find_elements("css selector", ".md-version__link")
         names = {one.get_attribute("textContent"): one.get_attribute("href") for one in offered}

@@ -63,7 +63,7 @@ MAX_RELATED = 20
 class Diagnosis(Record):
     """The probable defect of a tensor."""
 
-    cause: str  # predicate on the tensor, such as ``is in g mm^2``; empty if unknown
+    cause: str  # predicate on the tensor, such as ``is in g·mm²``; empty if unknown
     tensor: Tensor | None  # the intended tensor, in kg·m²; None if unknown
     confidence: Confidence  # of the proposal
 
