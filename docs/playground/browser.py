@@ -14,7 +14,7 @@ import urdfkit
 from docs.playground.scene import scene
 from urdfkit.lint import config_reader
 from urdfkit.mesh.io.referenced_files import find_image
-from urdfkit.output.formats import json as as_json
+from urdfkit.output import formats
 from urdfkit.workspace.config_file import nearest
 
 ROOT = Path("/robot")
@@ -120,7 +120,7 @@ def check(shown: str, progress: Callable[[int, int], None]) -> str:
     config = config_reader.load(path, trusted=False) if path else None
     options = urdfkit.Options(progress=progress)
     report = urdfkit.check(target, config=config, options=options)
-    found = json.loads(as_json.render(report))
+    found = json.loads(formats.get("json")(report))
     return json.dumps(
         {"report": found, "expanded": _expanded(shown), "scene": scene(report, shown)}
     )

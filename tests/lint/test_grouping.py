@@ -6,7 +6,7 @@ from tests.reported import fixed, reported
 from urdfkit import Diagnostic, Source, check
 from urdfkit.lint.grouping import MAX_NOTES, MAX_SINGLE, grouped
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.output.formats import json, markdown, text
+from urdfkit.output import formats
 
 
 def shown(code: str, robot: str) -> tuple[Diagnostic, ...]:
@@ -104,10 +104,10 @@ def test_people_are_shown_one_and_programs_get_each() -> None:
     robot = whole_robot(links(9)).encode()
     report = check(Source("robot.urdf", robot), select=["URD001"])
     assert len(report.diagnostics) == 9
-    assert json.render(report).count('"code": "URD001"') == 9
-    assert text.render(report).count(": warning URD001") == 1
-    assert markdown.render(report).count("**URD001**") == 1
-    for rendered in (text.render(report), markdown.render(report)):
+    assert formats.get("json")(report).count('"code": "URD001"') == 9
+    assert formats.get("text")(report).count(": warning URD001") == 1
+    assert formats.get("markdown")(report).count("**URD001**") == 1
+    for rendered in (formats.get(name)(report) for name in ("text", "markdown")):
         assert "9 warnings in 1 file" in rendered
 
 

@@ -163,9 +163,9 @@ def assert_no_findings(
 
 
 def _text(report: Report) -> str:
-    from urdfkit.output.formats.full import render
+    from urdfkit.output import formats
 
-    return "\n" + render(report)
+    return "\n" + formats.get("full")(report)
 
 
 def assert_dof(model: RobotModel, expected: int) -> None:

@@ -1,8 +1,10 @@
 from tests.output.formats.made import diagnostic, report, span
 from urdfkit.lint.report import Crashed
-from urdfkit.output.formats.concise import render
+from urdfkit.output import formats
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
+
+render = formats.get("concise")
 
 AT = span(Source("robot.urdf", b"<robot/>"), "robot")
 

@@ -5,12 +5,14 @@ import pytest
 
 from tests.output.formats.made import diagnostic, macro, report, span
 from urdfkit.lint.report import Crashed, Launched, Report, Skipped
+from urdfkit.output import formats
 from urdfkit.output.formats._summary import summary
-from urdfkit.output.formats.full import render
 from urdfkit.ros.targets import Targets
 from urdfkit.text.diagnostic import Call, Confidence, Edit, Fix, Related, Severity
 from urdfkit.text.document import Step
 from urdfkit.text.source import Source, Span
+
+render = formats.get("full")
 
 PLAIN = Source("robot.urdf", b'<robot name="r">\n  <link name="arm"/>\n</robot>\n')
 

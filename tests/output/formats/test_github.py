@@ -6,9 +6,11 @@ import pytest
 
 from tests.output.formats.made import diagnostic, report, span
 from urdfkit.lint.report import Crashed
-from urdfkit.output.formats.github import render
+from urdfkit.output import formats
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Source
+
+render = formats.get("github")
 
 PLAIN = Source("urdf/robot.urdf", b'<robot name="r">\n  <link name="arm"/>\n</robot>\n')
 

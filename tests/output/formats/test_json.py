@@ -10,10 +10,13 @@ import urdfkit
 from tests.conftest import MODELS, ROOT
 from tests.output.formats.made import diagnostic, macro, report, span
 from urdfkit.lint.report import Crashed, Launched, Skipped
-from urdfkit.output.formats.json import VERSION, render
+from urdfkit.output import formats
+from urdfkit.output.formats.json import VERSION
 from urdfkit.ros.targets import Targets
 from urdfkit.text.diagnostic import Call, Confidence, Edit, Fix, Related, Severity
 from urdfkit.text.source import Source, shown
+
+render = formats.get("json")
 
 SCHEMA = json.loads(
     (ROOT / "urdfkit/output/formats/report.schema.json").read_text(encoding="utf-8")

@@ -2,9 +2,11 @@ import pytest
 
 from tests.output.formats.made import diagnostic, macro, report, span
 from urdfkit.lint.report import Crashed
-from urdfkit.output.formats.text import render
+from urdfkit.output import formats
 from urdfkit.text.diagnostic import Call, Edit, Fix, Related, Severity
 from urdfkit.text.source import Source
+
+render = formats.get("text")
 
 ROBOT = Source("robot.urdf", b'<robot name="r">\n  <link name="arm"/>\n</robot>\n')
 ARM = span(ROBOT, '"arm"')

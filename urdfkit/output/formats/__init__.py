@@ -3,10 +3,10 @@
 A format is a module with
 ``render(report: Report, *, color: bool = False, width: int = 80) -> str``; the text ends with a
 newline. ``color`` allows escape sequences, ``width`` is the number of columns of the terminal;
-machine-readable formats ignore both. Modules with a leading underscore contain code that formats
-share. A format may also have ``stream``, which yields the same text in parts, so that a report
-with very many findings is never in memory as a whole. A format for people has ``findings``, which
-yields the parts without the text below the findings.
+machine-readable formats ignore both. Instead of ``render`` a format may have ``stream``, which
+yields the text in parts, so that a report with very many findings is never in memory as a whole. A
+format for people has ``findings``, too, which yields the parts without the text below the findings.
+Modules with a leading underscore contain code that formats share.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Render(Protocol):
-    """The signature of an output format."""
+    """A report as text."""
 
     def __call__(self, report: Report, *, color: bool = False, width: int = 80) -> str: ...
 
@@ -34,14 +34,17 @@ def names() -> list[str]:
 
 
 def get(name: str) -> Render:
-    """The ``render`` function of a format.
+    """The function that renders a report in a format.
 
     Raises:
         KeyError: the format is unknown.
     """
     if name not in names():
         raise KeyError(name)
-    render: Render = import_module(f"urdfkit.output.formats.{name}").render
+
+    def render(report: Report, *, color: bool = False, width: int = 80) -> str:
+        return "".join(stream(name, report, color=color, width=width))
+
     return render
 
 
@@ -51,18 +54,14 @@ def stream(
     """A report in a format, in parts if the format has ``stream``.
 
     Args:
-        color: see ``render``.
-        width: see ``render``.
+        name: one of `names`.
+        color, width: see above.
         quiet: omit the text below the findings, if the format has ``findings``.
-
-    Raises:
-        KeyError: the format is unknown.
     """
-    render = get(name)
-    module = import_module(render.__module__)
+    module = import_module(f"urdfkit.output.formats.{name}")
     parts = getattr(module, "findings", None) if quiet else None
     parts = parts or getattr(module, "stream", None)
     if parts is None:
-        yield render(report, color=color, width=width)
+        yield module.render(report, color=color, width=width)
     else:
         yield from parts(report, color=color, width=width)

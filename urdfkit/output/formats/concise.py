@@ -9,13 +9,8 @@ from urdfkit.output.formats._summary import crashes, summary
 _WIDE = 10**6
 
 
-def render(report: Report, *, color: bool = False, width: int = 80) -> str:
-    """All findings by file and line, then the crashed rules and the summary."""
-    return "".join(stream(report, color=color))
-
-
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """Like `render`, in parts."""
+    """All findings by file and line, then the crashed rules and the summary."""
     yield from findings(report, color=color)
     yield summary(report, color=color, width=_WIDE)
 

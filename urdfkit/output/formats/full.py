@@ -9,13 +9,8 @@ from urdfkit.output.formats._page import TextPage
 from urdfkit.output.formats._summary import crashes, hints, summary
 
 
-def render(report: Report, *, color: bool = False, width: int = 80) -> str:
-    """All findings by file and line, then the crashed rules, the hints, and the summary."""
-    return "".join(stream(report, color=color, width=width))
-
-
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """Like `render`, in parts."""
+    """All findings by file and line, then the crashed rules, the hints, and the summary."""
     between = ""
     for block in findings(report, color=color, width=width):
         yield block

@@ -12,13 +12,8 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
 
 
-def render(report: Report, *, color: bool = False, width: int = 80) -> str:
-    """A line for every finding, and for every rule that crashed."""
-    return "".join(stream(report))
-
-
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """Like `render`, line by line."""
+    """A line for every finding, and for every rule that crashed."""
     for diagnostic in report.diagnostics:
         yield f"{_annotation(diagnostic)}\n"
     for crash in report.crashed:

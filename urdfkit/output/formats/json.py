@@ -19,13 +19,8 @@ from urdfkit.text.source import Span
 VERSION = 2
 
 
-def render(report: Report, *, color: bool = False, width: int = 80) -> str:
-    """The whole report."""
-    return "".join(stream(report))
-
-
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """Like `render`, in parts of one finding each."""
+    """The whole report."""
     before, empty, after = _dumped(without_findings(report)).partition("[]")
     yield before
     between, end = "[\n    ", empty

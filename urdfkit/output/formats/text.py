@@ -15,13 +15,8 @@ from urdfkit.text.diagnostic import Diagnostic, Severity
 MAX_CODES = 6
 
 
-def render(report: Report, *, color: bool = False, width: int = 80) -> str:
-    """Errors, warnings and crashed rules, then the number of infos, the hints, and the summary."""
-    return "".join(stream(report, color=color, width=width))
-
-
 def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
-    """Like `render`, in parts."""
+    """Errors, warnings and crashed rules, then the number of infos, the hints, and the summary."""
     page = TextPage(color, width)
     yield from findings(report, color=color, width=width)
     yield _infos(report, page) + hints(report, page)
