@@ -37,14 +37,27 @@ def errors(directory: Path, choice: str, robot: str = ROBOT) -> list[Diagnostic]
 
 
 @pytest.mark.parametrize(
-    ("choice", "severity"), [("cell = input()", "warning"), ("cell = 'false'", "error")]
+    ("choice", "severity"),
+    [("cell = input()", "warning"), ("cell = 'true'", "warning"), ("cell = 'false'", "error")],
 )
-def test_parts_that_are_chosen_at_run_time(tmp_path: Path, choice: str, severity: str) -> None:
-    """IFRA's robots: the launch file asks for the cell, and the default is none."""
+def test_parts_that_are_chosen_by_the_launch_file(
+    tmp_path: Path, choice: str, severity: str
+) -> None:
+    """IFRA's robots: the launch file asks for the cell, or sets it, and the default is none."""
     (found,) = errors(tmp_path / "arm", choice)
     assert (found.code, found.severity.value) == ("TRE002", severity)
     assert (found.confidence is Confidence.GUESSED) == (severity == "warning")
     assert found.variants == (("the default of cell",) if severity == "warning" else ())
+
+
+def test_parts_of_a_default_that_another_launch_file_uses(tmp_path: Path) -> None:
+    found = errors(tmp_path / "arm", "cell = 'true'")
+    assert [one.severity.value for one in found] == ["warning"]
+    (tmp_path / "arm" / "launch" / "b.launch.py").write_text(
+        START.format(choice="").replace(', mappings={"cell": cell}', "")
+    )
+    found = errors(tmp_path / "arm", "cell = 'true'")
+    assert [one.severity.value for one in found] == ["error"]
 
 
 def test_a_typo_does_not_depend_on_what_is_chosen(tmp_path: Path) -> None:

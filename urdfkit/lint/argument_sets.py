@@ -153,7 +153,20 @@ def _with_other_robots(
     checked += ((variant.about_parameters(), read(variant)) for variant in same.values())
     untried = [_changes(variant.arguments, own) for variant in others[MAX_GIVEN:]]
     context.unchecked = _unchecked(untried, [(job, context), *tried], {})
+    if all(_text(robot) != texts[0] for _, robot in tried):
+        replaced = _replaced(sets, own) - job.arguments.keys()
+        checked[0] = (job._replace(replaced=frozenset(replaced)), context)
     return checked
+
+
+def _replaced(sets: Iterable[RobotArguments], own: Mapping[str, str]) -> set[str]:
+    """The arguments to which each launch file that starts a robot passes another value."""
+    changed = [
+        set(own) if "" in robot.unknown else {*_changes(robot.arguments, own), *robot.unknown}
+        for robot in sets
+        if robot.frame
+    ]
+    return set.intersection(*changed) if changed else set()
 
 
 def _defaults(context: Context) -> Mapping[str, str]:

@@ -88,11 +88,11 @@ def check_sets(sets: list[tuple[Job, Context]], options: Options) -> list[Checke
 
 
 def _with_unknown_values(job: Job, context: Context, result: FileResult) -> FileResult:
-    """A result with lower severities where arguments are known at run time only.
+    """A result with lower severities where the launch files pass other values than the defaults.
 
-    Launch files with a gripper argument start the robot with one; with its defaults the robot has
-    no gripper, and unconnected parts. A finding with a fix is a typo of an existing name, and keeps
-    its severity.
+    Launch files with a gripper argument start the robot with one, which may be known only at run
+    time; with its defaults the robot has no gripper, and unconnected parts. A finding with a fix is
+    a typo of an existing name, and keeps its severity.
     """
     xacro = context.reading.xacro
     open_names = set(xacro.defaults) if xacro else set()
@@ -105,7 +105,8 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
         return result
     from urdfkit.ros.launch.robot_arguments import known_at_run_time
 
-    names = known_at_run_time(job.path, open_names, context.resolver)
+    unknown = known_at_run_time(job.path, open_names, context.resolver)
+    names = sorted({*unknown, *job.replaced})
     if not names:
         return result
     with_defaults = (f"the default of {', '.join(names)}",)

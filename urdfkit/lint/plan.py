@@ -44,6 +44,8 @@ class Job(Record):
     launched: tuple[Launched, ...] = ()
     #: Argument values that no launch file passes to this robot, as ``name=value``; may be empty.
     assumed: str = ""
+    #: Arguments whose default is checked although no launch file starts the robot with it.
+    replaced: frozenset[str] = frozenset()
     codes: frozenset[str] = frozenset()  # codes of the rules to run; all if empty
     #: The text, if it was already read. A robot in a directory is read when it is checked: there
     #: may be thousands.
