@@ -134,6 +134,18 @@ def test_a_steered_car(tmp_path: Path) -> None:
     ]
 
 
+def test_the_wheelbase_of_front_wheel_drive(tmp_path: Path) -> None:
+    """Monash Nova Rover's: the controller has no names for the wheels that only roll."""
+    model = robot()
+    for name in ("fl", "fr"):
+        old = f'<joint name="{name}" type="continuous"><parent link="base"/>'
+        pivot = f'<link name="p{name}"/><joint name="p{name}" type="continuous">'
+        pivot += f'<parent link="base"/><child link="p{name}"/><axis xyz="0 0 1"/></joint>'
+        model = model.replace(old, pivot + old.replace("base", f"p{name}"))
+    names = {"front_wheels_names": "[pfl, pfr]", "rear_wheels_names": "[fl, fr]"}
+    assert reported(tmp_path, controller("car", ACKERMANN, **names, wheelbase="0.6"), model) == []
+
+
 def test_mecanum_wheels(tmp_path: Path) -> None:
     text = controller("m", MECANUM, front_left_wheel_command_joint_name="fl", kinematics="")
     (found,) = reported(tmp_path, text + "      wheels_radius: 0.3\n", robot())

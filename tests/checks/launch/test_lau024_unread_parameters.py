@@ -208,6 +208,24 @@ def test_the_plugin_of_a_pipeline(tmp_path: Path, yaml: str, help: str) -> None:
     assert [one.help.startswith(help) for one in found] == [True] * bool(help)
 
 
+@pytest.mark.parametrize(
+    ("use", "needs_planner"),
+    [
+        ("generate_setup_assistant_launch(config)", False),
+        ("generate_rsp_launch(config)", False),
+        ("generate_move_group_launch(config)", True),
+        ("generate_rsp_launch(config); Node(parameters=[config.to_dict()])", True),
+        ("generate_moveit_rviz_launch(config); print(config.planning_pipelines)", True),
+    ],
+)
+def test_launches_that_need_no_planner(tmp_path: Path, use: str, needs_planner: bool) -> None:
+    """TurtleBot3's manipulation: only its Setup Assistant is launched with the builder."""
+    files = {"config/ompl_planning.yaml": "planner_configs: {}\n"}
+    text = f"{BUILDER}\n{use}\n"
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, files)
+    assert ["planning plugin" in one.message for one in found] == [True] * needs_planner
+
+
 HANDED = """import yaml
 from launch_ros.actions import Node
 

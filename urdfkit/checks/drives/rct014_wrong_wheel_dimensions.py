@@ -7,9 +7,10 @@ geometry is a cylinder or a sphere, their radius. Use these values in the plugin
 file; use multipliers for corrections.
 
 Not reported: lengths with a multiplier, a separation larger than the track for wheels that slip in
-turns, and a separation if the collision geometry of a wheel is farther from its joint than its
-diameter. If a file has several controllers for the same wheels, only those with the fewest
-differences are reported: the others may be for another robot.
+turns, a separation if the collision geometry of a wheel is farther from its joint than its
+diameter, and the wheelbase of a car whose driven wheels are the steered ones. If a file has several
+controllers for the same wheels, only those with the fewest differences are reported: the others may
+be for another robot.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -152,6 +153,8 @@ def _lengths_in_model(measure: Measure, controller: Controller, context: Context
     if measure.kind == "wheelbase":
         if max(map(len, sides)) > 2:  # more than one axle: see RCT034
             return []
+        if _are_steered(sides[0], sides[1], context) or _are_steered(sides[1], sides[0], context):
+            return []
         x, y, _ = minus(_centre(sides[0]), _centre(sides[1]))
         return [length((x, y, 0.0))]
     if measure.kind == "track":
@@ -160,6 +163,13 @@ def _lengths_in_model(measure: Measure, controller: Controller, context: Context
     # RCT025 reports flat wheels, and GEO004 a collision that is far from its joint.
     is_pair = left.is_parallel(right) and not left.is_flat and left.is_at_joint
     return _distances(left, right, left.axis) if is_pair else []
+
+
+def _are_steered(wheels: list[Wheel], steering: list[Wheel], context: Context) -> bool:
+    """True for wheels that steering joints turn: front-wheel drive, without a rear axle."""
+    steers = {wheel.joint.name for wheel in steering}
+    paths = (context.tree.path(wheel.joint.parent_name) for wheel in wheels)
+    return any(joint.name in steers for path in paths for joint in path)
 
 
 def _wheels(controller: Controller, names: tuple[str, ...], context: Context) -> list[Wheel]:

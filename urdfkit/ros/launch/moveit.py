@@ -29,6 +29,15 @@ _KINEMATICS = "robot_description_kinematics"
 _SOLVER = ".kinematics_solver"
 #: Statements that change a dictionary after its creation.
 _CHANGES = re.compile(rb"\.update\(|\]\s*=[^=]|\|=")
+#: Launches of moveit_configs_utils that need no planner.
+_NO_PLANNER = re.compile(
+    rb"\bgenerate_(moveit_rviz|rsp|setup_assistant|spawn_controllers|static_virtual_joint_tfs"
+    rb"|warehouse_db)_launch\("
+)
+#: Those that need one, and what is passed on to other programs.
+_PLANNER = re.compile(
+    rb"\bgenerate_(demo|move_group)_launch\(|\.(to_dict\(|planning_pipelines\b(?!\s*\())"
+)
 _LOADS = ("safe_load", "load", "full_load")
 #: Placeholder of unknown keys.
 _OPEN = "*"
@@ -52,7 +61,9 @@ def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
             path = os.path.normpath(os.path.join(directory or f"{UNKNOWN}/{package}", path))
             collector.file(path, values.span(node), "MoveIt configuration")
     elif called(call) == "to_moveit_configs" and directory:
-        _without_plugin(directory, collector)
+        text = values.source.data
+        if _PLANNER.search(text) or not _NO_PLANNER.search(text):
+            _without_plugin(directory, collector)
     elif called(call) == "planning_pipelines" and directory:
         _default(call, values, collector)
         for item in values.items(argument(call, 1, "pipelines")):
