@@ -150,7 +150,7 @@ def test_holes_of_a_sparse_tar_count_as_bytes(tmp_path: Path) -> None:
 def test_an_archive_of_empty_files_is_not_extracted(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, suffix: str
 ) -> None:
-    monkeypatch.setattr("urdfkit.scan.models._MANY", 100)
+    monkeypatch.setattr("urdfkit.scan.models._MAX_MEMBERS", 100)
     number = 400 if name == "{}.txt" else 40
     archive = tmp_path / f"many{suffix}"
     if suffix == ".zip":

@@ -14,25 +14,25 @@ from math import pi
 from urdfkit.core.progress import Progress
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Z_AXIS, Vector, cross, dot, rotate, times
-from urdfkit.physics.gravity_model import GravityModel, rest, rotated
+from urdfkit.physics.gravity_model import GravityModel, nearest_to_zero, rotated
 from urdfkit.robot.joint_loads import GRAVITY
 from urdfkit.robot.kinematics import best_angle
 
-#: Climbs (local searches) for each joint, and sweeps of each climb.
-CLIMBS, SWEEPS = 24, 30
+#: Most climbs (local searches) for each joint, and most sweeps of each climb.
+MAX_CLIMBS, MAX_SWEEPS = 24, 30
 
-#: Steps of all climbs together: an arm needs some hundreds; a chain of a hundred joints is not a
-#: real robot.
-BUDGET = 60_000
+#: Most steps of all climbs together: an arm needs some hundreds; a chain of a hundred joints is not
+#: a real robot.
+MAX_STEPS = 60_000
 
 #: Most joints for which the worst pose is searched, in quadratic time; with more joints, the loads
 #: at zero are returned.
 MAX_SEARCHED = 300
 
-#: Joints that change the torque by less than this part are omitted from a reported pose.
-ASIDE = 1e-4
+#: Relative change of the torque by a joint that is at rest in a reported pose.
+NEGLIGIBLE = 1e-4
 
-#: Most joints for which such joints are searched, in quadratic time.
+#: Most joints of which those are moved to rest, in quadratic time.
 MAX_RESTED = 50
 
 #: Candidate positions of joints that others mimic, rounds, and factor of the range in each round.
@@ -42,7 +42,7 @@ _TRIALS, _ROUNDS, _NARROWER = 17, 6, 0.25
 _REFINED = 3
 
 #: Relative gain below which a search ends.
-_LEAST = 1e-9
+_MIN_GAIN = 1e-9
 
 
 class Load(Record):
@@ -82,7 +82,7 @@ class _Climb:
         self._model = model
         self._bodies = model.bodies
         self._targets = model.moved[name]
-        self._places = model.places(start)
+        self._positions = model.positions(start)
         self._pose = dict(start)
         self._paths = {target: self._path(target) for target in self._targets}
         self._names = dict.fromkeys(
@@ -118,18 +118,18 @@ class _Climb:
             reach = part * (high - low)
             start = min(max(self._pose[name] - reach / 2, low), high - reach)
             return [start + reach * n / (_TRIALS - 1) for n in range(_TRIALS)]
-        if not self._bodies[self._model.moved[name][0]].turns:
+        if not self._bodies[self._model.moved[name][0]].is_rotational:
             return [low, high]
         first, second, third = (self._value_at(name, angle) for angle in (0.0, pi / 2, pi))
         middle = (first + third) / 2
         return [best_angle(first - middle, second - middle, (low, high))]
 
-    def rested(self) -> dict[str, float]:
+    def pose_at_rest(self) -> dict[str, float]:
         """The nonzero positions, after joints that hardly change the torque were moved to rest."""
-        slack = ASIDE * self.torque
+        slack = NEGLIGIBLE * self.torque
         for name in self._names if len(self._names) <= MAX_RESTED else ():
             position, value = self._pose[name], self._sign * self._value()
-            loss = value - self._value_at(name, rest(self._model.spans[name]))
+            loss = value - self._value_at(name, nearest_to_zero(self._model.spans[name]))
             if loss > slack:
                 self._move(name, position)
             else:
@@ -138,9 +138,9 @@ class _Climb:
 
     def _climb(self) -> None:
         """Sweep until there is no gain."""
-        for _ in range(SWEEPS):
+        for _ in range(MAX_SWEEPS):
             before, self.torque = self.torque, self._sweep()
-            if self.torque <= before * (1 + _LEAST) or self.steps > self._budget:
+            if self.torque <= before * (1 + _MIN_GAIN) or self.steps > self._budget:
                 break
 
     def _sweep(self) -> float:
@@ -150,14 +150,14 @@ class _Climb:
         self.steps += len(path) + len(self._model.below(target))
         directions, up = self._ups(path)
         moment = body.moment
-        if body.turns:
+        if body.is_rotational:
             moment = self._moment(target, times(cross(up, body.axis), self._sign))
         lever = times(self._model.lever(target, moment), self._sign)
         for number, direction in zip(reversed(path), reversed(directions), strict=True):
             joint_body = self._bodies[number]
-            if joint_body.turns:
+            if joint_body.is_rotational:
                 self._choose(number, direction, lever)
-                lever = rotated(joint_body, lever, self._places[number])
+                lever = rotated(joint_body, lever, self._positions[number])
             lever = rotate(joint_body.at.rotation, lever)
         return lever[2]
 
@@ -172,12 +172,12 @@ class _Climb:
         local = {target: along or ORIGIN}
         for number in below[1:] if along else ():
             body = self._bodies[number]
-            directions[number] = rotate(body.back, local[body.parent])
-            local[number] = rotated(body, directions[number], -self._places[number])
+            directions[number] = rotate(body.from_parent, local[body.parent])
+            local[number] = rotated(body, directions[number], -self._positions[number])
         for number in reversed(below[1:]):
             if along:
                 self._choose(number, directions[number], moments[number])
-            self._model.add_to_parent(number, self._places[number], moments)
+            self._model.add_to_parent(number, self._positions[number], moments)
         return moments[target]
 
     def _choose(self, number: int, x: Vector, y: Vector) -> None:
@@ -190,16 +190,16 @@ class _Climb:
         if not self._is_free(name):
             return
         low, high = self._model.spans[name]
-        if not body.turns:
-            if along := dot(x, k) * self._model.carried[number]:
+        if not body.is_rotational:
+            if along := dot(x, k) * self._model.carried_mass[number]:
                 self._move(name, high if along > 0 else low)
             return
         a, b = dot(x, y) - dot(k, x) * dot(k, y), dot(x, cross(k, y))
         if a or b:
             self._move(name, best_angle(a, b, (low, high)))
 
-    def _value_at(self, name: str, place: float) -> float:
-        self._move(name, place)
+    def _value_at(self, name: str, position: float) -> float:
+        self._move(name, position)
         return self._sign * self._value()
 
     def _value(self) -> float:
@@ -215,8 +215,8 @@ class _Climb:
         up, directions = Z_AXIS, []
         for number in path:
             body = self._bodies[number]
-            directions.append(rotate(body.back, up))
-            up = rotated(body, directions[-1], -self._places[number])
+            directions.append(rotate(body.from_parent, up))
+            up = rotated(body, directions[-1], -self._positions[number])
         return directions, up
 
     def _path(self, target: int) -> list[int]:
@@ -227,18 +227,18 @@ class _Climb:
             target = self._bodies[target].parent
         return path[::-1]
 
-    def _move(self, name: str, place: float) -> None:
-        self._pose[name] = place
+    def _move(self, name: str, position: float) -> None:
+        self._pose[name] = position
         for number in self._model.moved[name]:
             law = self._bodies[number].law
-            self._places[number] = law.factor * place + law.shift
+            self._positions[number] = law.factor * position + law.shift
 
     def _is_free(self, name: str) -> bool:
         """True for a joint that no other joint mimics."""
         return len(self._model.moved.get(name, ())) == 1
 
 
-def worst(
+def find_worst(
     model: GravityModel, name: str, starts: Iterable[Mapping[str, float]], budget: int
 ) -> tuple[float, dict[str, float]]:
     """The largest absolute torque of a joint, and the positions that matter to it.
@@ -257,7 +257,7 @@ def worst(
     for climb in highest:
         climb.refine()
     best = max(highest, key=lambda climb: climb.torque)
-    return GRAVITY * best.torque, best.rested()
+    return GRAVITY * best.torque, best.pose_at_rest()
 
 
 def is_searched(joints: int) -> bool:
@@ -283,7 +283,7 @@ def gravity_loads(
     torques = [model.torques(start) for start in starts]
     names = [name for name in model.moved if name in efforts]
     at_pose = model.torques(pose)
-    budget = BUDGET // max(1, len(names))
+    budget = MAX_STEPS // max(1, len(names))
     loads: list[Load] = []
     for name in names:
         if progress:
@@ -291,7 +291,8 @@ def gravity_loads(
         largest, worst_pose = abs(torques[0][name]), dict[str, float]()
         if is_searched(len(names)):
             order = sorted(range(len(starts)), key=lambda n: -abs(torques[n][name]))
-            largest, worst_pose = worst(model, name, [starts[n] for n in order[:CLIMBS]], budget)
+            best_starts = [starts[n] for n in order[:MAX_CLIMBS]]
+            largest, worst_pose = find_worst(model, name, best_starts, budget)
         fixed_loads = torques[0][name], at_pose[name]
         loads.append(Load(name, efforts[name], *fixed_loads, largest, worst_pose))
     return sorted(loads, key=lambda load: (-(load.used or 0.0), -load.worst))

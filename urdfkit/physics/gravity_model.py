@@ -37,9 +37,9 @@ class MovingBody(Record):
 
     parent: int  # number of the parent body; -1 for the body of the root
     at: Transform  # frame of the joint in the parent
-    back: Rotation  # inverse rotation of that frame
+    from_parent: Rotation  # inverse rotation of that frame
     axis: Vector  # of the joint, a unit vector
-    turns: bool  # True for an angle; False for a distance and for an immobile body
+    is_rotational: bool  # True for an angle; False for a distance and for an immobile body
     law: MimicLaw  # of the position of the joint; without a leader for an immobile joint
     mass: float  # of the links
     moment: Vector  # first moment of their mass about the origin of the body
@@ -63,11 +63,11 @@ class GravityModel:
         joints = tree.model.joints_by_name
         self.bodies = _bodies(tree, payload or {}, weightless)  # parents first
         #: Mass of each body and its descendants.
-        self.carried = [body.mass for body in self.bodies]
+        self.carried_mass = [body.mass for body in self.bodies]
         self._children: list[list[int]] = [[] for _ in self.bodies]
         for number in range(len(self.bodies) - 1, 0, -1):
             parent = self.bodies[number].parent
-            self.carried[parent] += self.carried[number]
+            self.carried_mass[parent] += self.carried_mass[number]
             self._children[parent].append(number)
         #: Bodies that move with each independent joint of one degree of freedom, by its name.
         self.moved = by_key(
@@ -97,14 +97,15 @@ class GravityModel:
         Args:
             pose: positions of these joints; the others are at 0.
         """
-        places = self.places(pose)
+        positions = self.positions(pose)
         ups = [Z_AXIS] * len(self.bodies)
         for number, body in enumerate(self.bodies):
             if body.parent >= 0:
-                ups[number] = rotated(body, rotate(body.back, ups[body.parent]), -places[number])
+                up = rotate(body.from_parent, ups[body.parent])
+                ups[number] = rotated(body, up, -positions[number])
         moments = {number: body.moment for number, body in enumerate(self.bodies)}
         for number in range(len(self.bodies) - 1, 0, -1):
-            self.add_to_parent(number, places[number], moments)
+            self.add_to_parent(number, positions[number], moments)
         return {
             name: GRAVITY
             * sum(self.bodies[n].law.factor * dot(self.lever(n, moments[n]), ups[n]) for n in moved)
@@ -119,25 +120,25 @@ class GravityModel:
         spans = self.spans.items()
         return [
             {name: 0.0 for name, _ in spans},
-            {name: rest(ends) for name, ends in spans},
+            {name: nearest_to_zero(ends) for name, ends in spans},
             *({name: ends[side] for name, ends in spans} for side in (0, 1)),
             *({name: random.uniform(*ends) for name, ends in spans} for _ in range(samples)),
         ]
 
-    def places(self, pose: Mapping[str, float]) -> list[float]:
+    def positions(self, pose: Mapping[str, float]) -> list[float]:
         return [b.law.factor * pose.get(b.law.leader, 0.0) + b.law.shift for b in self.bodies]
 
     def lever(self, number: int, moment: Vector) -> Vector:
         """The vector whose upward component times g is the torque or force of a joint."""
-        body, mass = self.bodies[number], self.carried[number]
-        return cross(body.axis, moment) if body.turns else times(body.axis, mass)
+        body, mass = self.bodies[number], self.carried_mass[number]
+        return cross(body.axis, moment) if body.is_rotational else times(body.axis, mass)
 
-    def add_to_parent(self, number: int, place: float, moments: dict[int, Vector]) -> None:
+    def add_to_parent(self, number: int, position: float, moments: dict[int, Vector]) -> None:
         """Add the moment of a body, at a position of its joint, to the moment of its parent."""
-        body, mass = self.bodies[number], self.carried[number]
-        moved = rotated(body, moments[number], place)
-        if not body.turns:
-            moved = plus(moved, times(body.axis, place * mass))
+        body, mass = self.bodies[number], self.carried_mass[number]
+        moved = rotated(body, moments[number], position)
+        if not body.is_rotational:
+            moved = plus(moved, times(body.axis, position * mass))
         moved = rotate(body.at.rotation, moved)
         moved = plus(moved, times(body.at.position, mass))
         moments[body.parent] = plus(moments[body.parent], moved)
@@ -154,16 +155,18 @@ def _bodies(
     for body in rigid_bodies(tree):
         placed.update((link.name, (len(bodies), frame)) for link, frame in body.links)
         mass, moment = _load(body, payload, weightless)
-        joint, parent, at, law, axis, turns = body.joint, -1, Transform(), LOCKED, Z_AXIS, False
-        if joint is not None:
-            parent, frame = placed[joint.parent_name]
-            at, axis, turns = frame @ joint.origin, direction(joint), joint.is_rotational
-            if joint.is_single_dof:
-                law = followed[joint.name]
-                if law.leader not in joints or not joints[law.leader].is_single_dof:
-                    law = MimicLaw("", 0.0, law.shift)
+        joint = body.joint
+        if joint is None:
+            at, axis = Transform(), Z_AXIS
+            bodies.append(MovingBody(-1, at, at.rotation, axis, False, LOCKED, mass, moment))
+            continue
+        law = followed[joint.name] if joint.is_single_dof else LOCKED
+        if law.leader not in joints or not joints[law.leader].is_single_dof:
+            law = MimicLaw("", 0.0, law.shift)
+        parent, frame = placed[joint.parent_name]
+        at, axis = frame @ joint.origin, direction(joint)
         back = transposed(at.rotation)
-        bodies.append(MovingBody(parent, at, back, axis, turns, law, mass, moment))
+        bodies.append(MovingBody(parent, at, back, axis, joint.is_rotational, law, mass, moment))
     return bodies
 
 
@@ -182,14 +185,14 @@ def _load(
     return mass, moment
 
 
-def rest(ends: tuple[float, float]) -> float:
+def nearest_to_zero(ends: tuple[float, float]) -> float:
     """The position nearest to 0 between two ends."""
     return min(max(0.0, ends[0]), ends[1])
 
 
 def rotated(body: MovingBody, vector: Vector, angle: float) -> Vector:
     """A vector rotated about the axis of a body's joint, if it is revolute (Rodrigues' formula)."""
-    if not body.turns or not angle:
+    if not body.is_rotational or not angle:
         return vector
     c, s, k = cos(angle), sin(angle), body.axis
     along = (1 - c) * dot(k, vector)

@@ -42,19 +42,19 @@ SUFFIXES = (".urdf", ".urdf.xacro")
 #: Other xacro files are robots if the root has a name, which libraries do not need.
 _NAMED_ROOT, _HEAD = re.compile(rb"<robot\b[^>]*\bname\s*="), 8192
 _LISTS = (".txt", ".lst")
-_LONGEST_LINE = 65_536
+_MAX_LINE = 65_536
 _TARS = (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz")
 _ARCHIVES = (".zip", *_TARS)
 #: Limit of the extracted bytes of a small archive, and of the compression ratio of others.
-_LARGE, _MOST_TIMES = 2 * 10**9, 100
+_LARGE, _MAX_RATIO = 2 * 10**9, 100
 #: Files and directories that any archive may have, and least bytes of larger archives for each.
-_MANY, _LEAST_BYTES = 20_000, 128
+_MAX_MEMBERS, _BYTES_PER_MEMBER = 20_000, 128
 #: Headers of the next member of a tar, such as a long name, and their largest size in bytes.
 _HEADERS = (
     tarfile.GNUTYPE_LONGNAME, tarfile.GNUTYPE_LONGLINK, tarfile.XHDTYPE, tarfile.XGLTYPE,
     tarfile.SOLARIS_XHDTYPE,
 )  # fmt: skip
-_LARGEST_HEADER = 2**20
+_MAX_HEADER = 2**20
 
 
 class _HugeHeader(Exception):
@@ -141,7 +141,7 @@ class _TarMember(tarfile.TarInfo):
     @classmethod
     def frombuf(cls, buf: bytes | bytearray, encoding: str | None, errors: str) -> Self:
         member = super().frombuf(buf, encoding, errors)  # type: ignore[arg-type]  # of typeshed
-        if member.type in _HEADERS and member.size > _LARGEST_HEADER:
+        if member.type in _HEADERS and member.size > _MAX_HEADER:
             raise _HugeHeader(f"it has a header of {member.size:,} bytes")
         return member
 
@@ -206,7 +206,7 @@ def _listed(path: str) -> Iterator[str]:
     directory = os.path.dirname(path)
     try:
         with opened(path) as file:
-            while data := file.readline(_LONGEST_LINE):
+            while data := file.readline(_MAX_LINE):
                 line = data.decode("utf-8").strip()
                 if "\0" in line:
                     raise ValueError("it contains a NUL")
@@ -222,8 +222,8 @@ def _members(archive: str) -> Iterator[str]:
     try:
         names = [
             name
-            for name, opens in (_tar_members if is_tar else _zip_members)(archive)
-            if _is_robot(name, partial(_head, opens))
+            for name, open_member in (_tar_members if is_tar else _zip_members)(archive)
+            if _is_robot(name, partial(_head, open_member))
         ]
     except _UNREADABLE as error:
         raise UnreadableFile(f"{archive}: not a readable archive ({_why(error)})") from error
@@ -242,15 +242,14 @@ def _tar_members(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | N
         for member in tar:
             size += member.size
             count.add(member.name)
-            _check_ratio(
-                archive, max(size, member.offset_data)
-            )  # before it is unpacked to find the next one
+            # Before it is unpacked to find the next one.
+            _check_ratio(archive, max(size, member.offset_data))
             if member.isfile():
                 yield member.name, partial(tar.extractfile, member)
 
 
 def _zip_members(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | None]]]:
-    """Like ``_in_tar``, for a ZIP archive."""
+    """Like `_tar_members`, for a ZIP archive."""
     with zipfile.ZipFile(archive) as packed:
         _check_ratio(archive, sum(member.file_size for member in packed.infolist()))
         count = _MemberCount(archive)
@@ -261,9 +260,9 @@ def _zip_members(archive: str) -> Iterator[tuple[str, Callable[[], IO[bytes] | N
                 yield member.filename, partial(packed.open, member)
 
 
-def _head(opens: Callable[[], IO[bytes] | None]) -> bytes:
+def _head(open_member: Callable[[], IO[bytes] | None]) -> bytes:
     """The first bytes of a member of an archive."""
-    file = opens()
+    file = open_member()
     if file is None:
         return b""
     with file:
@@ -295,9 +294,9 @@ def _why(error: Exception) -> str:
 def _check_ratio(archive: str, size: int) -> None:
     """Reject archives that would fill the disk."""
     ratio = size / max(os.path.getsize(archive), 1)
-    if size > _LARGE and ratio > _MOST_TIMES:
+    if size > _LARGE and ratio > _MAX_RATIO:
         raise UnreadableFile(
-            f"{archive}: more than {_LARGE / 1e9:.1f} GB when extracted, over {_MOST_TIMES} times "
+            f"{archive}: more than {_LARGE / 1e9:.1f} GB when extracted, over {_MAX_RATIO} times "
             "its size; extract it yourself if you trust it, and pass the directory"
         )
 
@@ -307,7 +306,7 @@ class _MemberCount:
 
     def __init__(self, archive: str) -> None:
         self._archive = archive
-        self._most = self._left = max(_MANY, os.path.getsize(archive) // _LEAST_BYTES)
+        self._most = self._left = max(_MAX_MEMBERS, os.path.getsize(archive) // _BYTES_PER_MEMBER)
         self._directories = {""}
 
     def add(self, name: str) -> None:

@@ -60,7 +60,7 @@ def test_a_joint_that_cannot_be_at_zero_is_in_the_middle() -> None:
     limits = revolute(0.2, 0.4, "1 0 0")
     apart = robot(link("a", SMALL), link("b", SMALL), joint("a", "b", "prismatic", more=limits))
     assert contacts(apart).pairs == ()
-    assert "a_b 0.3: zero is beyond the limits" in contacts(apart).beginning
+    assert "a_b 0.3: zero is beyond the limits" in contacts(apart).initial_pose
 
 
 def test_followers_are_where_their_leader_takes_them() -> None:
@@ -80,8 +80,8 @@ def test_the_part_has_a_bound() -> None:
     (pair,) = contacts(robot(*parts)).pairs
     assert pair.contact is not None
     assert pair.contact.small.link == "b"
-    assert pair.contact.part == pytest.approx(0.5)
-    assert pair.contact.part <= pair.largest_part + 1e-12
+    assert pair.contact.relative_depth == pytest.approx(0.5)
+    assert pair.contact.relative_depth <= pair.max_relative_depth + 1e-12
     assert not pair.is_contained
 
 

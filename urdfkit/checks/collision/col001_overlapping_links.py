@@ -18,7 +18,7 @@
   primitives and convex meshes are reported, since their penetration depth is exact.
 
 - Overlap of convex hulls, for a target that collides the convex hulls of meshes (MuJoCo, Isaac Sim,
-  PyBullet), a warning: the hulls overlap by more than 1 mm at the beginning, and the simulator
+  PyBullet), a warning: the hulls overlap by more than 1 mm at the initial_pose, and the simulator
   pushes the links apart from the first step on; Isaac Sim and PyBullet only if self-collision is
   enabled. If the meshes themselves do not overlap, write convex pieces, each as a separate
   `<collision>`. MuJoCo welds the root link of a URDF to the world, and does not ignore the
@@ -71,7 +71,7 @@ GOOD = BAD.replace("0 0 -0.4", "0 0 0.4")
 _FILLED = 0.95
 
 #: Least reported part of the smaller body's thickness: wheels are often half inside the chassis.
-_PART = 0.6
+_LEAST_DEPTH = 0.6
 
 
 @rule(
@@ -88,7 +88,7 @@ def check(context: Context) -> Findings:
         if pair.is_rigid:
             continue
         if found := (
-            _adjacent(pair) if pair.is_adjacent else _apart(pair, contacts.beginning, depth)
+            _adjacent(pair) if pair.is_adjacent else _apart(pair, contacts.initial_pose, depth)
         ):
             contact, message, help, severity = found
             is_disabled = not pair.is_adjacent and _is_disabled(context, pair.names)
@@ -201,19 +201,19 @@ def _is_hollow(context: Context, body: CollisionBody) -> bool:
 
 def _adjacent(pair: LinkPair) -> tuple[Contact, str, str, Severity] | None:
     """Contact, message, help and severity of adjacent links; None if the overlap is small."""
-    if pair.largest_part <= _PART or (contact := pair.contact) is None:
+    if pair.max_relative_depth <= _LEAST_DEPTH or (contact := pair.contact) is None:
         return None
-    if not contact.is_solid or contact.part <= _PART or pair.is_contained:
+    if not contact.is_solid or contact.relative_depth <= _LEAST_DEPTH or pair.is_contained:
         return None
     # The depth of a body that is moved out sideways exceeds its thickness.
-    part = "all" if contact.part >= 1 else f"{contact.part:.0%}"
+    part = "all" if contact.relative_depth >= 1 else f"{contact.relative_depth:.0%}"
     message = f"link '{contact.small.link}' overlaps adjacent link '{contact.large.link}' by "
     message += f"{_depth(contact)}, {part} of its thickness"
     return contact, message, "make one of the two smaller, or move it", Severity.INFO
 
 
 def _apart(
-    pair: LinkPair, beginning: str, depth: float
+    pair: LinkPair, initial_pose: str, depth: float
 ) -> tuple[Contact, str, str, Severity] | None:
     """Contact, message, help and severity of links that are not adjacent; None if not reported."""
     contact = pair.contact
@@ -225,10 +225,10 @@ def _apart(
             return None  # COL004
         message = f"{links} in every pose"
         if by := _by(contact):
-            message += f",{by} {beginning}"
+            message += f",{by} {initial_pose}"
         help = "make the collision geometry smaller, or disable the pair in the SRDF"
         return contact, message, help, Severity.INFO
-    if contact.depth > depth and pair.is_at_zero and pair.is_deeper(depth):
+    if contact.depth > depth and pair.starts_at_zero and pair.is_deeper(depth):
         message = f"{links}{_by(contact)} where all joints are at zero"
         help = "correct an origin or the collision geometry, or begin in another pose"
         return contact, message, help, Severity.WARNING

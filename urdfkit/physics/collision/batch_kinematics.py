@@ -48,7 +48,7 @@ class TreeStep(NamedTuple):
     sine: Floats  # (4, 4)
     versine: Floats  # (4, 4)
     axis: Floats  # (3,), a unit vector, in the frame of the child as well as of the joint
-    turns: bool  # True for an angle, False for a distance
+    is_rotational: bool  # True for an angle, False for a distance
     column: int  # of the axis that defines the position; -1 for an immobile joint
     factor: float  # position = ``factor * position of the axis + shift``
     shift: float
@@ -60,7 +60,7 @@ class TreeStep(NamedTuple):
         return self._at(self.factor * configurations[:, self.column, None, None] + self.shift)
 
     def _at(self, position: Floats | np.float64) -> Floats:
-        if not self.turns:
+        if not self.is_rotational:
             return np.asarray(self.at_zero + position * self.sine)
         rotation = np.sin(position) * self.sine + (1 - np.cos(position)) * self.versine
         return np.asarray(self.at_zero + rotation)
@@ -169,7 +169,7 @@ def slopes(
             if step.column >= 0:
                 frame = frames[step.child]
                 motion = frame[:, :3, :3] @ step.axis
-                if step.turns:
+                if step.is_rotational:
                     motion = _cross(motion, points - frame[:, :3, 3])
                 speed = np.einsum("ni,ni->n", motion, along)
                 derivatives[:, columns.index(step.column)] += sign * step.factor * speed
@@ -209,9 +209,9 @@ def _step(
     does_move = joint.is_single_dof
     origin = np.clip(matrix(joint.origin), -_FARTHEST, _FARTHEST)
     x, y, z = direction(joint)
-    turns = joint.is_rotational
+    is_rotational = joint.is_rotational
     sine = np.zeros((4, 4))
-    if turns:
+    if is_rotational:
         sine[:3, :3] = ((0, -z, y), (z, 0, -x), (-y, x, 0))
     else:
         sine[:3, 3] = (x, y, z)
@@ -222,7 +222,7 @@ def _step(
         origin @ sine,
         origin @ sine @ sine,
         np.array((x, y, z)),
-        turns,
+        is_rotational,
         columns.get(law.leader, -1) if does_move else -1,
         law.factor,
         law.shift if does_move else 0.0,

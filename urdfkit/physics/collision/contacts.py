@@ -49,7 +49,7 @@ class Contact(Record):
     is_solid: bool  # True if both are convex, so that the depth is exact
 
     @property
-    def part(self) -> float:
+    def relative_depth(self) -> float:
         """The depth as a part of the thickness of the smaller body."""
         return self.depth / max(self.small.thickness, TOUCH)
 
@@ -57,17 +57,20 @@ class Contact(Record):
 class LinkPair:
     """Two links with bodies whose bounding boxes overlap in the initial pose."""
 
-    def __init__(self, robot: Contacts, names: tuple[str, str], bounds: list[BoundedPair]) -> None:
+    def __init__(
+        self, contacts: Contacts, names: tuple[str, str], bounds: list[BoundedPair]
+    ) -> None:
         self.names = names  # of the links
         #: True if a joint connects the links, or no link between them has bodies.
-        self.is_adjacent = robot.adjacency.is_adjacent(*names)
-        self.is_rigid = robot.adjacency.is_rigid(*names)  # True if only fixed joints are between
-        self._robot = robot
+        self.is_adjacent = contacts.adjacency.is_adjacent(*names)
+        #: True if only fixed joints are between them.
+        self.is_rigid = contacts.adjacency.is_rigid(*names)
+        self._contacts = contacts
         self.bounds = bounds  # of their bodies
 
     @property
-    def largest_part(self) -> float:
-        """An upper bound of the `part` of a contact of convex bodies, by bounding boxes."""
+    def max_relative_depth(self) -> float:
+        """An upper bound of `Contact.relative_depth` for convex bodies, by bounding boxes."""
         return max(
             (
                 -bound / max(_by_size(first, second)[0].thickness, TOUCH)
@@ -80,76 +83,76 @@ class LinkPair:
     @cached_property
     def contact(self) -> Contact | None:
         """The bodies that overlap most; None without an overlap."""
-        robot, best = self._robot, -TOUCH
+        contacts, best = self._contacts, -TOUCH
         nearest: tuple[CollisionBody, CollisionBody] | None = None
         for first, second, bound in self.bounds:
             if bound < best:
-                at = relative(first, second, robot.frames)
-                distance = robot.distance(first, second, at)
+                at = relative(first, second, contacts.frames)
+                distance = contacts.distance(first, second, at)
                 if distance < best:
                     best, nearest = distance, (first, second)
         if nearest is None:
             return None
-        return Contact(*_by_size(*nearest), -best, all(map(robot.is_convex, nearest)))
+        return Contact(*_by_size(*nearest), -best, all(map(contacts.is_convex, nearest)))
 
     def is_deeper(self, depth: float) -> bool:
         """True if the two bodies of the contact overlap by more than a depth, in m."""
         if self.contact is None or self.contact.is_solid:
             return self.contact is not None and self.contact.depth > depth
-        return self._robot.is_deeper(self.contact.small, self.contact.large, depth)
+        return self._contacts.is_deeper(self.contact.small, self.contact.large, depth)
 
     @cached_property
     def is_contained(self) -> bool:
         """True if all bodies of the small body's link are inside the large body."""
         if not self._may_be_contained or self.contact is None:
             return False
-        return self._robot.contains(self.contact.large, self.contact.small.link)
+        return self._contacts.contains(self.contact.large, self.contact.small.link)
 
     @property
     def is_enclosed(self) -> bool:
         """True if also the bodies of all links that are fixed to this link are inside."""
         if not self.is_contained or self.contact is None:
             return False
-        robot, own = self._robot, self.contact.small.link
+        contacts, own = self._contacts, self.contact.small.link
         return all(
-            robot.contains(self.contact.large, link)
-            for link in robot.bodies
-            if robot.adjacency.is_rigid(link, own)
+            contacts.contains(self.contact.large, link)
+            for link in contacts.bodies
+            if contacts.adjacency.is_rigid(link, own)
         )
 
     @cached_property
     def is_permanent(self) -> bool:
         """True if the links overlap with each joint at its limits, and in random poses."""
-        return all(self._robot.overlap(self.names, pose) for pose in self._poses())
+        return all(self._contacts.overlap(self.names, pose) for pose in self._poses())
 
     @property
-    def is_at_zero(self) -> bool:
+    def starts_at_zero(self) -> bool:
         """True if all joints above the links begin at zero, and none between ends near zero.
 
         A robot that cannot be at zero is never there: its users begin in another pose. The same
         applies if zero is near the end of a range, but not the end itself.
         """
-        between = self._robot.between(self.names)
-        if any(map(_ends_near_zero, self._robot.leaders(between))):
+        between = self._contacts.between(self.names)
+        if any(map(_ends_near_zero, self._contacts.leaders(between))):
             return False
-        joints = [joint for name in self.names for joint in self._robot.tree.path(name)]
-        return not any(map(start_of, self._robot.leaders(joints)))
+        joints = [joint for name in self.names for joint in self._contacts.tree.path(name)]
+        return not any(map(start_of, self._contacts.leaders(joints)))
 
     @property
     def _may_be_contained(self) -> bool:
         """False if bounding boxes show that no body of one link can contain the other link."""
         first, second = self.names
         return any(
-            self._robot.may_contain(large, own)
+            self._contacts.may_contain(large, own)
             for own, other in ((first, second), (second, first))
-            for large in self._robot.bodies[other]
+            for large in self._contacts.bodies[other]
         )
 
     def _poses(self) -> Iterator[dict[str, float]]:
         """The initial pose, each joint between the links at its limits, and random poses."""
         yield {}
-        joints = self._robot.between(self.names)
-        spans = {joint.name: span(joint) for joint in self._robot.leaders(joints)}
+        joints = self._contacts.between(self.names)
+        spans = {joint.name: span(joint) for joint in self._contacts.leaders(joints)}
         for name, ends in spans.items():
             yield from ({name: end} for end in ends)
         from random import Random  # takes 2 ms to import
@@ -205,7 +208,7 @@ class Contacts:
         return tuple(LinkPair(self, names, bounds) for names, bounds in pairs)
 
     @property
-    def beginning(self) -> str:
+    def initial_pose(self) -> str:
         """The initial pose in words."""
         elsewhere = ", ".join(
             f"{joint.name} {start:.3g}"
@@ -288,6 +291,7 @@ class Contacts:
         )
 
     def between(self, names: tuple[str, str]) -> list[Joint]:
+        """The joints between two links."""
         first, second = self.tree.branches(*names)
         return [*first, *second]
 

@@ -236,7 +236,7 @@ class MeshFiles:
         return {mesh.located.path for mesh in self.meshes if mesh.located.path}
 
     def _mesh(self, link: Link, role: str, body: Body, filename: Placed[str]) -> MeshReference:
-        located = self.resolver.locate(filename.value, _tag(filename).source.path, self.top)
+        located = self.locate(filename)
         facts = self.facts(located.path) if located.path else None
         return MeshReference(filename, link, role, body, located, facts)
 
