@@ -380,7 +380,9 @@ def rough_meshes(monkeypatch: pytest.MonkeyPatch) -> None:
     numbers = {
         "distance": ("MAX_VERTICES", "SAMPLES", "FARTHEST", "_MANY_SAMPLES", "_GUIDES"),
         "convex_decomposition": ("_VOXELS",),
-        "sphere_fitting": ("_COLUMNS", "_MEDIAL", "_ELSEWHERE", "_SURFACE", "_ROUGH", "_MANY"),
+        "sphere_fitting": (
+            *("_COLUMNS", "_SURFACE", "_MEDIAL", "_ELSEWHERE", "_MAX_ROUGH", "_MAX_POINTS"),
+        ),
         "sphere_quality": ("_COLUMNS", "_SURFACE"),
     }
     for name, constants in numbers.items():

@@ -13,8 +13,8 @@ from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.grouping import by_key
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.robot.inertials.densities import DENSITIES
+from urdfkit.robot.inertials.proposals import InertiaProposal, propose, rewrites
 from urdfkit.robot.inertials.shape_mass import SOURCES
-from urdfkit.robot.inertials.suggestions import InertiaProposal, propose, rewrites
 from urdfkit.text.editing import rewriting
 from urdfkit.text.source import shown
 

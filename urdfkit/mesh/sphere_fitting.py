@@ -30,34 +30,34 @@ _MEDIAL, _ELSEWHERE = 1200, 800
 #: their depths become too large.
 _SURFACE = 20_000
 #: A solid with fewer points inside is thin; numbers of points for choosing and moving candidates.
-_FEW, _ROUGH, _MANY = 200, 10_000, 24_000
+_MIN_INSIDE, _MAX_ROUGH, _MAX_POINTS = 200, 10_000, 24_000
 #: Part of the points to cover, those nearest to the surface, and its least ratio to the part that
 #: may stay uncovered. Spheres that cover these points cover the others too, and too few of all
 #: points are near the surface.
 _SHALLOW, _OUTER = 1 / 3, 8
 #: Ratio between a sufficient margin and an insufficient one at which the search ends.
-_CLOSE = 1.03
+_MAX_SEARCH_RATIO = 1.03
 #: A ball of the medial axis contains surface points up to this distance, relative to its radius.
-_SAME = 0.999
+_TOUCHING = 0.999
 #: Rounds in which a ball of the medial axis shrinks.
-_SHRINKING = 30
+_SHRINK_ROUNDS = 30
 #: Rounds in which centres move, directions in each round, and factor from one step to the next.
-_ROUNDS, _DIRECTIONS, _SHORTER = 80, 12, 0.965
+_ROUNDS, _DIRECTIONS, _STEP_FACTOR = 80, 12, 0.965
 #: Target margin of a move, as a part of the least margin so far; width of the soft boundary, as a
 #: part of the margin; and distance, in such widths, beyond which a point counts fully.
-_CLOSER, _SOFT, _FAR = 0.98, 0.06, 3.0
+_TARGET_FACTOR, _SOFT, _FAR = 0.98, 0.06, 3.0
 #: Least margin for the width of the soft boundary, as a part of the size.
-_LEAST = 1e-3
+_MIN_MARGIN = 1e-3
 #: Swaps of spheres before all of them are considered necessary.
-_SWAPS = 60
+_MAX_SWAPS = 60
 #: Greatest move of a center, as a part of its depth.
-_INSIDE = 0.9
+_MAX_MOVE = 0.9
 #: Part of the uncovered points that is covered in reserve, as coverage is less at other points.
-_SPARE = 0.11
+_RESERVE = 0.11
 #: Below the area of any triangle that matters.
 _TINY = 1e-300
 #: Unit of stored lengths, as a part of the size; their largest value; rows at a time.
-_UNIT, _MOST, _ROWS = 2.0**-14, 2**15 - 1, 500
+_UNIT, _MAX_UNITS, _BLOCK = 2.0**-14, 2**15 - 1, 500
 _SEED = 11
 
 
@@ -85,10 +85,10 @@ class Covering:
         share = min(1.0, max(_SHALLOW, _OUTER * (1 - coverage)))
         below, _ = self._tree.query(points)
         shallow = points[np.argsort(below)[: round(share * len(points))]]
-        self._points = np.random.default_rng(_SEED).permutation(shallow)[:_MANY]
+        self._points = np.random.default_rng(_SEED).permutation(shallow)[:_MAX_POINTS]
         #: Number of points that may stay uncovered.
         self._allowed = int((1 - coverage) / share * len(self._points))
-        rough = self._points[:_ROUGH]
+        rough = self._points[:_MAX_ROUGH]
         self._roughly_allowed = int((1 - coverage) / share * len(rough))
         self._others = self._sample(triangles, _COLUMNS + 1, surface[_MEDIAL:])
         normals = scaled_normals(triangles)
@@ -102,14 +102,14 @@ class Covering:
         self._size = size
         #: (k, n), protrusion of a candidate that covers a point, in `_UNIT` of the size.
         self._protrusions = np.empty((len(rough), len(self._centers)), dtype=np.int16)
-        for start in range(0, len(rough), _ROWS):
-            needed = cdist(rough[start : start + _ROWS], self._centers) - self._depths
-            self._protrusions[start : start + _ROWS] = needed / (size * _UNIT)
+        for start in range(0, len(rough), _BLOCK):
+            needed = cdist(rough[start : start + _BLOCK], self._centers) - self._depths
+            self._protrusions[start : start + _BLOCK] = needed / (size * _UNIT)
 
     def _sample(self, triangles: Floats, columns: int, surface: Floats) -> Floats:
         """Points inside; for a thin part, which has few, also points of its surface."""
         inside, _ = points_inside(triangles, columns, _SEED + columns)
-        return inside if len(inside) > _FEW else np.concatenate([inside, surface[:_MEDIAL]])
+        return inside if len(inside) > _MIN_INSIDE else np.concatenate([inside, surface[:_MEDIAL]])
 
     def _medial(self, points: Floats, normals: Floats, size: float) -> Floats:
         """Centres of the balls that touch the surface at the points and at a second point.
@@ -118,12 +118,12 @@ class Covering:
         neighbors and the normal field" (2012).
         """
         radii, shrinking = np.full(len(points), size), np.arange(len(points))
-        for _ in range(_SHRINKING):
+        for _ in range(_SHRINK_ROUNDS):
             at, normal, radius = points[shrinking], normals[shrinking], radii[shrinking]
             distances, nearest = self._tree.query(at - radius[:, None] * normal)
             offsets = at - self._tree.data[nearest]
             height = np.einsum("ij,ij->i", offsets, normal)
-            smaller = (distances < _SAME * radius) & (height > 0)
+            smaller = (distances < _TOUCHING * radius) & (height > 0)
             shrinking = shrinking[smaller]
             squares = np.einsum("ij,ij->i", offsets[smaller], offsets[smaller])
             radii[shrinking] = squares / (2 * height[smaller])
@@ -139,7 +139,7 @@ class Covering:
 
     def _covers(self, margin: float) -> Flags:
         """(k, n), True if a candidate covers a point with a margin."""
-        return np.asarray(self._protrusions <= int(min(margin / (self._size * _UNIT), _MOST)))
+        return np.asarray(self._protrusions <= int(min(margin / (self._size * _UNIT), _MAX_UNITS)))
 
     def next_candidate(self, chosen: list[int], margin: float) -> int:
         """The candidate that covers most of the points that the chosen candidates do not cover."""
@@ -153,72 +153,74 @@ class Covering:
         """
         random = np.random.default_rng(_SEED)
         centers, depths = self._centers[chosen], self._depths[chosen]
-        needed = cdist(centers, self._points) - depths[:, None]
-        least, best, step = self._margin(needed), (centers, depths), self._step
+        protrusions = cdist(centers, self._points) - depths[:, None]
+        least, best, step = self._margin(protrusions), (centers, depths), self._step
         for _ in range(_ROUNDS):
             directions = random.normal(size=(_DIRECTIONS, 3))
             directions /= np.linalg.norm(directions, axis=1, keepdims=True)
             moved, moved_depths = centers.copy(), depths.copy()
+            target = _TARGET_FACTOR * least
             for number in range(len(centers)):
-                reach = min(step, _INSIDE * depths[number])
+                reach = min(step, _MAX_MOVE * depths[number])
                 candidates = np.vstack([centers[number], centers[number] + reach * directions])
-                below, _ = self._tree.query(candidates)
-                nearest = self._best(needed, number, candidates, below, _CLOSER * least, reach)
-                if nearest:
-                    moved[number], moved_depths[number] = candidates[nearest], below[nearest]
-                    at = candidates[nearest : nearest + 1]
-                    needed[number] = cdist(at, self._points)[0] - below[nearest]
+                new_depths, _ = self._tree.query(candidates)
+                choice = self._best(protrusions, number, candidates, new_depths, target, reach)
+                if choice:
+                    moved[number], moved_depths[number] = candidates[choice], new_depths[choice]
+                    at = candidates[choice : choice + 1]
+                    protrusions[number] = cdist(at, self._points)[0] - new_depths[choice]
             # At a thin part, the surface is nearer than its samples.
             is_inside = are_inside(self._triangles, moved)
             reset = np.flatnonzero(~is_inside)
-            needed[reset] = cdist(centers[reset], self._points) - depths[reset, None]
+            protrusions[reset] = cdist(centers[reset], self._points) - depths[reset, None]
             centers = np.where(is_inside[:, None], moved, centers)
             depths = np.where(is_inside, moved_depths, depths)
-            if (margin := self._margin(needed)) < least:
+            if (margin := self._margin(protrusions)) < least:
                 least, best = margin, (centers, depths)
-            step *= _SHORTER
+            step *= _STEP_FACTOR
         return self._spheres(*best), least
 
-    def _margin(self, needed: Floats) -> float:
+    def _margin(self, protrusions: Floats) -> float:
         """Least margin with which spheres cover enough, in m."""
-        place = needed.shape[1] - 1 - self._allowed
-        return float(np.partition(needed.min(axis=0), place)[place])
+        place = protrusions.shape[1] - 1 - self._allowed
+        return float(np.partition(protrusions.min(axis=0), place)[place])
 
     def _best(
         self,
-        needed: Floats,
+        protrusions: Floats,
         number: int,
-        places: Floats,
-        below: Floats,
+        candidates: Floats,
+        new_depths: Floats,
         margin: float,
         reach: float,
     ) -> int:
         """Index of the position that leaves the fewest points uncovered; near misses count less."""
-        soft = _SOFT * max(margin, _LEAST * self._size)
-        relevant = np.flatnonzero(needed[number] < margin + 2 * reach + _FAR * soft)
-        others = needed[:, relevant]
+        soft = _SOFT * max(margin, _MIN_MARGIN * self._size)
+        relevant = np.flatnonzero(protrusions[number] < margin + 2 * reach + _FAR * soft)
+        others = protrusions[:, relevant]
         others[number] = np.inf
         rest = others.min(axis=0)
         alone = rest > margin - _FAR * soft
-        own = cdist(places, self._points[relevant[alone]]) - below[:, None]
+        own = cdist(candidates, self._points[relevant[alone]]) - new_depths[:, None]
         beyond = (np.minimum(own, rest[alone]) - margin) / soft
         return int(np.tanh(beyond).sum(axis=1).argmin())
 
     def _spheres(self, centers: Floats, depths: Floats) -> Spheres:
         """Spheres just large enough for their nearest points; the farthest stay uncovered."""
-        needed, owner = _needed(self._others, centers, depths)
-        counts = needed <= np.quantile(needed, self._coverage + _SPARE * (1 - self._coverage))
+        protrusions, owner = _least_protrusions(self._others, centers, depths)
+        part = self._coverage + _RESERVE * (1 - self._coverage)
+        counts = protrusions <= np.quantile(protrusions, part)
         radii = np.full(len(centers), -np.inf)
-        np.maximum.at(radii, owner[counts], needed[counts])
+        np.maximum.at(radii, owner[counts], protrusions[counts])
         used = np.isfinite(radii)
         return Spheres(centers[used], (radii + depths)[used])
 
 
-def _needed(points: Floats, centers: Floats, depths: Floats) -> tuple[Floats, Integers]:
+def _least_protrusions(points: Floats, centers: Floats, depths: Floats) -> tuple[Floats, Integers]:
     """(n,), least protrusion of a sphere that covers each point, and the index of the sphere."""
-    protrusions = cdist(points, centers) - depths
-    owner = protrusions.argmin(axis=1)
-    return protrusions[np.arange(len(protrusions)), owner], owner
+    every = cdist(points, centers) - depths
+    owner = every.argmin(axis=1)
+    return every[np.arange(len(every)), owner], owner
 
 
 def fit(
@@ -246,7 +248,7 @@ def fit(
         least = fits[worst][1]
         if least <= margin:
             break
-        chosen[worst].append(coverings[worst].next_candidate(chosen[worst], _CLOSER * least))
+        chosen[worst].append(coverings[worst].next_candidate(chosen[worst], _TARGET_FACTOR * least))
         fits[worst] = min(fits[worst], coverings[worst].refined(chosen[worst]), key=itemgetter(1))
     return [spheres for spheres, _ in fits]
 
@@ -256,7 +258,7 @@ def _choose(coverings: Sequence[Covering], margin: float, most: int) -> list[lis
     low = high = margin
     while not (chosen := _choose_with_margin(coverings, high, most)):
         low, high = high, 2 * high
-    while high > _CLOSE * low:
+    while high > _MAX_SEARCH_RATIO * low:
         middle = (low * high) ** 0.5
         if smaller := _choose_with_margin(coverings, middle, most):
             chosen, high = smaller, middle
@@ -302,7 +304,7 @@ def _pruned(covers: Flags, chosen: list[int], allowed: int) -> list[int]:
     while len(best) > 1:
         chosen = list(best)
         times = covers[:, chosen].sum(axis=1)
-        for _ in range(_SWAPS):
+        for _ in range(_MAX_SWAPS):
             alone = covers[:, chosen][times == 1].sum(axis=0)
             removed = chosen.pop(int(alone.argmin()))
             times -= covers[:, removed]

@@ -92,10 +92,10 @@ def test_a_hull_becomes_a_file_beside_the_mesh(tmp_path: Path) -> None:
     assert body.shape.filename is not None
     assert body.shape.filename.value == "m_1_1_2_collision.stl"
     again = edited(read(file), propose(read(file), links=["a"], error=0.02))
-    assert again.left == {}, "the same mesh may be written again"
+    assert again.unchanged == {}, "the same mesh may be written again"
     (tmp_path / "m_1_1_2_collision.stl").write_bytes((tmp_path / "m.stl").read_bytes())
     other = edited(read(file), propose(read(file), links=["a"], error=0.02))
-    assert "is another mesh" in other.left["a"]
+    assert "is another mesh" in other.unchanged["a"]
     assert other.files == ()
 
 
@@ -136,8 +136,8 @@ def test_what_cannot_be_written_is_said(tmp_path: Path) -> None:
     text = f'<xacro:macro name="m">{link()}</xacro:macro><xacro:m/>{link(name="b")}'
     file = robot(tmp_path, text, name="r.xacro")
     found = edited(read(file), propose(read(file)))
-    assert set(found.left) == {"a"}
-    assert "a macro creates it" in found.left["a"]
+    assert set(found.unchanged) == {"a"}
+    assert "a macro creates it" in found.unchanged["a"]
     assert len(found.files) == 1
     (tmp_path / "m.stl").write_bytes(b"")
     (first, _) = propose(read(file))

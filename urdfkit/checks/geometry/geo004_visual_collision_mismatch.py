@@ -44,7 +44,7 @@ BAD = link_xml("base", visual_xml(_BOX, _ORIGIN), collision_xml(_BOX))
 FIXED = GOOD = BAD.replace("<collision>", f"<collision>\n    {_ORIGIN}")
 
 #: Causes of a wrong size, by the factor.
-_UNITS = {
+_UNIT_MISTAKES = {
     1000.0: "millimetres read as metres",
     100.0: "centimetres read as metres",
     39.37: "inches read as metres",
@@ -52,13 +52,13 @@ _UNITS = {
     10.0: "a decimal point",
 }
 #: Distance as a multiple of the length, above which either body may be misplaced.
-_FAR = 10.0
+_MAX_RELATIVE_SHIFT = 10.0
 
 #: Sine of the angle up to which two axes are parallel.
 _PARALLEL = 0.1
 
 #: Relative tolerance of a factor of units: visual and collision are rarely equal.
-_NEAR = 1.08
+_UNIT_TOLERANCE = 1.08
 
 
 @rule(Severity.WARNING, help="compare both in RViz, and correct the one that is wrong")
@@ -96,7 +96,7 @@ def _apart(one: VisualCollisionPair, context: Context) -> Finding:
 
 def _is_far(one: VisualCollisionPair) -> bool:
     shift = minus(one.visual.bounds.center, one.collision.bounds.center)
-    return length(shift) > _FAR * max(one.visual.bounds.edges)
+    return length(shift) > _MAX_RELATIVE_SHIFT * max(one.visual.bounds.edges)
 
 
 def _help(one: VisualCollisionPair, wrong: Body, right: Body) -> str:
@@ -122,12 +122,17 @@ def _of_size(one: VisualCollisionPair, wrong: Body) -> Finding:
     is_visual = wrong is one.link.visuals[0]
     other = one.link.collisions[0] if is_visual else one.link.visuals[0]
     times = f"{factor:.3g}" if factor < 999.5 else f"{factor:.0f}"
-    units = (text for unit, text in _UNITS.items() if unit / _NEAR < factor < unit * _NEAR)
-    unit = next((f", as by {text}" for text in units), "")
+    mistakes = (
+        f", as by {text}"
+        for unit, text in _UNIT_MISTAKES.items()
+        if unit / _UNIT_TOLERANCE < factor < unit * _UNIT_TOLERANCE
+    )
+    mistake = next(mistakes, "")
     return Finding(
         wrong.shape.at if wrong.shape else wrong.at,
-        f"link '{one.link.name}': the {larger} is {times} times as large as the {smaller}{unit}: "
-        f"{_edges(one.visual.bounds)} (visual), {_edges(one.collision.bounds)} (collision)",
+        f"link '{one.link.name}': the {larger} is {times} times as large as the {smaller}"
+        f"{mistake}: {_edges(one.visual.bounds)} (visual), {_edges(one.collision.bounds)} "
+        "(collision)",
         "correct the scale or the size of the one that is wrong",
         related=(Related(other.at.span, "the collision" if is_visual else "the visual"),),
         confidence=Confidence.INFERRED,

@@ -40,7 +40,7 @@ BAD = arm_xml("revolute", '<limit lower="-90" upper="90" effort="10" velocity="1
 FIXED = GOOD = BAD.replace('lower="-90" upper="90"', 'lower="-1.570796327" upper="1.570796327"')
 
 #: Limits beyond two turns are suspect, in rad.
-_FAR = 4 * pi
+_TWO_TURNS = 4 * pi
 #: Limits below this are in radians.
 _ONE_TURN = 7.0
 
@@ -48,7 +48,7 @@ _ONE_TURN = 7.0
 _COMMON_ANGLES = frozenset((45, 90, 135, 180, 270, 360))
 
 #: Placeholders for "far enough".
-_ROUND = frozenset((50, 100, 200, 300))
+_ROUND_ANGLES = frozenset((50, 100, 200, 300))
 
 #: A turn in rad, with a tolerance for rounding.
 _TURN = 2 * pi + 1e-3
@@ -66,7 +66,7 @@ _ROUND_SPEEDS = frozenset((50, 100, 200, 300, 400, 500, 1000))
 _ROUND_ANGLE = radians(1000)
 
 #: Largest range of a joint of an arm, in rad; joints with a larger one are wheels.
-_TURNS = 8 * pi
+_MAX_ARM_RANGE = 8 * pi
 
 #: Largest velocity limit of the other joints of a slow arm, in rad/s.
 _SLOW = 10.0
@@ -84,13 +84,13 @@ def _limits(model: RobotModel) -> Findings:
     suspects = [
         (joint, ends)
         for joint, ends in revolute
-        if _may_be_degrees(ends) and max(map(abs, ends)) > _FAR
+        if _may_be_degrees(ends) and max(map(abs, ends)) > _TWO_TURNS
     ]
     sizes = {abs(end) for _, ends in suspects for end in ends if abs(end) > _ONE_TURN}
     # A limit of at most about one turn is in radians.
     in_radians = sum(0 < max(map(abs, ends)) < _ONE_TURN for _, ends in revolute)
-    are_exceptions = in_radians >= max(2, len(suspects)) and not sizes & _ROUND
-    are_various = len(sizes) > 1 and all(map(_is_chosen, sizes)) and not sizes <= _ROUND
+    are_exceptions = in_radians >= max(2, len(suspects)) and not sizes & _ROUND_ANGLES
+    are_various = len(sizes) > 1 and all(map(_is_chosen, sizes)) and not sizes <= _ROUND_ANGLES
     for joint, ends in revolute:
         if _is_converted(ends):
             yield _limit(joint, *ends)
@@ -135,7 +135,8 @@ def _looks_like_degrees(size: float) -> bool:
 
 def _is_converted(ends: tuple[float, float]) -> bool:
     """True for ends beyond two turns that are whole hundredths of a rad, converted to degrees."""
-    if not _FAR < max(map(abs, ends)) <= 360 or any(map(_looks_like_degrees, filter(None, ends))):
+    is_suspect = _TWO_TURNS < max(map(abs, ends)) <= 360
+    if not is_suspect or any(map(_looks_like_degrees, filter(None, ends))):
         return False
     hundredths = [100 * radians(end) for end in ends]
     return all(abs(number - round(number)) < 1e-3 for number in hundredths)
@@ -221,7 +222,7 @@ def _spins(joint: Joint) -> bool:
     limit = joint.limit
     if limit is None or limit.lower is None or limit.upper is None:
         return False
-    return limit.upper.value - limit.lower.value > _TURNS
+    return limit.upper.value - limit.lower.value > _MAX_ARM_RANGE
 
 
 def _is_suspect(velocity: float) -> bool:

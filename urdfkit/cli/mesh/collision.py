@@ -49,7 +49,7 @@ def command(
     unchanged: dict[str, str] = {}
     if write or diff:
         edits = edited(context, proposals)
-        unchanged = edits.left
+        unchanged = edits.unchanged
         if diff:
             output.write_diff("".join(file.diff() for file in edits.files))
             lines = [f"# new file {shown(path)}" for path in edits.meshes]

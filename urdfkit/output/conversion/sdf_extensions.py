@@ -35,7 +35,7 @@ _AXIS = {"springReference": "spring_reference", "springStiffness": "spring_stiff
 _LIMIT = {"stopCfm": "cfm", "stopErp": "erp"}
 
 #: The tag of SDF that receives each setting.
-TAKERS = {
+RECEIVERS = {
     "static": "model",
     **dict.fromkeys(("selfCollide", "turnGravityOff", "dampingFactor"), "link"),
     "material": "visual",
@@ -56,8 +56,8 @@ class GazeboBlock:
 
     def __init__(self, block: Element) -> None:
         self.block = block
-        self.takers: set[str] = set()  # SDF tags that received a part of it
-        self.origin = (block.get("reference") or "") if block.children else ""
+        self.receivers: set[str] = set()  # SDF tags that received a part of it
+        self.original_link = (block.get("reference") or "") if block.children else ""
         self.moved = Transform()  # frame of its previous link in its present link
         self.settings: dict[str, str] = {}  # in the format of SDF
         self.visual: list[Tag] = []  # for each visual
@@ -67,7 +67,7 @@ class GazeboBlock:
             if child.tag in ("visual", "collision"):
                 parts = self.visual if child.tag == "visual" else self.collision
                 parts += map(element_tree, child.children)
-            elif child.tag in TAKERS:
+            elif child.tag in RECEIVERS:
                 self.settings[child.tag] = _setting(child)
             elif child.tag not in (*KEEPING_TAGS, "canonicalBody"):
                 self.others.append((element_tree(child), child))
@@ -75,9 +75,9 @@ class GazeboBlock:
     def concerns(self, tag: Tag, link: str) -> bool:
         """True if it applies to a visual or collision of its present link."""
         name = tag.get("name") or ""
-        if link == self.origin:
+        if link == self.original_link:
             return LUMP not in name
-        return f"{LUMP}{self.origin}_{tag.tag}" in name
+        return f"{LUMP}{self.original_link}_{tag.tag}" in name
 
 
 class GazeboBlocks:
@@ -108,14 +108,14 @@ class GazeboBlocks:
 
     def put_into_model(self, model: Tag) -> None:
         for block in self._of(""):
-            block.takers.add("model")
+            block.receivers.add("model")
             if "static" in block.settings:
                 set_value(model, "static", block.settings["static"])
             model.extend(tag for tag, _ in block.others)
 
     def put_into_link(self, tag: Tag, link: str) -> None:
         for block in self._of(link):
-            block.takers.add("link")
+            block.receivers.add("link")
             if "turnGravityOff" in block.settings:
                 set_value(tag, "gravity", block.settings["turnGravityOff"])
             if "dampingFactor" in block.settings:
@@ -128,7 +128,7 @@ class GazeboBlocks:
 
     def put_into_joint(self, tag: Tag, joint: str) -> None:
         for block in self._of(joint):
-            block.takers.add("joint")
+            block.receivers.add("joint")
             dynamics = within(tag, "axis", "dynamics")
             physics = within(tag, "physics")
             ode = within(physics, "ode")
@@ -148,7 +148,7 @@ class GazeboBlocks:
         for block in self._of(link):
             if not block.concerns(tag, link):
                 continue
-            block.takers.add("collision")
+            block.receivers.add("collision")
             _put_parts(tag, block.collision, "surface")
             _put(block, within(tag, "surface", "contact", "ode"), _CONTACT)
             _put(block, within(tag, "surface", "friction", "ode"), _FRICTION)
@@ -158,7 +158,7 @@ class GazeboBlocks:
         for block in self._of(link):
             if not block.concerns(tag, link):
                 continue
-            block.takers.add("visual")
+            block.receivers.add("visual")
             _put_parts(tag, block.visual, "material")
             if block.settings.get("material"):
                 script = within(tag, "material", "script")

@@ -6,7 +6,7 @@ from urdfkit.output.bundle.robot import mesh_references
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.sdf_extensions import (
     POSED,
-    TAKERS,
+    RECEIVERS,
     GazeboBlock,
     is_read_as_rpy,
 )
@@ -168,7 +168,7 @@ def _extension(losses: LossTable, extension: GazeboBlock, conversion: SdfConvers
     """Record the children of a ``<gazebo>``, with the tags that received them."""
     block, reference = extension.block, extension.block.get("reference") or ""
     joint = conversion.model.joints_by_name.get(reference)
-    if not extension.takers and not any(child.tag in KEEPING_TAGS for child in block.children):
+    if not extension.receivers and not any(child.tag in KEEPING_TAGS for child in block.children):
         losses.lose(block, _nothing(reference, joint, conversion))
         return
     losses.keep(block, "its children")
@@ -178,14 +178,14 @@ def _extension(losses: LossTable, extension: GazeboBlock, conversion: SdfConvers
             losses.lose(child, "sdformat ignores it")
             continue
         is_shape = child.tag in ("visual", "collision")
-        taker = TAKERS.get(child.tag, child.tag if is_shape else "")
+        receiver = RECEIVERS.get(child.tag, child.tag if is_shape else "")
         if child.tag in KEEPING_TAGS:
-            taker = "joint"
-        elif taker and taker not in extension.takers:
-            receiver = "the model" if taker == "model" else f"a {taker}"
-            losses.lose(child, f"it applies to {receiver}, and '{reference}' has none")
+            receiver = "joint"
+        elif receiver and receiver not in extension.receivers:
+            missing = "the model" if receiver == "model" else f"a {receiver}"
+            losses.lose(child, f"it applies to {missing}, and '{reference}' has none")
             continue
-        _keep_all(losses, child, f"of the {taker}" if taker else "as written")
+        _keep_all(losses, child, f"of the {receiver}" if receiver else "as written")
         pose = child.child("pose") if child.tag in POSED else None
         if pose is not None and is_read_as_rpy(pose, is_moved=reference in conversion.merged):
             losses.approximate(pose, "sdformat reads it as x y z and rpy in rad when it moves it")

@@ -11,7 +11,7 @@ from urdfkit.mesh.fitting import fit
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.repair.soup import soup_of
 from urdfkit.output.conversion.mjcf_pieces import Piece, halved
-from urdfkit.robot.assets.collision_shapes import RELATIVE
+from urdfkit.robot.assets.collision_shapes import MAX_RELATIVE_ERROR
 from urdfkit.robot.assets.geometry import body_mesh
 from urdfkit.robot.model import Body
 
@@ -40,7 +40,7 @@ def simplified(robot: Context, geometry: Body, method: str) -> SimplerCollision 
 
 
 def _primitive(mesh: Mesh) -> SimplerCollision:
-    best = fit(mesh, RELATIVE * soup_of(mesh).size).best
+    best = fit(mesh, MAX_RELATIVE_ERROR * soup_of(mesh).size).best
     note = _note(str(best), best.error)
     if best.kind in ("box", "sphere", "cylinder"):
         return SimplerCollision(note, Piece(best.kind, halved(best.kind, best.size), best.frame))

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from urdfkit.robot import Robot
 
 #: Largest error of a shape, as a part of the diagonal of the mesh.
-RELATIVE = 0.05
+MAX_RELATIVE_ERROR = 0.05
 
 
 class CollisionProposal(Record):
@@ -44,7 +44,7 @@ class Edited(Record):
 
     files: tuple[Rewrite, ...]  # the robot's files with the new collisions
     meshes: dict[str, Mesh]  # new mesh files, by path
-    left: dict[str, str]  # why a link is not changed, by its name
+    unchanged: dict[str, str]  # why a link is not changed, by its name
 
     def write(self) -> list[str]:
         """Write the meshes, and then the files that reference them.
@@ -123,7 +123,7 @@ def _proposal(
         if mesh is None or body.shape is None:
             why = robot.meshes.reason(body.shape) if body.shape else ""
             return CollisionProposal(link, link.visuals, (), (), why or "a visual cannot be read")
-        bound = RELATIVE * soup_of(mesh).size if error is None else error
+        bound = MAX_RELATIVE_ERROR * soup_of(mesh).size if error is None else error
         key = (_filename(body), body.shape.scale) if _filename(body) else (id(body),)
         try:
             if key not in fitted:
@@ -152,30 +152,30 @@ def edited(robot: Robot, proposals: Iterable[CollisionProposal]) -> Edited:
     """The edited files and the mesh files of the proposals; nothing is written."""
     changes: list[Edit] = []
     meshes: dict[str, Mesh] = {}
-    left: dict[str, str] = {}
+    unchanged: dict[str, str] = {}
     for proposal in proposals:
         reason = _why_not(robot, proposal)
         if reason:
-            left[proposal.link.name] = reason
+            unchanged[proposal.link.name] = reason
             continue
         lines: list[str] = []
         needed: dict[str, Mesh] = {}
         for body, fits in zip(proposal.bodies, proposal.fits, strict=True):
             lines += _collision(robot, body, fits, needed)
-        if taken := next((path for path in needed if _is_other(path, needed[path])), ""):
-            left[proposal.link.name] = f"{taken} exists and is another mesh"
+        if taken := next((path for path in needed if _exists_otherwise(path, needed[path])), ""):
+            unchanged[proposal.link.name] = f"{taken} exists and is another mesh"
             continue
         if outside := next((path for path in needed if not robot.files.resolver.admits(path)), ""):
-            left[proposal.link.name] = f"{outside} {OUTSIDE}: not written"
+            unchanged[proposal.link.name] = f"{outside} {OUTSIDE}: not written"
             continue
         meshes |= needed
         elements = [body.at for body in proposal.link.collisions]
         changes += insert_after(proposal.bodies[-1].at, lines)
         changes += remove_elements(elements)
-    return Edited(rewriting.rewrites(changes), meshes, left)
+    return Edited(rewriting.rewrites(changes), meshes, unchanged)
 
 
-def _is_other(path: str, mesh: Mesh) -> bool:
+def _exists_otherwise(path: str, mesh: Mesh) -> bool:
     """True if the file exists and is not the mesh to write."""
     from urdfkit.mesh.writers import encode
 

@@ -94,7 +94,7 @@ class Srdf:
         return self.named - self.known("link") - self.known("joint")
 
     @cached_property
-    def speaks_of_robot(self) -> bool:
+    def refers_to_robot(self) -> bool:
         """True if the robot has at least half of the referenced links and joints."""
         named = [(kind, name.value) for kind, name in self.references() if kind != "group"]
         known = {kind: self.known(kind) for kind in ("link", "joint")}
@@ -103,12 +103,12 @@ class Srdf:
     @cached_property
     def fits_robot(self) -> bool:
         """True if it is for this variant of the robot: except typos, one name may be unknown."""
-        strange = {
+        unknown = {
             name.value
             for kind, name in self.references()
             if name.value not in (known := self.known(kind)) and not nearest(name.value, known)
         }
-        return self.speaks_of_robot and len(strange) <= 1
+        return self.refers_to_robot and len(unknown) <= 1
 
     def known(self, kind: str) -> set[str]:
         """The names of a kind that the robot or this file defines."""
@@ -181,7 +181,7 @@ def find(robot: RosDescription) -> Srdf | None:
     files = [one for one in srdf_files(path, resolver) if not is_of_namesake(one, path, resolver)]
     found = [srdf for one in files if (srdf := read(one, robot))]
     same = [srdf for srdf in found if srdf.root.get("name") == name]
-    chosen = same or [srdf for srdf in found if srdf.speaks_of_robot]
+    chosen = same or [srdf for srdf in found if srdf.refers_to_robot]
     if len(chosen) > 1:  # MoveIt's builder reads the SRDF with the file name of the robot
         chosen = [srdf for srdf in chosen if _stem(srdf.path) == _stem(path)]
     if not found:

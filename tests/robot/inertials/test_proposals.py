@@ -16,7 +16,7 @@ from urdfkit.core.installation import install_command
 from urdfkit.lint.loading import read
 from urdfkit.mesh.writers import write
 from urdfkit.robot.inertia import MassProperties
-from urdfkit.robot.inertials.suggestions import InertiaProposal, propose, rewrites
+from urdfkit.robot.inertials.proposals import InertiaProposal, propose, rewrites
 from urdfkit.robot.model import UnknownLink
 from urdfkit.text.editing import rewriting
 

@@ -28,11 +28,11 @@ from urdfkit.text.editing.edits import (
 from urdfkit.text.editing.rewriting import Rewrite
 
 #: Moments up to this ratio were computed from the same shape.
-SAME = 1.03
+SAME_SHAPE_FACTOR = 1.03
 #: Moments up to this ratio may be correct: real parts are not of uniform density.
 PLAUSIBLE_FACTOR = 3.0
 #: Tensors of the same moments have other axes if their distance exceeds this part of the largest.
-_TURNED = 0.1
+_MAX_TENSOR_DISTANCE = 0.1
 #: Offsets and moments below this relative value are rounding errors.
 _NOISE = 1e-6
 
@@ -76,10 +76,10 @@ class InertiaProposal(Record):
         mass = self.declared.mass / self.computed.mass if self.computed.mass else 0.0
         if not 1 / PLAUSIBLE_FACTOR <= mass <= PLAUSIBLE_FACTOR or self.factor > PLAUSIBLE_FACTOR:
             return "differs"
-        if self.factor > SAME:
+        if self.factor > SAME_SHAPE_FACTOR:
             return "near"
         apart = dist(self.declared.tensor, self.computed.tensor)
-        return "agrees" if apart <= _TURNED * high else "turned"
+        return "agrees" if apart <= _MAX_TENSOR_DISTANCE * high else "turned"
 
     @property
     def is_doubtful(self) -> bool:
@@ -188,7 +188,7 @@ def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProp
 def rewrites(proposals: Iterable[InertiaProposal]) -> tuple[tuple[Rewrite, ...], dict[str, str]]:
     """The files with the computed inertias, and the reasons for unchanged links.
 
-    Only values that are written as numbers are edited. Nothing is written:
+    Only values that are written as numbers are edited. Nothing is written yet.
 
     Returns:
         The new files, and by link name the reason why the link is unchanged.
