@@ -201,3 +201,63 @@ def test_a_controller_of_a_joint_that_an_argument_disables(
     )
     robot = add_file(tmp_path / "r.urdf.xacro", xacro.encode())
     assert len(check(robot, select=["RCT001"]).diagnostics) == count
+
+
+_CHOICE = """from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, GroupAction
+from launch.conditions import UnlessCondition
+from launch.substitutions import Command, LaunchConfiguration
+from launch_ros.actions import Node
+SIM = LaunchConfiguration("sim")
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument("sim", default_value="false"),
+        Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[
+            {{"robot_description": Command(["xacro ", "{here}/r.xacro", " sim:=", SIM])}}]),
+        {node},
+    ])
+"""
+_MANAGER = 'Node(package="controller_manager", executable="ros2_control_node", parameters=[FILE]{})'
+_SIMULATION = """from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+def generate_launch_description():
+    return LaunchDescription([IncludeLaunchDescription("{here}/launch/a.launch.py",
+        launch_arguments={{"sim": "true"}}.items())])
+"""
+
+
+@pytest.mark.parametrize(
+    ("node", "count"),
+    [
+        (f"GroupAction([{_MANAGER.format('')}], condition=UnlessCondition(SIM))", 0),
+        (_MANAGER.format(", condition=UnlessCondition(SIM)"), 0),
+        (_MANAGER.format(""), 1),
+    ],
+)
+def test_parameters_of_a_node_that_the_launch_file_switches_off(
+    tmp_path: Path, node: str, count: int
+) -> None:
+    """Monash Nova Rover: the efforts of the arm are read of the real hardware only."""
+    effort = '<xacro:unless value="$(arg sim)"><state_interface name="effort"/></xacro:unless>'
+    robot = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:arg name="sim" default="false"/><link name="base"/><link name="arm"/>'
+        '<joint name="j" type="revolute"><parent link="base"/><child link="arm"/>'
+        '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
+        '<ros2_control name="c" type="system"><hardware><plugin>a/B</plugin></hardware>'
+        f'<joint name="j"><command_interface name="position"/><state_interface name="position"/>'
+        f"{effort}</joint></ros2_control></robot>"
+    )
+    manager = "controller_manager:\n  ros__parameters:\n    b: {type: %s}\n"
+    kind = "joint_state_broadcaster/JointStateBroadcaster"
+    broadcaster = "b:\n  ros__parameters:\n    joints: [j]\n    interfaces: [effort]\n"
+    add_package(tmp_path, "arm")
+    path = add_file(tmp_path / "r.xacro", robot.encode())
+    add_file(tmp_path / "c.yaml", (manager % kind + broadcaster).encode())
+    here = str(tmp_path)
+    text = _CHOICE.format(here=here, node=node).replace("FILE", f'"{here}/c.yaml"')
+    add_file(tmp_path / "launch" / "a.launch.py", text.encode())
+    simulation = _SIMULATION.format(here=here)
+    add_file(tmp_path / "launch" / "simulation.launch.py", simulation.encode())
+    assert len(check(path, select=["RCT021"]).diagnostics) == count

@@ -5,7 +5,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import inertial, link
-from tests.reported import messages, places
+from tests.reported import messages, places, reported
 from tests.robot.test_joint_loads import pendulum, swinging
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
@@ -83,3 +83,14 @@ def test_masses_that_did_not_change_are_not_computed_again(monkeypatch: pytest.M
 def test_the_arm_of_our_own_holds_itself() -> None:
     arm = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
     assert engine.check(arm, select=["DYN"]).diagnostics == ()
+
+
+@pytest.mark.parametrize(("names", "severity"), [(["bob_joint", "w"], "warning"), (["w"], "info")])
+def test_a_joint_that_nothing_drives(names: list[str], severity: str) -> None:
+    """A rover's rocker swings freely; the exporter wrote an effort all the same."""
+    joints = "".join(
+        f'<joint name="{n}"><command_interface name="position"/></joint>' for n in names
+    )
+    control = f'<ros2_control name="c" type="system">{joints}</ros2_control>'
+    (found,) = reported("DYN003", pendulum("1") + control)
+    assert found.severity.value == severity

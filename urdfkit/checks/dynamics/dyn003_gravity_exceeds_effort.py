@@ -6,7 +6,8 @@ Raise the effort, use a larger motor, move masses inwards or narrow the limits. 
 counterweights are not part of URDF: if the real robot has them, ignore this finding. Links whose
 gravity is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual substitute for counterweights,
 are ignored. Robots that several rotors or thrusters carry are not searched: their root is not
-fixed. `urdfkit statics` prints the torques of all joints, and accepts payloads.
+fixed. An info for a joint that swings freely: transmissions or `<ros2_control>` drive others, but
+not this one. `urdfkit statics` prints the torques of all joints, and accepts payloads.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -18,6 +19,7 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_loads import overloadable_joints
+from urdfkit.robot.joints import driven
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 
@@ -35,6 +37,8 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace('effort="10"', 'effort="30"')
 
+_PASSIVE = "nothing drives it: raise the effort if it has a motor"
+
 
 @rule(
     Severity.WARNING,
@@ -48,8 +52,12 @@ def check(context: Context) -> Findings:
     from urdfkit.physics.gravity import is_searched
     from urdfkit.physics.overloads import overloads
 
+    motors = driven(context.model)
     for load in overloads(context.tree):
-        yield _finding(context.model.joints_by_name[load.joint], load)
+        finding = _finding(context.model.joints_by_name[load.joint], load)
+        if motors and load.joint not in motors:
+            finding = finding._replace(severity=Severity.INFO, help=_PASSIVE)
+        yield finding
     if not is_searched(len(overloadable)):
         raise Unavailable(
             f"the worst pose of {len(overloadable)} joints is not searched, only zero"

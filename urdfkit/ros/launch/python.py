@@ -77,6 +77,8 @@ class _PythonReader:
             for call in self.calls
         )
         self._decided = decided_calls(tree)
+        #: Actions in groups that these arguments switch off.
+        self._off: set[ast.AST] = set()
         #: Expressions whose value is unused.
         self._idle = unread(tree)
         self.configurations = Configurations(self.values, of_python(tree), self.calls, self._idle)
@@ -90,6 +92,9 @@ class _PythonReader:
                 self._declare(call)
             elif called(call) == "Node":
                 self._untyped.update(self._untyped_commands(call))
+        for call in self.calls:
+            if called(call) == "GroupAction" and self._condition(call) is False:
+                self._off.update(ast.walk(call))
         handles = {
             "Command": self._command,
             "ExecuteProcess": self._process,
@@ -163,7 +168,9 @@ class _PythonReader:
             if value and self.values.text(flag) in ("-d", "--display-config"):
                 self._file(value, "RViz configuration")
         parameters = argument(call, None, "parameters")
-        for value in self.values.items(parameters) if parameters else ():
+        # The file that includes this one chooses other nodes: the parameters are for another robot.
+        is_off = self.frame and (call in self._off or self._condition(call) is False)
+        for value in self.values.items(parameters) if parameters and not is_off else ():
             if value and (self.values.text(value) or "").endswith(_PARAMETER_FILES):
                 self._file(value, PARAMETERS)
         executable = argument(call, None, "executable") or argument(call, None, "node_executable")
