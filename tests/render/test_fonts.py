@@ -4,7 +4,7 @@ import pytest
 from PIL import Image, ImageFont
 
 from tests.render.scenes import link, robot
-from urdfkit.render import build, explained, fonts, place_camera
+from urdfkit.render import build, fonts, place_camera, with_layers
 from urdfkit.render.labels import write
 
 
@@ -41,7 +41,7 @@ def test_letters_that_a_font_of_the_system_has_are_drawn() -> None:
 def test_no_name_stops_an_image(name: str) -> None:
     context = robot(link("a", '<box size="1 1 1"/>'))
     scene = build(context)
-    scene = explained(scene, context, ["names"], {})
+    scene = with_layers(scene, context, ["names"], {})
     scene = scene._replace(labels=tuple(one._replace(text=name) for one in scene.labels))
     image = Image.new("RGBA", (160, 90))
     write(image, scene, place_camera(scene.points(), size=image.size))

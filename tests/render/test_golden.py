@@ -17,7 +17,7 @@ from PIL import Image
 from tests.conftest import MODELS
 from urdfkit.lint.loading import read
 from urdfkit.physics.poses import pose
-from urdfkit.render import build, explained, render_image
+from urdfkit.render import build, render_image, with_layers
 
 DIRECTORY = Path(__file__).parent / "golden"
 SIZE = (320, 200)
@@ -37,7 +37,7 @@ def drawn(name: str) -> Image.Image:
     file, joints, roles, layers, views = PICTURES[name]
     robot = read(file)
     positions = pose(robot, joints)
-    scene = explained(build(robot, positions, roles), robot, layers, positions)
+    scene = with_layers(build(robot, positions, roles), robot, layers, positions)
     return render_image(scene, views, size=SIZE).convert("RGB")
 
 

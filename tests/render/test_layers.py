@@ -13,9 +13,9 @@ import numpy as np
 
 from tests.render.scenes import alone, link, robot
 from urdfkit.lint.loading import read
-from urdfkit.render import LAYERS, build, explained, labels, place_camera, render_image
+from urdfkit.render import LAYERS, build, labels, place_camera, render_image, with_layers
 from urdfkit.render.fonts import writing
-from urdfkit.render.layers import CLASH, INERTIA, NEIGHBOURS, NoSuchLayer
+from urdfkit.render.layers import ADJACENT, INERTIA, OVERLAP, NoSuchLayer
 from urdfkit.render.scene import SceneItem, placed
 from urdfkit.ros.surface_materials import COLLISION, PLACEHOLDER, SurfaceMaterial
 
@@ -26,7 +26,7 @@ SOLID = (
 
 
 def overlays(layer: str, context, given=None) -> list[SceneItem]:
-    scene = explained(build(context, given), context, [layer], given)
+    scene = with_layers(build(context, given), context, [layer], given)
     return [item for item in scene.items if item.role == layer or item.material.overlay]
 
 
@@ -49,7 +49,7 @@ def test_a_box_of_inertia_larger_than_the_robot_is_reported_and_not_drawn() -> N
     base = link("base", '<box size="1 1 1"/>').replace("</link>", SOLID.format(2, 2, 2) + "</link>")
     frames = [f'<link name="frame{n}">{light.format(0.01)}</link>' for n in range(6)]
     context = robot(base, *frames, f'<link name="good">{light.format(1e-4)}</link>')
-    scene = explained(build(context), context, ["inertia"])
+    scene = with_layers(build(context), context, ["inertia"])
     assert {item.link for item in scene.items if item.material.overlay} == {"base", "good"}
     assert [label.text for label in scene.labels] == [
         *(f"frame{n}: inertia of 2.45 m" for n in range(3)),
@@ -80,7 +80,7 @@ JOINT = (
 
 def test_frames_of_a_robot_without_geometry_are_seen_from_outside() -> None:
     context = robot('<link name="a"/>')
-    scene = explained(build(context), context, ["frames"])
+    scene = with_layers(build(context), context, ["frames"])
     camera = place_camera(scene.points(), "front")
     ends = np.concatenate([item.vertices for item in scene.items])
     assert np.linalg.norm(np.array(camera.eye)) > 3 * np.abs(ends).max()
@@ -120,7 +120,7 @@ def test_the_centre_of_mass_is_that_of_all_links() -> None:
     context = robot(
         f'<link name="a">{mass.format(0, 1)}</link>', f'<link name="b">{mass.format(4, 3)}</link>'
     )
-    scene = explained(build(context), context, ["mass"])
+    scene = with_layers(build(context), context, ["mass"])
     (label,) = scene.labels
     assert label.text == "4 kg"
     assert placed(np.array([label.point]), scene.frames[label.link])[0] == pytest.approx((3, 0, 0))
@@ -128,7 +128,7 @@ def test_the_centre_of_mass_is_that_of_all_links() -> None:
 
 def test_a_sign_is_seen_through_what_hides_it_and_throws_no_shadow() -> None:
     context = robot(link("a", '<box size="1 1 1"/>', rgba="1 1 1 1"))
-    scene = explained(build(context), context, ["frames"])
+    scene = with_layers(build(context), context, ["frames"])
     camera = place_camera(scene.points(), "front", size=(200, 200))
     plain, signed = alone(build(context), camera).astype(int), alone(scene, camera).astype(int)
     changed = np.abs(plain - signed).sum(axis=2) > 20
@@ -149,33 +149,33 @@ def test_contacts_are_where_boxes_overlap_and_as_deep() -> None:
             for child, kind in (("b", "fixed"), ("c", "continuous"), ("d", "fixed"))
         ),
     )
-    scene = explained(build(context), context, ["contacts"])
+    scene = with_layers(build(context), context, ["contacts"])
     reported = {label.text: label.point for label in scene.labels}
     assert set(reported) == {"a, b: 100 mm", "b, c: 50 mm"}
     assert reported["a, b: 100 mm"] == pytest.approx((0.45, 0, 0), abs=1e-6)
     shown = {item.link: item.material.rgba for item in scene.items if item.label == "box"}
     assert set(shown) == {"a", "b", "c"}
-    assert shown["a"] == NEIGHBOURS
-    assert shown["b"] == shown["c"] == CLASH
+    assert shown["a"] == ADJACENT
+    assert shown["b"] == shown["c"] == OVERLAP
     assert [(colour[:3], text) for colour, text in scene.legend] == [
-        (CLASH[:3], "links overlap"),
-        (NEIGHBOURS[:3], "adjacent links overlap"),
+        (OVERLAP[:3], "links overlap"),
+        (ADJACENT[:3], "adjacent links overlap"),
     ]
-    shapes = explained(build(context, roles=("collision",)), context, ["contacts"])
+    shapes = with_layers(build(context, roles=("collision",)), context, ["contacts"])
     solid = {item.link: item.material for item in shapes.items if item.role == "contacts"}
-    assert solid["a"] == SurfaceMaterial((*NEIGHBOURS[:3], 1.0))
+    assert solid["a"] == SurfaceMaterial((*ADJACENT[:3], 1.0))
 
 
 def test_contacts_have_a_colour_that_nothing_else_has() -> None:
-    for colour in (COLLISION.rgba, CLASH, INERTIA, PLACEHOLDER.rgba):
-        apart = [abs(a - b) for a, b in zip(colour[:3], NEIGHBOURS[:3], strict=True)]
+    for colour in (COLLISION.rgba, OVERLAP, INERTIA, PLACEHOLDER.rgba):
+        apart = [abs(a - b) for a, b in zip(colour[:3], ADJACENT[:3], strict=True)]
         assert max(apart) > 0.3
 
 
 def test_names_stand_beside_their_links_and_never_on_one_another() -> None:
     links = [link(f"link_{i}", '<sphere radius="0.1"/>', f"0 {i * 0.05} 0") for i in range(12)]
     context = robot(*links)
-    scene = explained(build(context), context, ["names"])
+    scene = with_layers(build(context), context, ["names"])
     assert [label.text for label in scene.labels] == [f"link_{i}" for i in range(12)]
     bare = np.asarray(render_image(build(context), size=(480, 270), quality="draft"), dtype=int)
     named = np.asarray(render_image(scene, size=(480, 270), quality="draft"), dtype=int)
@@ -195,18 +195,18 @@ def test_names_are_of_what_is_seen_and_the_others_are_counted(
     wall = link("wall", '<box size="0.1 4 4"/>')
     hidden = [link(f"hidden{n}", '<sphere radius="0.1"/>', "-1 0 0") for n in range(3)]
     context = robot(wall, *hidden, '<link name="bare"/>')
-    scene = explained(build(context), context, ["names"])
+    scene = with_layers(build(context), context, ["names"])
     render_image(scene, ["front"], size=(480, 270), quality="draft", floor=False)
     assert written == ["wall", "4 labels not shown"]
     written.clear()
-    frames = explained(build(context, roles=()), context, ["frames", "names"])
+    frames = with_layers(build(context, roles=()), context, ["frames", "names"])
     render_image(frames, ["front"], size=(480, 270), quality="draft", floor=False)
     assert {"wall", "hidden0", "hidden1", "hidden2", "bare"} == set(written)
 
 
 def test_names_in_a_crowd_stay_near_their_links(monkeypatch: pytest.MonkeyPatch) -> None:
     context = robot(*[link(f"link_{i}", '<sphere radius="0.01"/>') for i in range(99)])
-    scene = explained(build(context, roles=()), context, ["frames", "names"])
+    scene = with_layers(build(context, roles=()), context, ["frames", "names"])
     far: list[float] = []
 
     def leader(_draw: object, x: float, y: float, box: labels.LabelBox, size: float) -> None:
@@ -221,7 +221,7 @@ def test_names_in_a_crowd_stay_near_their_links(monkeypatch: pytest.MonkeyPatch)
 @pytest.mark.parametrize("layer", LAYERS)
 def test_every_layer_takes_a_robot_that_is_nothing(layer: str) -> None:
     context = robot('<link name="a"/>')
-    render_image(explained(build(context), context, [layer]), size=(64, 64), quality="draft")
+    render_image(with_layers(build(context), context, [layer]), size=(64, 64), quality="draft")
 
 
 @pytest.mark.parametrize("layer", LAYERS)
@@ -237,13 +237,13 @@ def test_every_layer_takes_a_robot_larger_than_the_world(layer: str, tmp_path: P
         <limit lower="-1e308" upper="1e308" effort="1" velocity="1"/></joint></robot>"""
     )
     context = read(file)
-    explained(build(context), context, [layer])
+    with_layers(build(context), context, [layer])
 
 
 def test_a_layer_that_is_not_there_is_named() -> None:
     context = robot('<link name="a"/>')
     with pytest.raises(NoSuchLayer, match="frames"):
-        explained(build(context), context, ["frame"])
+        with_layers(build(context), context, ["frame"])
 
 
 @pytest.mark.parametrize(
@@ -257,4 +257,4 @@ def test_a_layer_that_is_not_there_is_named() -> None:
 )
 def test_a_layer_that_has_nothing_to_draw_says_why(layer: str, note: str) -> None:
     context = robot('<link name="a"/>', '<link name="b"/>')
-    assert explained(build(context), context, [layer, "frames"]).notes == (note,)
+    assert with_layers(build(context), context, [layer, "frames"]).notes == (note,)

@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image
 
 from tests.render.scenes import link, robot, scene
-from urdfkit.render import build, draw, explained, image, place_camera, render_image
+from urdfkit.render import build, draw, image, place_camera, render_image, with_layers
 from urdfkit.render.ground import CELLS, Ground
 from urdfkit.render.scale import grid_step, write_scale
 
@@ -45,7 +45,7 @@ GLASS = link("a", '<box size="1 1 1"/>', rgba="0 0 1 0.5")
 @pytest.mark.parametrize("is_glass", [False, True])
 def test_there_is_a_grid_without_anything_opaque(is_glass: bool) -> None:
     frames = robot(*LINKS, joints=ARM)
-    of = scene(GLASS) if is_glass else explained(build(frames, roles=()), frames, ["frames"])
+    of = scene(GLASS) if is_glass else with_layers(build(frames, roles=()), frames, ["frames"])
     camera = place_camera(of.points(), size=(320, 180))
     with_grid, without = (draw(of, camera, quality="draft", floor=floor) for floor in (True, False))
     darker = (with_grid.astype(int) - without)[..., 0] < -5
@@ -55,7 +55,7 @@ def test_there_is_a_grid_without_anything_opaque(is_glass: bool) -> None:
 
 def test_what_is_drawn_without_a_robot_is_in_the_middle_of_the_image() -> None:
     frames = robot(*LINKS, joints=ARM)
-    of = explained(build(frames, roles=()), frames, ["frames"])
+    of = with_layers(build(frames, roles=()), frames, ["frames"])
     camera = place_camera(of.points(), size=(320, 180))
     alpha = draw(of, camera, quality="draft", background=None, floor=False)[..., 3]
     rows, columns = np.nonzero(alpha)

@@ -102,7 +102,7 @@ def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Sc
     layers = options.words(values, "layers") or ["visual"]
     roles = tuple(layer for layer in layers if layer in ("visual", "collision"))
     scene = render.build(robot, pose, roles)
-    scene = render.explained(scene, robot, [name for name in layers if name not in roles], pose)
+    scene = render.with_layers(scene, robot, [name for name in layers if name not in roles], pose)
     if not values["findings"]:
         return scene
     as_read = Options(arguments=robot.arguments, trust=robot.trust)

@@ -28,7 +28,7 @@ with needing("rendering", "render"):
     from urdfkit.render.findings import marked
     from urdfkit.render.fonts import unwritable
     from urdfkit.render.image import ImageError, colour, render_image, save
-    from urdfkit.render.layers import LAYERS, explained
+    from urdfkit.render.layers import LAYERS, with_layers
     from urdfkit.render.pixels import STUDIO, Background
     from urdfkit.render.scene import Label, MissingMesh, Scene, SceneItem, build
     from urdfkit.ros.surface_materials import SurfaceMaterial
@@ -54,7 +54,6 @@ __all__ = [
     "colour",
     "difference",
     "draw",
-    "explained",
     "followed",
     "marked",
     "orbit",
@@ -65,4 +64,5 @@ __all__ = [
     "sweep",
     "swept_circle",
     "unwritable",
+    "with_layers",
 ]

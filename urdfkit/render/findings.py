@@ -6,7 +6,7 @@ from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
 from urdfkit.render import primitives
-from urdfkit.render.layers import BALL, extent, middle, sign
+from urdfkit.render.layers import BALL_RADIUS, extent, middle, overlay
 from urdfkit.render.scene import Label, Scene, SceneItem
 from urdfkit.robot.element_lookup import ElementLookup
 from urdfkit.ros.surface_materials import PLACEHOLDER, Colour, SurfaceMaterial
@@ -50,9 +50,9 @@ def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) ->
     for text, (link, *others) in bare.items():
         many = f"{len(others) + 1} links, " * bool(others)
         labels.append(Label(f"{text} ({many}no geometry)", link, (0.0, 0.0, 0.0)))
-    ball = primitives.sphere(BALL * extent(scene))
+    ball = primitives.sphere(BALL_RADIUS * extent(scene))
     balls = (
-        sign(link, "findings", ball, Transform(), COLOURS[findings[link][0].severity])
+        overlay(link, "findings", ball, Transform(), COLOURS[findings[link][0].severity])
         for links in bare.values()
         for link in links
     )

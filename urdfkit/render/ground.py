@@ -16,20 +16,20 @@ from urdfkit.render.thread_pool import Workers
 #: Cells along the edge of the floor's map.
 CELLS = 320
 #: Margin of the map around the robot, as a part of the robot's size.
-BEYOND = 0.75
+MARGIN = 0.75
 #: Darkness of the sun's shadow and of contact shadows.
-SUN, CONTACT = 0.34, 0.5
+SUN_SHADE, CONTACT_SHADE = 0.34, 0.5
 #: Texels of the shadow map that are averaged along each axis: soft shadows need no more.
 COARSE = 4
 #: Contact shadows: height up to which surfaces darken the floor and radius of the blur, as parts of
 #: the robot's size, and weight.
-LAYERS = ((0.05, 0.012, 0.5), (0.22, 0.045, 0.45), (0.8, 0.13, 0.35))
+CONTACT_SHADOWS = ((0.05, 0.012, 0.5), (0.22, 0.045, 0.45), (0.8, 0.13, 0.35))
 #: Darkness of grid lines, and their width in pixels.
-LINE, WIDTH = 0.13, 1.3
+LINE_SHADE, LINE_WIDTH = 0.13, 1.3
 #: Size of grid squares in pixels, at which the grid is invisible and fully visible.
 DENSE, SPARSE = 3, 9
 #: Least size of a robot in m; all vertices may coincide.
-LEAST = 1e-9
+MIN_SIZE = 1e-9
 
 
 class Ground(NamedTuple):
@@ -64,7 +64,7 @@ class Ground(NamedTuple):
         dark[near] = _bilinear(self.shade, column[near] - half, row[near] - half)
         if self.step:
             lines = np.maximum(_lines(x, self.step), _lines(y, self.step))
-            faded = lines[near] * _fade(column[near], row[near]) * np.float32(LINE)
+            faded = lines[near] * _fade(column[near], row[near]) * np.float32(LINE_SHADE)
             dark[near] += (1 - dark[near]) * faded
         return depth, dark
 
@@ -83,7 +83,7 @@ def _lines(coordinate: Floats, step: float) -> Floats:
     pixel = np.abs(down) + np.abs(across) + np.float32(1e-9)
     place = coordinate[:-1] / np.float32(step)
     distance = np.abs(place - np.rint(place)) * np.float32(step) / pixel
-    covered = np.clip(np.float32(WIDTH / 2 + 0.5) - distance, 0, 1)
+    covered = np.clip(np.float32(LINE_WIDTH / 2 + 0.5) - distance, 0, 1)
     sparse = (np.float32(step) / pixel - DENSE) / np.float32(SPARSE - DENSE)
     return np.asarray(covered * np.clip(sparse, 0, 1))
 
@@ -109,7 +109,7 @@ def ground(
     points: Floats,
     faces: Integers,
     pieces: Iterable[slice],
-    map_: ShadowMap,
+    shadow_map: ShadowMap,
     camera: Camera,
     level: float | None,
     workers: Workers,
@@ -130,8 +130,8 @@ def ground(
     x, y = np.meshgrid(*(start + cells * np.float32(cell) for start in origin))
     floor = np.stack((x, y, np.full_like(x, height)), axis=-1).reshape(-1, 3)
     contact = _contact(points, faces, origin, cell, height, size, workers)
-    shade = 1 - (1 - CONTACT * contact) * (
-        1 - SUN * _sun(floor, map_, camera, size).reshape(CELLS, CELLS)
+    shade = 1 - (1 - CONTACT_SHADE * contact) * (
+        1 - SUN_SHADE * _sun(floor, shadow_map, camera, size).reshape(CELLS, CELLS)
     )
     faded = shade * _fade(cells, cells[:, None])
     return bare._replace(shade=faded.astype(np.float32))
@@ -142,14 +142,14 @@ def without_shadows(
 ) -> Ground:
     """The floor under a box, from two of its corners in the world."""
     height = float(lowest[2]) if level is None else level
-    edge = float((highest - lowest)[:2].max()) + 2 * BEYOND * _size(lowest, highest)
+    edge = float((highest - lowest)[:2].max()) + 2 * MARGIN * _size(lowest, highest)
     x, y = (float(middle - edge / 2) for middle in (lowest + highest)[:2] / 2)
     shade = np.zeros((CELLS, CELLS), dtype=np.float32)
     return Ground(height, (x, y), edge / CELLS, shade, grid_step(camera, height))
 
 
 def _size(lowest: Floats, highest: Floats) -> float:
-    return max(float((highest - lowest).max()), LEAST)
+    return max(float((highest - lowest).max()), MIN_SIZE)
 
 
 def _contact(
@@ -167,21 +167,21 @@ def _contact(
     near = nearness_map(x, y, np.float32(top) - points[:, 2], faces, CELLS, workers)
     above = np.where(near > 0, np.float32(top - height) - near, np.float32(np.inf))
     hidden = np.zeros((CELLS, CELLS), dtype=np.float32)
-    for reach, blur, weight in LAYERS:
+    for reach, blur, weight in CONTACT_SHADOWS:
         shade = np.clip(1 - above / np.float32(reach * size), 0, 1)
         hidden = hidden + np.float32(weight) * blurred(shade, blur * size / cell)
     return np.minimum(hidden, 1)
 
 
-def _sun(floor: Floats, map_: ShadowMap, camera: Camera, size: float) -> Floats:
+def _sun(floor: Floats, shadow_map: ShadowMap, camera: Camera, size: float) -> Floats:
     """The sun's shadow on points of the floor, with a blur that grows with distance."""
     rotation, position = camera.to_view(np.eye(3), np.zeros(3))
-    column, row, level = map_.coordinates(turned(floor, rotation) + position)
-    covered = _coarse((map_.nearness > 0).astype(np.float32))
-    texels = size * map_.scale / COARSE
+    column, row, level = shadow_map.coordinates(turned(floor, rotation) + position)
+    covered = _coarse((shadow_map.nearness > 0).astype(np.float32))
+    texels = size * shadow_map.scale / COARSE
     sharp, soft = blurred(covered, 0.006 * texels), blurred(covered, 0.035 * texels)
     heights, parts = (
-        blurred(_coarse(map_.nearness), 0.012 * texels),
+        blurred(_coarse(shadow_map.nearness), 0.012 * texels),
         blurred(covered, 0.012 * texels),
     )
     high = heights / np.maximum(parts, np.float32(1e-3))

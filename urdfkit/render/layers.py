@@ -26,37 +26,38 @@ from urdfkit.robot.kinematics import direction, positions
 from urdfkit.robot.model import Joint, Link
 from urdfkit.ros.surface_materials import Colour, SurfaceMaterial
 
+#: Colours of the overlays.
 RED, GREEN, BLUE = (0.90, 0.16, 0.16, 1.0), (0.13, 0.68, 0.25, 1.0), (0.15, 0.40, 0.95, 1.0)
-AXIS, RANGE, NOW = (0.62, 0.18, 0.85, 1.0), (0.62, 0.18, 0.85, 0.35), (1.0, 0.62, 0.0, 1.0)
-MASS, WHOLE, INERTIA = (0.98, 0.75, 0.08, 1.0), (0.90, 0.10, 0.45, 1.0), (0.20, 0.55, 0.95, 0.32)
-CLASH, NEIGHBOURS = (0.90, 0.10, 0.10, 0.45), (0.05, 0.60, 0.62, 0.35)
+AXIS, RANGE, POSITION = (0.62, 0.18, 0.85, 1.0), (0.62, 0.18, 0.85, 0.35), (1.0, 0.62, 0.0, 1.0)
+MASS, ROBOT, INERTIA = (0.98, 0.75, 0.08, 1.0), (0.90, 0.10, 0.45, 1.0), (0.20, 0.55, 0.95, 0.32)
+OVERLAP, ADJACENT = (0.90, 0.10, 0.10, 0.45), (0.05, 0.60, 0.62, 0.35)
 #: Lengths as parts of the size of the robot.
-FRAME, ARC, BALL = 0.08, 0.075, 0.011
+ARROW_LENGTH, ARC_RADIUS, BALL_RADIUS = 0.08, 0.075, 0.011
 #: Corners of a full circle.
 _STEPS = 72
 #: Legends of the layers.
 _LEGENDS = {
     "contacts": (
-        ((*CLASH[:3], 1.0), "links overlap"),
-        ((*NEIGHBOURS[:3], 1.0), "adjacent links overlap"),
+        ((*OVERLAP[:3], 1.0), "links overlap"),
+        ((*ADJACENT[:3], 1.0), "adjacent links overlap"),
     )
 }
 #: Reasons for empty layers.
-_NOTHING = {
+_WHY_EMPTY = {
     "joints": "no joint moves",
     "mass": "no link has a mass",
     "inertia": "no link has a mass",
     "contacts": "no links overlap",
 }
 #: Most labels for inertias that are too large to be drawn.
-_MOST = 3
+_MAX_LABELS = 3
 
 
 class NoSuchLayer(UrdfkitError):
     """An unknown layer."""
 
 
-def explained(
+def with_layers(
     scene: Scene, context: Context, layers: Sequence[str], pose: Mapping[str, float] | None = None
 ) -> Scene:
     """A scene with overlays.
@@ -83,12 +84,12 @@ def explained(
             )
             raise NoSuchLayer(f"unknown layer '{layer}'{hint}")
         drawn = list(LAYERS[layer](scene, context, size, pose or {}))
-        items += (thing for thing in drawn if isinstance(thing, SceneItem))
-        labels += (thing for thing in drawn if isinstance(thing, Label))
+        items += (one for one in drawn if isinstance(one, SceneItem))
+        labels += (one for one in drawn if isinstance(one, Label))
         if drawn:
             legend += _LEGENDS.get(layer, ())
         else:
-            notes.append(f"layer '{layer}' is empty: {_NOTHING.get(layer, 'it has no links')}")
+            notes.append(f"layer '{layer}' is empty: {_WHY_EMPTY.get(layer, 'it has no links')}")
     return scene._replace(
         items=(*scene.items, *items),
         labels=(*scene.labels, *labels),
@@ -110,10 +111,10 @@ Drawn = Iterator["SceneItem | Label"]
 
 def _frames(scene: Scene, _context: Context, size: float, _pose: Mapping[str, float]) -> Drawn:
     """The x, y and z axes of every link in red, green and blue."""
-    arrow = _arrow(FRAME * size)
+    arrow = _arrow(ARROW_LENGTH * size)
     for name in scene.frames:
         for axis, colour in zip(IDENTITY, (RED, GREEN, BLUE), strict=True):
-            yield sign(name, "frames", arrow, Transform(transposed(basis(axis))), colour)
+            yield overlay(name, "frames", arrow, Transform(transposed(basis(axis))), colour)
 
 
 def _names(scene: Scene, context: Context, _size: float, _pose: Mapping[str, float]) -> Drawn:
@@ -141,34 +142,37 @@ def _joints(scene: Scene, context: Context, size: float, pose: Mapping[str, floa
         ends = context.tree.ends(joint)
         if ends is None or ends[1] not in scene.frames or joint.name not in at:
             continue
-        here = joint.origin @ Transform(transposed(basis(direction(joint))))
-        yield sign(ends[0], "joints", _arrow(FRAME * size, both=True), here, AXIS)
+        frame = joint.origin @ Transform(transposed(basis(direction(joint))))
+        yield overlay(ends[0], "joints", _arrow(ARROW_LENGTH * size, both=True), frame, AXIS)
         yield Label(joint.name, ends[0], joint.origin.position)
         if joint.is_rotational:
-            yield from _turning(ends[0], joint, here, ARC * size, at[joint.name])
+            yield from _revolute(ends[0], joint, frame, ARC_RADIUS * size, at[joint.name])
         elif joint.is_prismatic:
-            yield from _sliding(ends[0], joint, here, BALL * size, at[joint.name])
+            yield from _prismatic(ends[0], joint, frame, BALL_RADIUS * size, at[joint.name])
 
 
-def _turning(parent: str, joint: Joint, here: Transform, radius: float, now: float) -> Drawn:
+def _revolute(parent: str, joint: Joint, frame: Transform, radius: float, position: float) -> Drawn:
     """The range of a revolute joint as a sector, and its position as a hand."""
     low, high = bounds(joint) or (-pi, pi)
     if high - low >= 2 * pi:
         low, high = -pi, pi
-    yield sign(parent, "joints", _sector(radius, low, high), here, RANGE)
-    hand = _sector(radius * 1.25, now - 0.035, now + 0.035)
-    yield sign(parent, "joints", hand, here, NOW)
+    yield overlay(parent, "joints", _sector(radius, low, high), frame, RANGE)
+    hand = _sector(radius * 1.25, position - 0.035, position + 0.035)
+    yield overlay(parent, "joints", hand, frame, POSITION)
 
 
-def _sliding(parent: str, joint: Joint, here: Transform, radius: float, now: float) -> Drawn:
+def _prismatic(
+    parent: str, joint: Joint, frame: Transform, radius: float, position: float
+) -> Drawn:
     """The range of a prismatic joint as a rail, and its position as a ball."""
     ends = bounds(joint)
     if ends and ends[1] > ends[0]:
         rail = primitives.cylinder(radius * 0.45, ends[1] - ends[0])
-        at = here @ Transform(position=(0.0, 0.0, (ends[0] + ends[1]) / 2))
-        yield sign(parent, "joints", rail, at, RANGE)
+        at = frame @ Transform(position=(0.0, 0.0, (ends[0] + ends[1]) / 2))
+        yield overlay(parent, "joints", rail, at, RANGE)
     ball = primitives.sphere(radius)
-    yield sign(parent, "joints", ball, here @ Transform(position=(0.0, 0.0, now)), NOW)
+    at = frame @ Transform(position=(0.0, 0.0, position))
+    yield overlay(parent, "joints", ball, at, POSITION)
 
 
 def _masses(scene: Scene, context: Context, size: float, _pose: Mapping[str, float]) -> Drawn:
@@ -178,15 +182,16 @@ def _masses(scene: Scene, context: Context, size: float, _pose: Mapping[str, flo
         return
     for link in _with_mass(scene, context):
         assert link.inertial is not None
-        radius = BALL * size * 2.2 * (link.mass / total) ** (1 / 3)
-        ball = primitives.sphere(max(radius, BALL * size * 0.35))
-        yield sign(link.name, "mass", ball, Transform(position=link.inertial.origin.position), MASS)
+        radius = BALL_RADIUS * size * 2.2 * (link.mass / total) ** (1 / 3)
+        ball = primitives.sphere(max(radius, BALL_RADIUS * size * 0.35))
+        center = Transform(position=link.inertial.origin.position)
+        yield overlay(link.name, "mass", ball, center, MASS)
     robot_body = composite_body(context.tree, scene.frames)
     if robot_body.properties:
-        center = robot_body.properties.center
-        ball = primitives.sphere(BALL * size * 1.3)
-        yield sign(robot_body.root, "mass", ball, Transform(position=center), WHOLE)
-        yield Label(f"{robot_body.mass:.4g} kg", robot_body.root, center)
+        point = robot_body.properties.center
+        ball = primitives.sphere(BALL_RADIUS * size * 1.3)
+        yield overlay(robot_body.root, "mass", ball, Transform(position=point), ROBOT)
+        yield Label(f"{robot_body.mass:.4g} kg", robot_body.root, point)
 
 
 def _with_mass(scene: Scene, context: Context) -> list[Link]:
@@ -194,7 +199,7 @@ def _with_mass(scene: Scene, context: Context) -> list[Link]:
     return [link for link in links if link.name in scene.frames and link.mass > 0]
 
 
-def _boxes(scene: Scene, context: Context, size: float, _pose: Mapping[str, float]) -> Drawn:
+def _inertias(scene: Scene, context: Context, size: float, _pose: Mapping[str, float]) -> Drawn:
     """The box of uniform density with the mass and inertia of each link, as in Gazebo.
 
     A box that is larger than the robot (or half the robot, for a light link) would hide it, so it
@@ -215,11 +220,11 @@ def _boxes(scene: Scene, context: Context, size: float, _pose: Mapping[str, floa
         elif longest > 0:
             box = primitives.box(*(max(edge, longest * 1e-3) for edge in edges))
             frame = inertial.origin @ Transform(axes)
-            yield sign(link.name, "inertia", box, frame, INERTIA)
-    yield from large[:_MOST]
-    if len(large) > _MOST:
+            yield overlay(link.name, "inertia", box, frame, INERTIA)
+    yield from large[:_MAX_LABELS]
+    if len(large) > _MAX_LABELS:
         *_, last = large
-        yield last._replace(text=f"and of {len(large) - _MOST} more, too large to be drawn")
+        yield last._replace(text=f"and of {len(large) - _MAX_LABELS} more, too large to be drawn")
 
 
 def _contacts(scene: Scene, context: Context, size: float, pose: Mapping[str, float]) -> Drawn:
@@ -229,12 +234,12 @@ def _contacts(scene: Scene, context: Context, size: float, pose: Mapping[str, fl
     root = context.tree.roots[0].name
     colours: dict[str, Colour] = {}
     for pair in overlaps(context, pose):
-        colour = NEIGHBOURS if pair.is_adjacent else CLASH
+        colour = ADJACENT if pair.is_adjacent else OVERLAP
         for link in (pair.first, pair.second):
-            colours[link] = CLASH if colours.get(link) == CLASH else colour
+            colours[link] = OVERLAP if colours.get(link) == OVERLAP else colour
         point = _between(scene, shapes[pair.first], shapes[pair.second])
-        ball = primitives.sphere(BALL * size * 0.7)
-        yield sign(root, "contacts", ball, Transform(position=point), (*colour[:3], 1.0))
+        ball = primitives.sphere(BALL_RADIUS * size * 0.7)
+        yield overlay(root, "contacts", ball, Transform(position=point), (*colour[:3], 1.0))
         yield Label(f"{pair.first}, {pair.second}: {1000 * pair.depth:.3g} mm", root, point)
     # Translucent colours would mix with opaque collision shapes.
     is_opaque = {item.role for item in scene.items} == {"collision"}
@@ -262,13 +267,14 @@ LAYERS: dict[
     "frames": _frames,
     "joints": _joints,
     "mass": _masses,
-    "inertia": _boxes,
+    "inertia": _inertias,
     "contacts": _contacts,
     "names": _names,
 }
 
 
-def sign(link: str, layer: str, shape: Triangles, frame: Transform, colour: Colour) -> SceneItem:
+def overlay(link: str, layer: str, shape: Triangles, frame: Transform, colour: Colour) -> SceneItem:
+    """A shape of a layer, in a frame of a link; hidden parts of it are drawn faintly."""
     vertices, faces, normals, _ = shape
     material = SurfaceMaterial(colour, overlay=True)
     return SceneItem(link, layer, layer, material, vertices, faces, normals).moved(frame)

@@ -24,13 +24,13 @@ from urdfkit.ros.surface_materials import PLACEHOLDER, Colour, ModelMaterials, S
 PLACEHOLDER_SIZE = 0.045
 
 #: Part of that edge below which a shape is invisible.
-SPECK = 0.05
+MIN_VISIBLE = 0.05
 
 #: Number of faces above which they are as small as pixels, and look smooth without normals.
 MAX_SMOOTH = 250_000
 
 #: Largest plausible coordinate in m; geometry beyond it is not drawn.
-LIMIT = 1e6
+MAX_COORDINATE = 1e6
 
 
 class SceneItem(NamedTuple):
@@ -122,7 +122,7 @@ def build(
             continue
         for role in roles:
             for body in link.visuals if role == "visual" else link.collisions:
-                candidates = map(_sound, _items(meshes, materials, link.name, role, body))
+                candidates = map(_plausible, _items(meshes, materials, link.name, role, body))
                 valid = [item for item in candidates if item]
                 items += valid
                 if not valid and body.shape and body.shape.kind == "mesh":
@@ -138,8 +138,8 @@ def _with_placeholders(
     scene: Scene, context: Context, absent: list[tuple[Link, str, Body, str]]
 ) -> Scene:
     """The scene with a box for each body whose mesh is missing."""
-    least = PLACEHOLDER_SIZE * _reach(scene)
-    boxes = (_placeholder(context, link, role, body, least) for link, role, body, _ in absent)
+    min_edge = PLACEHOLDER_SIZE * _reach(scene)
+    boxes = (_placeholder(context, link, role, body, min_edge) for link, role, body, _ in absent)
     missing = (
         MissingMesh(link.name, role, _filename(body.shape), reason)
         for link, role, body, reason in absent
@@ -189,13 +189,13 @@ def _items(
 
 
 def _is_near(frame: Transform) -> bool:
-    return all(abs(part) < LIMIT for part in frame.position)
+    return all(abs(part) < MAX_COORDINATE for part in frame.position)
 
 
-def _sound(item: SceneItem) -> SceneItem | None:
+def _plausible(item: SceneItem) -> SceneItem | None:
     """An item without implausibly far vertices, whose faces are omitted, and unused vertices."""
     faces, vertices = item.faces, item.vertices
-    good: Bools = np.abs(vertices).max(axis=1) < LIMIT
+    good: Bools = np.abs(vertices).max(axis=1) < MAX_COORDINATE
     if not good.all():
         faces = faces[good[faces].all(axis=1)]
     if not len(faces):
@@ -243,13 +243,13 @@ def _primitive(shape: Shape) -> primitives.Triangles | None:
     return None
 
 
-def _placeholder(context: Context, link: Link, role: str, body: Body, least: float) -> SceneItem:
+def _placeholder(context: Context, link: Link, role: str, body: Body, min_edge: float) -> SceneItem:
     """A marked box instead of a mesh.
 
     It is as large as another shape or mesh of the link, or else extends to the joints of its child
     links.
     """
-    size, frame = _placeholder_box(context, link, body, least)
+    size, frame = _placeholder_box(context, link, body, min_edge)
     edges = np.array(size, dtype=np.float32)
     vertices, faces, _, uv = primitives.box(*size)
     assert uv is not None
@@ -261,13 +261,15 @@ def _placeholder(context: Context, link: Link, role: str, body: Body, least: flo
 
 
 def _placeholder_box(
-    context: Context, link: Link, body: Body, least: float
+    context: Context, link: Link, body: Body, min_edge: float
 ) -> tuple[Vector, Transform]:
     """The edges of the placeholder of a mesh, in m, and the frame of its middle in the link."""
     bodies = (*link.collisions, *link.visuals)
     halves = [other.shape.half_extents for other in bodies if other.shape]
     # A speck usually disables collisions and does not show the size of the mesh.
-    if known := next((half for half in halves if half and SPECK * least < max(half) < LIMIT), None):
+    speck = MIN_VISIBLE * min_edge
+    known = next((half for half in halves if half and speck < max(half) < MAX_COORDINATE), None)
+    if known:
         x, y, z = known
         return (2 * x, 2 * y, 2 * z), body.origin
     extents = (_extent(context, other) for other in bodies)
@@ -279,19 +281,19 @@ def _placeholder_box(
         near = (origin.position for origin in origins if _is_near(origin))
         ends = np.array([(0.0, 0.0, 0.0), *near])
         lowest, highest = ends.min(axis=0), ends.max(axis=0)
-        edges = np.maximum(highest - lowest, least)
+        edges = np.maximum(highest - lowest, min_edge)
     return vector(edges), Transform(position=vector((lowest + highest) / 2))
 
 
 def _extent(context: Context, body: Body) -> tuple[Floats, Floats] | None:
-    """The least and the greatest coordinates of a mesh in its link; None if it is missing."""
+    """The min_edge and the greatest coordinates of a mesh in its link; None if it is missing."""
     if body.shape is None or body.shape.kind != "mesh":
         return None
     vertices = context.meshes.vertices(body.shape)
     if vertices is None:
         return None
     lowest, highest = bounds(placed(vertices.astype(np.float32), body.origin))
-    return (lowest, highest) if np.abs((lowest, highest)).max() < LIMIT else None
+    return (lowest, highest) if np.abs((lowest, highest)).max() < MAX_COORDINATE else None
 
 
 def _reach(scene: Scene) -> float:
