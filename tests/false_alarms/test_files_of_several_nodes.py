@@ -43,3 +43,22 @@ def test_a_file_for_the_nodes_of_another_launch_file(
     files = {"can.yaml": SECTION.format("can_bridge"), "arm.yaml": SECTION.format(own)}
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", BRIDGE.format(more), files)
     assert len(found) == count
+
+
+@pytest.mark.parametrize(
+    ("executable", "file", "count"),
+    [("can_bridge.py", "can", 0), ("can_bridge.py", "arm", 1), ("bridge", "can", 1)],
+)
+def test_a_file_that_another_launch_file_loads_for_its_node(
+    tmp_path: Path, executable: str, file: str, count: int
+) -> None:
+    """Another rover: the node of a second launch file loads the parameters of the arm as well."""
+    files = {
+        "can.yaml": SECTION.format("can_bridge"),
+        "launch/b.launch.py": (
+            "from launch_ros.actions import Node\n"
+            f"nodes = [Node(package='p', executable='{executable}', parameters=['../{file}.yaml'])]"
+        ),
+    }
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", BRIDGE.format(""), files)
+    assert len(found) == count

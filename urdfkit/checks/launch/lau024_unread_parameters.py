@@ -60,6 +60,7 @@ from urdfkit.lint.rules import (
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import NodeParameters, node_parameters
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import mistakes
 from urdfkit.text.located_yaml import Key
 
@@ -161,6 +162,8 @@ def _other_nodes(context: Context, files: dict[str, list[NodeParameters]]) -> Fi
             node = unserved[0]
             likely = node.executable if node.executable in names else nearest(node.name, names)
             section = next((each for each in sections if each.name == likely), sections[0])
+            if _is_read_elsewhere(section, path, context):
+                continue
             help = f"write {node.name}, or name the node {section.name}"
             yield _of_other_name(section, node, node.name, help)
 
@@ -169,6 +172,17 @@ def _has_section(node: StartedProgram, files: dict[str, list[NodeParameters]]) -
     """True if one of the files of a node has parameters of it: others may be of other nodes."""
     sections = chain.from_iterable(files.get(path, ()) for path in node.parameters.files)
     return any(section.name == node.name for section in sections)
+
+
+def _is_read_elsewhere(section: NodeParameters, path: str, context: Context) -> bool:
+    """True if another launch file loads a parameter file for the node of a section."""
+    programs = chain.from_iterable(
+        launch.programs for launch in launches_of_workspace(path, context.resolver)
+    )
+    return any(
+        path in program.parameters.files and _node_name(program).removesuffix(".py") == section.name
+        for program in programs
+    )
 
 
 def _of_other_name(section: NodeParameters, node: StartedProgram, name: str, help: str) -> Finding:
