@@ -101,3 +101,22 @@ def test_casters_that_do_no_harm() -> None:
     assert messages("GAZ073", lifted + GZ + much) == []
     turns = BASE.replace('name="b" type="fixed"', 'name="b" type="continuous"')
     assert messages("GAZ073", turns + GZ + much) == []
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "drive", "words"),
+    [
+        ("<mu1>1</mu1>", "<mu1>0.5</mu1>", GZ, "'right' has a friction coefficient of 0.5"),
+        ("<mu1>1</mu1><mu2>0.6</mu2>", "<mu1>1</mu1><mu2>1</mu2>", CLASSIC, "'left' has a"),
+        ("<mu1>1</mu1>", "<mu1>0.9</mu1>", GZ, ""),
+        ("<mu1>1</mu1>", "<mu2>0.5</mu2>", GZ, ""),
+        ("<mu1>1</mu1>", "", GZ, ""),
+        ("<mu1>1</mu1>", "<mu1>0.5</mu1><fdir1>1 0 0</fdir1>", GZ, ""),
+        ("<mu1>1</mu1>", "<mu1>0.5</mu1>", MECANUM, ""),
+    ],
+)
+def test_unequal_wheels(left: str, right: str, drive: str, words: str) -> None:
+    text = BASE + drive + friction("left", left) + friction("right", right)
+    found = messages("GAZ073", text)
+    assert [words in one for one in found] == [True] * bool(words)
+    assert all("its counterpart" in one for one in found)

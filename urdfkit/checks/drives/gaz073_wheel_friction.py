@@ -7,27 +7,34 @@
 - A caster that is fixed to the body, a ball that slides, with a friction of 0.5 or more: the drive
   drags it sideways in every turn. The robot turns less than commanded, or not at all. Write 0.01.
 
+- A driven wheel whose friction is a multiple of that of its left or right counterpart: the robot
+  drives in a curve.
+
 Wheels of mecanum drives, and wheels with a first friction direction (`fdir1`), are not reported.
 
 Sources:
     SDF, friction: http://sdformat.org/spec?ver=1.9&elem=collision
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
+    husky/husky#120: https://github.com/husky/husky/issues/120
     Gazebo, friction: https://classic.gazebosim.org/tutorials?tut=friction
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfkit.lint.context import Context
-from urdfkit.lint.rules import Finding, Findings, Need, Severity, rule
+from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.model import Placed, RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, robot_xml
+from urdfkit.robot.symmetry import pairs
 from urdfkit.ros.gazebo.drives import drive_of, wheels
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.ros.gazebo.values import leading, text_of, value
 
 #: Coefficients below which a wheel has no grip, and from which a caster has.
 LITTLE, MUCH = 0.1, 0.5
+#: Ratio of the coefficients of two wheels from which they differ.
+UNEQUAL = 1.5
 
 _TYRE = collision_xml('<sphere radius="0.1"/>')
 BAD = robot_xml(
@@ -62,15 +69,34 @@ _ROLLERS = ("mecanum", "omni", "swerve")
 def check(context: Context) -> Findings:
     driven = dict.fromkeys(_driven(context))
     for link in driven:
-        low = [one for one in _friction(context.model, link) if one.value < LITTLE]
         given = _friction(context.model, link)
+        low = [one for one in given.values() if one.value < LITTLE]
         if low and len(low) == len(given):
             message = (
                 f"driven wheel '{link}' has a friction coefficient of {low[0].value:g}: it spins "
                 "in place"
             )
             yield Finding(low[0], message, "write about 1", weight=-low[0].value)
+    yield from _unequal(context, driven)
     yield from _casters(context, set(driven))
+
+
+def _unequal(context: Context, driven: Iterable[str]) -> Findings:
+    """Left and right wheels with different coefficients of one direction."""
+    for pair in pairs(driven):
+        left, right = (_friction(context.model, wheel) for wheel in pair)
+        for name in left if right else ():
+            sides = [(left[name], pair[0]), (right.get(name, left[name]), pair[1])]
+            (low, wheel), (high, other) = sorted(sides, key=lambda side: side[0].value)
+            if low.value >= LITTLE and low.value * UNEQUAL <= high.value:
+                yield Finding(
+                    low,
+                    f"driven wheel '{wheel}' has a friction coefficient of {low.value:g}, "
+                    f"its counterpart '{other}' {high.value:g}: the robot drives in a curve",
+                    f"write {high.value:g}",
+                    related=(Related(high.span, f"the coefficient of '{other}'"),),
+                )
+                break
 
 
 def _driven(context: Context) -> Iterator[str]:
@@ -90,7 +116,7 @@ def _driven(context: Context) -> Iterator[str]:
                 yield joint.child_name
 
 
-def _friction(model: RobotModel, link: str) -> list[Placed[float]]:
+def _friction(model: RobotModel, link: str) -> dict[str, Placed[float]]:
     """The coefficients of a link, of each direction the last; none if it chooses a direction."""
     found: dict[str, Placed[float]] = {}
     for block in model.gazebo:
@@ -98,12 +124,12 @@ def _friction(model: RobotModel, link: str) -> list[Placed[float]]:
             continue
         for element in block.walk():
             if element.tag == "fdir1":
-                return []
+                return {}
             name = {"mu": "mu1"}.get(element.tag, element.tag)
             text, _ = leading(text_of(element)) if name in ("mu1", "mu2") else ("", "")
             if text:
                 found[name] = Placed(value(text), element)
-    return list(found.values())
+    return found
 
 
 def _casters(context: Context, driven: set[str]) -> Findings:
@@ -113,7 +139,7 @@ def _casters(context: Context, driven: set[str]) -> Findings:
         return
     fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
     for link in stability.links:
-        given = _friction(context.model, link) if link in fixed else []
+        given = list(_friction(context.model, link).values()) if link in fixed else []
         if given and min(one.value for one in given) >= MUCH:
             yield Finding(
                 given[0],
