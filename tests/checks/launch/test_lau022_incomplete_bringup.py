@@ -290,3 +290,35 @@ def test_type_of_velocity_commands(tmp_path: Path, parameters: str, count: int) 
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
     words = "'twist_mux' publishes TwistStamped on '/drive/cmd_vel', where Twist is read"
     assert [one.message for one in found] == [words] * count
+
+
+SWITCHED = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r"><link name="a"/>
+<xacro:arg name="sim" default="false"/>
+<ros2_control name="c" type="system"><hardware>
+<xacro:if value="$(arg sim)"><plugin>{}</plugin></xacro:if>
+<xacro:unless value="$(arg sim)"><plugin>{}</plugin></xacro:unless>
+</hardware></ros2_control>
+<gazebo><plugin filename="gz_ros2_control-system" name="p"/></gazebo></robot>"""
+GZ = "gz_ros2_control/GazeboSimSystem"
+
+
+@pytest.mark.parametrize(
+    ("simulated", "real", "arguments", "count"),
+    [
+        (GZ, "acme/Driver", "", 1),
+        (GZ, "acme/Driver", " sim:=true", 0),
+        (GZ, "acme/OwnGazeboSystem", "", 0),
+        ("acme/Other", "acme/Driver", "", 0),
+        ("acme/Other", "mock_components/GenericSystem", "", 1),
+    ],
+)
+def test_hardware_in_gazebo(
+    tmp_path: Path, simulated: str, real: str, arguments: str, count: int
+) -> None:
+    robot = f"Command(['xacro {tmp_path}/r.xacro{arguments}'])"
+    text = STATE.format(f", parameters=[{{'robot_description': {robot}}}]")
+    spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    files = {"r.xacro": SWITCHED.format(simulated, real)}
+    found = reported(tmp_path, "LAU022", "a.launch.py", text + spawn, files)
+    words = f"gz_ros2_control-system does not load {real}"
+    assert [words in one.message for one in found] == [True] * count

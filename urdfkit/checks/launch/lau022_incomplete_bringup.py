@@ -11,8 +11,9 @@
 - Controllers are spawned in a gz sim that is started without `-r`: the simulation is paused, and
   no controller becomes active. An info without controllers.
 - The `<ros2_control>` of a robot in Gazebo is `mock_components/GenericSystem`, which Gazebo's
-  plugin does not load. Or `ros2_control_node` runs hardware of Gazebo, but no robot is spawned in
-  Gazebo: "class gz_ros2_control/GazeboSimSystem does not exist".
+  plugin does not load, or that of the real robot, although its files also name that of Gazebo. Or
+  `ros2_control_node` runs hardware of Gazebo, but no robot is spawned in Gazebo: "class
+  gz_ros2_control/GazeboSimSystem does not exist".
 - No robot_state_publisher publishes on the topic of `create -topic`: "Waiting messages on topic
   [robot_description]", for ever.
 - A spawner looks for the controller manager in another namespace: "Could not contact service
@@ -93,7 +94,7 @@ def check(context: Context) -> Findings:
     yield from simulation.wall_clock_nodes(context, started)
     yield from simulation.missing_clock(context, started)
     yield from simulation.paused(context, started)
-    yield from simulation.mock_hardware(context, started)
+    yield from simulation.unloaded_hardware(context, started)
     yield from simulation.hardware_without_simulator(context, started)
     if not launch.has_scopes and all(map(is_part_of_ros, launch.unread)):
         yield from mismatched_names.unpublished_description(context, started)

@@ -7,13 +7,15 @@ from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog import data
+from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import activates, controllers
 from urdfkit.ros.launch.spawning import spawner_of
 from urdfkit.ros.launch.worlds import GZ, worlds
-from urdfkit.ros.ros_control import components, control_plugins
+from urdfkit.ros.ros_control import Component, components, control_plugins
+from urdfkit.text.comments import blank_comments
 from urdfkit.workspace.resolve import Resolver
 
 _CLOCK = "clock"
@@ -23,6 +25,8 @@ _GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign
 #: Hardware that only Gazebo's plugin loads.
 _OF_GAZEBO = ("gazebo_ros2_control/", "gz_ros2_control/", "ign_ros2_control/")
 _MOCK = ("mock_components/GenericSystem", "fake_components/GenericSystem")
+#: Names of hardware that may be that of a simulator.
+_SIMULATED = re.compile(r"(?i)gazebo|gz|ign|sim|mujoco|webots|isaac|mock|fake|topic_based")
 #: Packages whose programs publish no joint states, and no transforms of the links of joints.
 _STATELESS = re.compile(
     r"robot_state_publisher|ros_gz_(sim|bridge|image)|rviz2|tf2_ros|robot_localization"
@@ -94,8 +98,11 @@ def paused(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
             )
 
 
-def mock_hardware(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
-    """Mock hardware of a robot in Gazebo, which Gazebo's control plugin does not load."""
+def unloaded_hardware(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """Hardware of a robot in Gazebo that Gazebo's control plugin does not load.
+
+    It is mock hardware, or the files of the robot also name that of Gazebo, for other arguments.
+    """
     if not any(map(spawner_of, started)):
         return
     for description, robot in context.described_robots:
@@ -104,7 +111,8 @@ def mock_hardware(context: Context, started: tuple[StartedProgram, ...]) -> Find
         plugins = control_plugins(robot.model)
         hardware = components(robot.model)
         is_mock = hardware and all(component.hardware in _MOCK for component in hardware)
-        for component in hardware if plugins and is_mock else ():
+        is_real = not any(map(_may_be_simulated, hardware)) and _names_simulator(robot)
+        for component in hardware if plugins and (is_mock or is_real) else ():
             yield Finding(
                 Location((component.plugin or component.at).span, description.frame),
                 f"{component.called}: {plugins[0].filename} does not load {component.hardware}, "
@@ -112,6 +120,19 @@ def mock_hardware(context: Context, started: tuple[StartedProgram, ...]) -> Find
                 "use the hardware of the simulator in a launch file with Gazebo",
                 related=(Related(plugins[0].at.span, "control plugin"),),
             )
+
+
+def _may_be_simulated(component: Component) -> bool:
+    """True for the hardware of a simulator, by its name."""
+    return not component.hardware or _SIMULATED.search(component.hardware) is not None
+
+
+def _names_simulator(robot: Context) -> bool:
+    """True if a file of the robot contains the name of Gazebo's hardware, outside of comments."""
+    sources = robot.reading.xacro.sources if robot.reading.xacro else ()
+    names = [f">{name}<".encode() for name in simulated_hardware()]
+    texts = (blank_comments(source.data) for source in sources)
+    return any(name in text for text in texts for name in names)
 
 
 def hardware_without_simulator(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
