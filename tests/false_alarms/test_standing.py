@@ -108,3 +108,13 @@ def test_an_arm_on_the_world_is_fixed_in_its_report(tmp_path: Path) -> None:
     path = tmp_path / "arm.urdf"
     path.write_text(arm.read_text(encoding="utf-8").replace('"mount"', '"world"'))
     assert describe(str(path))[0]["standing"]["verdict"] == "fixed"
+
+
+@pytest.mark.parametrize(
+    ("name", "severity"), [("base_footprint", Severity.INFO), ("skid", Severity.WARNING)]
+)
+def test_a_mark_on_the_ground_holds_nothing(name: str, severity: Severity) -> None:
+    """diffbot-ros2: a small box shows where base_footprint is; what lacks is a caster."""
+    text = on_wheels(shape("visual", '<box size="0.01 0.01 0.1"/>')).replace("caster", name)
+    (found,) = reported("GEO002", text)
+    assert found.severity is severity

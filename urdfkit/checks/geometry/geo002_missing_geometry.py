@@ -119,6 +119,7 @@ def _needed(context: Context) -> tuple[str, ...]:
         if (
             on_visuals is None
             or on_visuals.tips
+            or any(name.endswith("base_footprint") for name in on_visuals.links)  # a mark
             or not is_freestanding(context.tree, on_visuals.links)
         ):
             return ()
