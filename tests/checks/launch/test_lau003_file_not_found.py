@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import reported
-from urdfkit import check
+from urdfkit import Severity, check
 from urdfkit.text.source import Source
 
 
@@ -130,3 +130,12 @@ def test_missing_file_of_a_bridge(tmp_path: Path, name: str, count: int) -> None
     files = {"config/bridge.yaml": "[]\n"}
     found = reported(tmp_path, "LAU003", "a.launch.py", program, files)
     assert [one.help for one in found] == ["did you mean 'bridge.yaml'?"] * count
+
+
+@pytest.mark.parametrize(("type", "count"), [("state_publisher", 1), ("robot_state_publisher", 0)])
+def test_former_executable_of_ros_1(tmp_path: Path, type: str, count: int) -> None:
+    text = f'<node name="tf" pkg="robot_state_publisher" type="{type}"/>'
+    findings = reported(tmp_path, "LAU003", "a.launch", text)
+    assert [(finding.severity, finding.help) for finding in findings] == [
+        (Severity.INFO, 'write type="robot_state_publisher"')
+    ] * count

@@ -5,7 +5,8 @@ file stops the launch, and Gazebo does not start without its world. Also reporte
 
 - An executable or launch file that a ROS package does not have.
 - A Nav2 map whose image is missing.
-- `xacro.py`, which was removed in Noetic (info in a launch file of ROS 1).
+- `xacro.py`, and the `state_publisher` of `robot_state_publisher`, which were removed in Noetic
+  (info in a launch file of ROS 1).
 - In Python, a path component that begins with a slash: `os.path.join` and `PathJoinSubstitution`
   drop everything before it (error).
 
@@ -15,6 +16,7 @@ paths outside the repository or workspace, such as `/etc/clearpath`, which may e
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
     ros/xacro#239: https://github.com/ros/xacro/pull/239
+    ros/robot_state_publisher#87: https://github.com/ros/robot_state_publisher/pull/87
 """
 
 import os

@@ -13,6 +13,8 @@ from urdfkit.workspace.resolve import Resolver
 #: Names of the world argument in other launch files, which gz sim's launch file does not read.
 _WORLDS = ("world", "world_name", "world_file")
 _SIM_TIME = "use_sim_time"
+#: The former name of ``robot_state_publisher``, an alias until ROS Melodic.
+_FORMER = ("robot_state_publisher", "state_publisher")
 
 
 def mistakes(
@@ -23,8 +25,9 @@ def mistakes(
     A workspace may have packages of these names with other contents.
     """
     for program in started:
-        is_checked = program.frame is None and program.is_ros_2
-        problem = unknown_executable(program) if is_checked else None
+        if program.frame is not None:
+            continue
+        problem = unknown_executable(program) if program.is_ros_2 else _former_executable(program)
         if problem and not _is_own(program.package, program, resolver):
             yield problem
     for file in included:
@@ -86,6 +89,15 @@ def unknown_executable(started: StartedProgram) -> Problem | None:
         message, severity = f"{message} (supported up to Galactic)", Severity.INFO
     help = f"write one of {', '.join(known)}"
     return Problem("LAU003", started.span, message, help, started.frame, severity=severity)
+
+
+def _former_executable(started: StartedProgram) -> Problem | None:
+    """An executable that ROS 1 has no more: roslaunch stops."""
+    if (started.package, started.executable) != _FORMER:
+        return None
+    message = f"'{started.executable}' was removed in ROS Noetic"
+    help = f'write type="{started.package}"'
+    return Problem("LAU003", started.span, message, help, severity=Severity.INFO)
 
 
 def unknown_file(included: IncludedFile) -> Problem | None:
