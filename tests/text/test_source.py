@@ -37,6 +37,17 @@ def test_a_link_that_leads_back_to_itself(tmp_path: Path) -> None:
         Source.read(loop)
 
 
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege on Windows")
+def test_a_link_to_a_file_that_does_not_exist(tmp_path: Path) -> None:
+    """Of an install directory that was copied from another machine."""
+    link = tmp_path / "robot.urdf"
+    link.symlink_to(tmp_path / "gone.urdf")
+    with pytest.raises(UnreadableFile) as caught:
+        Source.read(link)
+    target = tmp_path / "gone.urdf"
+    assert str(caught.value) == f"{link}: is a symbolic link to '{target}', which does not exist"
+
+
 def test_what_was_read_already_is_not_read_again() -> None:
     source = Source("gone.urdf", b"<robot/>")
     assert Source.of(source) is source

@@ -170,6 +170,8 @@ def why_unreadable(path: str, error: OSError) -> str:
         return "is a symbolic link to itself"
     if not isinstance(error, FileNotFoundError):
         return error.strerror or str(error)
+    if disk.is_link(path):
+        return f"is a symbolic link to '{os.readlink(path)}', which does not exist"
     directory, name = os.path.split(path)
     try:
         siblings = disk.names(directory or ".")
