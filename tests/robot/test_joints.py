@@ -119,8 +119,8 @@ def test_where_a_joint_moves() -> None:
     assert ends("revolute", "0", "7") == (0, 2 * pi)
     assert ends("revolute", "100", "110") == (100, 100 + 2 * pi)
     assert ends("prismatic", "-0.1", "0.2") == (-0.1, 0.2)
-    assert ends("prismatic", "-1e308", "1e308") == (-joints.FAR, joints.FAR)
-    assert ends("prismatic", "2000", "3000") == (joints.FAR, joints.FAR)
+    assert ends("prismatic", "-1e308", "1e308") == (-joints.MAX_TRAVEL, joints.MAX_TRAVEL)
+    assert ends("prismatic", "2000", "3000") == (joints.MAX_TRAVEL, joints.MAX_TRAVEL)
     for still in (("prismatic",), ("prismatic", "1", "-1"), ("fixed", "1", "2"), ("planar",)):
         assert ends(*still) == (0, 0)
 

@@ -20,7 +20,7 @@ _RELATED = 0.4
 _COMPARED = 3
 
 #: Longer words are not compared: they are not typos of a name, and it would take time.
-_LONGEST = 200
+_MAX_LENGTH = 200
 
 #: Parts of names that distinguish siblings.
 _SIDES = frozenset("left right front rear back upper lower inner outer fl fr rl rr l r".split())
@@ -34,7 +34,7 @@ _WORD = r"[^\W_]?[^\W_A-Z]+|[A-Z]+"
 
 def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | None:
     """The known word most similar to ``word``, ignoring case; None if none is similar."""
-    text = word[:_LONGEST].casefold()
+    text = word[:_MAX_LENGTH].casefold()
     spellings = {candidate.casefold(): candidate for candidate in known}
     spellings = {key: spellings[key] for key in spellings if _may_be_similar(text, key, cutoff)}
     if not spellings:

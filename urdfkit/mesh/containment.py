@@ -12,7 +12,7 @@ from urdfkit.mesh.repair.soup import soup_of
 from urdfkit.mesh.welding import weld
 
 #: Edge length to which triangles are cut where pieces meet, as a part of the surface's diagonal.
-_FINE = 0.01
+_MAX_EDGE = 0.01
 #: Growth of a piece beyond what the corners of a triangle need, up to which the triangle is not
 #: cut; same unit.
 _LITTLE = 0.0005
@@ -61,7 +61,7 @@ def grow_pieces(pieces: Sequence[Floats], points: Floats, faces: Integers) -> li
         is_whole = least <= np.maximum(outside.min(axis=0).max(axis=1), 0.0) + _LITTLE * size
         triangles = points[faces]
         edges = np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2).max(axis=1)
-        is_whole |= edges <= _FINE * size
+        is_whole |= edges <= _MAX_EDGE * size
         if 4 * np.count_nonzero(~is_whole) > _MAX_TRIANGLES:
             is_whole[:] = True
         for number, corners in enumerate(grown):

@@ -15,7 +15,7 @@ _MANY_VERTICES, _MANY_SAMPLES = 100_000, 20_000
 #: more of them for points of slivers, after the first points were measured to all triangles.
 _GUIDES, _NEAREST, _MORE_NEAREST = 20_000, 8, 128
 #: Points that are measured to all triangles that may be nearer, before and after.
-_FIRST, _MOST = 20, 1000
+_FIRST_MEASURED, _MAX_MEASURED = 20, 1000
 _SEED = 7
 #: Rounding error on surfaces of size 1.
 _ROUNDING = 1e-12
@@ -122,7 +122,7 @@ class _Surface:
         triangles are slivers, of which near ones are hard to find.
         """
         farthest = 0.0
-        for near, most in ((_NEAREST, _FIRST), (_MORE_NEAREST, _MOST)):
+        for near, most in ((_NEAREST, _FIRST_MEASURED), (_MORE_NEAREST, _MAX_MEASURED)):
             bounds = self.to_near_triangles(points, near)
             order = np.argsort(-bounds)
             points, bounds = points[order], bounds[order]

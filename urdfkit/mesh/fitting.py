@@ -21,14 +21,14 @@ from urdfkit.mesh.geometry import Floats, Mesh
 from urdfkit.mesh.transforms import moved
 
 #: Size, in the unit of the mesh, below which the search for the smallest ball fails.
-_SMALLEST = 1e-6
+_MIN_SIZE = 1e-6
 #: A box along the axes is chosen if its volume exceeds the smallest box's by no more than this.
 _ALONG_AXES = 1.03
 #: A wheel: least cosine between the axes, greatest distance between them as a part of the radius,
 #: and least part of its circumscribed circle that its outline fills.
-_ALONG, _OFF_AXIS, _ROUND = 0.99, 0.1, 0.95
+_MIN_COSINE, _OFF_AXIS, _ROUND = 0.99, 0.1, 0.95
 #: Smaller numbers of convex pieces to try if the largest number is within the bound.
-_FEW = (2, 4)
+_FEWER_PIECES = (2, 4)
 #: If no shape is within the bound, a simpler shape is chosen if its error is larger by no more.
 _HARDLY_WORSE = 1.25
 
@@ -74,7 +74,7 @@ def rolling(fits: Fits, mesh: Mesh, axis: Vector, through: Vector) -> Fits:
     offset = np.subtract(cylinder.frame.position, through)
     offset_norm = float(np.linalg.norm((rows @ offset)[:2]))
     along = abs(float(np.dot(axis, [row[2] for row in cylinder.frame.rotation])))
-    if along < _ALONG or offset_norm > _OFF_AXIS * radius:
+    if along < _MIN_COSINE or offset_norm > _OFF_AXIS * radius:
         return fits
     projected = mesh.vertices @ rows.T
     if ConvexHull(projected[:, :2]).volume < _ROUND * np.pi * radius**2:
@@ -99,7 +99,7 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
     """
     shell = hull(mesh)
     points = shell.vertices
-    if np.ptp(points, axis=0).max() < _SMALLEST:
+    if np.ptp(points, axis=0).max() < _MIN_SIZE:
         raise NoHull("it is too small for a shape around it")
     shapes = (_box(points), _cylinder(points), _sphere(points))
     fits = [_measured_fit(mesh, *shape) for shape in shapes]
@@ -123,7 +123,7 @@ def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
     if most > 1:
         many = _in_pieces(mesh, most)
         if many.error <= bound:  # otherwise fewer pieces are not sufficient either
-            yield from (_in_pieces(mesh, number) for number in _FEW if number < most)
+            yield from (_in_pieces(mesh, number) for number in _FEWER_PIECES if number < most)
         yield many
 
 

@@ -9,7 +9,7 @@ from urdfkit.mesh.geometry import Flags, Floats, Integers, Mesh
 from urdfkit.mesh.health import examine_mesh
 
 #: Largest coordinate of a mesh in m.
-_LARGEST = 1e5
+_MAX_COORDINATE = 1e5
 #: Points on each line.
 _POINTS_PER_LINE = 10
 #: Lines that are processed together.
@@ -91,7 +91,7 @@ def closed(mesh: Mesh) -> Mesh:
         NoHull: all points lie in a plane, or the mesh is larger than any robot.
     """
     health = examine_mesh(mesh)
-    if not np.abs(mesh.vertices).max(initial=0.0) < _LARGEST:
-        raise NoHull(f"it is larger than {_LARGEST:g} m")
+    if not np.abs(mesh.vertices).max(initial=0.0) < _MAX_COORDINATE:
+        raise NoHull(f"it is larger than {_MAX_COORDINATE:g} m")
     defects = health.inconsistent_edges + health.inverted + health.doubled + health.non_finite
     return mesh if health.is_closed and health.volume > 0 and not defects else hull(mesh)

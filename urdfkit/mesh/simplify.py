@@ -22,7 +22,7 @@ from urdfkit.mesh.repair.soup import soup_of
 _FINEST, _COARSEST = 1e-5, 0.2
 _FINEST_OF_ERROR, _COARSEST_OF_ERROR = 0.01, 2.0
 #: Triangles with which quadric simplification starts, as multiples of the target.
-_MORE = (1.5, 2.5, 5)
+_START_FACTORS = (1.5, 2.5, 5)
 #: Greatest further reduction by quadrics after coarsening, and search steps for it.
 _FEWER, _STEPS = 8.0, 5
 
@@ -93,7 +93,7 @@ def to_error(mesh: Mesh, error: float, progress: Progress | None = None) -> Simp
     """
     measure = _Deviations(mesh, progress)
     coarser = [mesh, *within_tolerances(mesh, _FINEST_OF_ERROR * error, _COARSEST_OF_ERROR * error)]
-    measure.expect(len(coarser).bit_length() + len(_MORE) + 1 + _STEPS)
+    measure.expect(len(coarser).bit_length() + len(_START_FACTORS) + 1 + _STEPS)
     best, at = measure.unchanged, 0
     low, high = 1, len(coarser)
     while low < high:
@@ -161,7 +161,7 @@ class _Deviations:
 def _starts(finer: list[Mesh], triangles: float) -> list[Mesh]:
     """Meshes to simplify by quadrics: the original, and for each multiple the coarsest above it."""
     starts = {0: finer[0]}
-    for more in _MORE:
+    for more in _START_FACTORS:
         enough = [i for i, mesh in enumerate(finer) if len(mesh.faces) >= more * triangles]
         starts.update({i: finer[i] for i in enough[-1:]})
     return list(starts.values())

@@ -9,12 +9,12 @@ from urdfkit.mesh.grouping import components, equal_numbers
 #: Distance below which vertices are merged, relative to the largest coordinate.
 ROUNDING = 1e-6
 #: A coordinate beyond this is not part of a robot in any unit.
-_FAR = 1e9
+_MAX_COORDINATE = 1e9
 
 
 def finite(vertices: Floats) -> Flags:
     """(n,), True for vertices without nan, infinity or absurdly large coordinates."""
-    return np.asarray((np.abs(np.nan_to_num(vertices, nan=np.inf)) < _FAR).all(axis=1))
+    return np.asarray((np.abs(np.nan_to_num(vertices, nan=np.inf)) < _MAX_COORDINATE).all(axis=1))
 
 
 def weld_finite(vertices: Floats, faces: Integers) -> tuple[Floats, Integers, Flags]:

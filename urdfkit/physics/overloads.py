@@ -16,7 +16,7 @@ from urdfkit.ros.gazebo.gravity import links_without_gravity
 _SAMPLES = 20
 
 #: Positions below this, in rad or m, are not written.
-_SMALL = 5e-4
+_AT_ZERO = 5e-4
 
 
 def overloads(tree: KinematicTree) -> list[Load]:
@@ -39,5 +39,5 @@ def _loads(model: GravityModel, efforts: tuple[tuple[str, float | None], ...]) -
 
 def worst_pose(load: Load) -> str:
     """The worst pose of a joint as text, such as ``elbow 1.57``."""
-    places = (f"{name} {place:.3g}" for name, place in load.pose.items() if abs(place) > _SMALL)
+    places = (f"{name} {place:.3g}" for name, place in load.pose.items() if abs(place) > _AT_ZERO)
     return ", ".join(places) or "zero"

@@ -28,7 +28,7 @@ MAX_BYTES = 1024 * 1024
 
 _DEGREES = ("deg", "°")
 #: Most characters of an invalid value in a message.
-_LONGEST = 40
+_MAX_CHARACTERS = 40
 
 
 class PoseError(UrdfkitError):
@@ -175,7 +175,7 @@ def _position(name: str, value: str | float, *, turns: bool) -> float:
     degrees = next((suffix for suffix in _DEGREES if text.endswith(suffix)), "")
     position = number(text.removesuffix(degrees))
     if position is None:
-        text = text if len(text) < _LONGEST else f"{text[:_LONGEST]}..."
+        text = text if len(text) < _MAX_CHARACTERS else f"{text[:_MAX_CHARACTERS]}..."
         raise PoseError(f"joint '{name}': '{text}' is not a position; write 1.57, 90deg or 0.1")
     if degrees and not turns:
         raise PoseError(f"joint '{name}' is prismatic; write its position in m, not in degrees")

@@ -13,7 +13,7 @@ from urdfkit.render.scene import SceneItem
 #: Numbers of cells along the longest edge of a surface, tried in this order.
 CELLS = (1024, 512, 256, 128, 64, 32)
 #: Surfaces of fewer triangles are not simplified.
-FEW = 2000
+MIN_FACES = 2000
 
 
 def coarsened(items: Sequence[SceneItem], limit: int) -> Sequence[SceneItem]:
@@ -21,7 +21,7 @@ def coarsened(items: Sequence[SceneItem], limit: int) -> Sequence[SceneItem]:
     for cells in CELLS:
         if sum(len(item.faces) for item in items) <= limit:
             break
-        items = [_clustered(item, cells) if len(item.faces) > FEW else item for item in items]
+        items = [_clustered(item, cells) if len(item.faces) > MIN_FACES else item for item in items]
     return items
 
 

@@ -36,9 +36,9 @@ SOLID = 0.98
 #: Offset of collisions towards the camera, as a part of the robot's size.
 LIFT = 0.004
 #: Radius of ambient occlusion, as a part of the robot's size.
-REACH = 0.12
+OCCLUSION_RADIUS = 0.12
 #: Depth difference up to which light is averaged over a lattice, as a part of the robot's size.
-NEAR = 0.012
+LATTICE_DEPTH = 0.012
 
 _OPAQUE, _CLEAR, _OVERLAY = range(3)
 
@@ -286,7 +286,7 @@ class _Drawing:
                 position,
                 surface.normal[shown],
                 pixel,
-                REACH * self.size,
+                OCCLUSION_RADIUS * self.size,
                 self.quality.sky,
             )
         if self.quality.sun:
@@ -329,7 +329,7 @@ class _Drawing:
         """Greatest depth difference within one surface across a lattice square."""
         pixel = np.float32(1 / self.camera.scale)
         step = pixel * depth if not self.camera.is_orthographic else np.full_like(depth, pixel)
-        return np.asarray(np.float32(NEAR * self.size) + np.float32(LATTICE) * step)
+        return np.asarray(np.float32(LATTICE_DEPTH * self.size) + np.float32(LATTICE) * step)
 
 
 def _kind(material: SurfaceMaterial) -> int:

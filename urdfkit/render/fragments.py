@@ -10,7 +10,7 @@ from urdfkit.render.raster import Grid, Projected, split
 from urdfkit.render.soup import CameraTriangles
 
 #: Barycentric weights beyond which a point is far outside of a triangle.
-_FAR = np.float32(4)
+_MAX_WEIGHT = np.float32(4)
 
 
 class Fragments(NamedTuple):
@@ -105,8 +105,8 @@ def _weights(
     # A fragment may be shaded slightly outside of its triangle, but on its plane. If it is far
     # outside, as for slivers, the nearness of the sample is more reliable than the plane.
     weights = [part / area for part in parts]
-    is_far = np.maximum.reduce(np.abs(weights)) > _FAR
-    weights = [np.clip(weight, -_FAR, _FAR) for weight in weights]
+    is_far = np.maximum.reduce(np.abs(weights)) > _MAX_WEIGHT
+    weights = [np.clip(weight, -_MAX_WEIGHT, _MAX_WEIGHT) for weight in weights]
     total = weights[0] + weights[1] + weights[2]
     total = np.where(np.abs(total) < 0.5, np.float32(1), total)
     near = [screen.nearness[index] for index in corners]

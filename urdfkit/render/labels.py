@@ -22,7 +22,7 @@ INK, PAPER, LEADER = (34, 40, 50, 255), (255, 255, 255, 225), (70, 78, 92, 200)
 _DIRECTIONS = ((1, -1), (-1, -1), (1, 1), (-1, 1), (1, 0), (-1, 0), (0, -1), (0, 1))
 _DISTANCES = (1.2, 2.4, 4.0, 6.0, 9.0, 13.0)
 #: Number of these distances for an optional label.
-_NEAR = 3
+_OPTIONAL_DISTANCES = 3
 #: Step in pixels of the search for visible links.
 _EACH = 4
 
@@ -97,7 +97,7 @@ def write(image: Image.Image, scene: Scene, camera: Camera) -> None:
             x, y, name = _where_seen(x, y, name, links.get(label.link))
         font, text = writing(name, size)
         wide, high = draw.textlength(text, font=font) + 0.6 * size, 1.35 * size
-        distances = _DISTANCES[:_NEAR] if label.is_optional else _DISTANCES
+        distances = _DISTANCES[:_OPTIONAL_DISTANCES] if label.is_optional else _DISTANCES
         places = _places(x, y, wide, high, [distance * size for distance in distances])
         box = _free(places, image.size, boxes)
         if box is None:

@@ -12,7 +12,7 @@ from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
 
 #: Names that a reason lists; further names are counted.
-_MOST = 3
+_MAX_NAMED = 3
 
 
 class CompositeBody(Record):
@@ -38,11 +38,11 @@ def composite_body(tree: KinematicTree, placed: Mapping[str, Transform]) -> Comp
     unreachable = [name for name in heavy if name not in tree.root_of]
     if unreachable:
         return CompositeBody(
-            mass, None, "", f"links in a closed loop without a root: {few(unreachable, _MOST)}"
+            mass, None, "", f"links in a closed loop without a root: {few(unreachable, _MAX_NAMED)}"
         )
     roots = list(dict.fromkeys(tree.root_of[name] for name in heavy))
     if len(roots) > 1:
-        reason = f"no joint connects the roots {few(roots, _MOST)}"
+        reason = f"no joint connects the roots {few(roots, _MAX_NAMED)}"
         return CompositeBody(mass, None, "", reason)
     root = next(iter((*roots, *(link.name for link in tree.roots))), "")
     bodies = (

@@ -16,7 +16,7 @@ BOUNDED = ("revolute", "prismatic")
 SOFT_LIMITS = ("soft_lower_limit", "soft_upper_limit")
 
 #: In m: limits of prismatic joints are clipped to this distance from zero.
-FAR = 1000.0
+MAX_TRAVEL = 1000.0
 
 #: Part of a range by which limits may differ because of rounding.
 _ROUNDING = 0.02
@@ -56,14 +56,14 @@ def span(joint: Joint) -> tuple[float, float]:
     """The range of a joint, in rad or m; the full range if its limits are invalid.
 
     An angle without limits, or with the lower limit above the upper one, covers one turn; a range
-    of more than one turn is cut to the turn nearest to zero. A prismatic joint stays within `FAR`
-    of zero, and at zero without limits. A joint of another type stays at 0.
+    of more than one turn is cut to the turn nearest to zero. A prismatic joint stays within
+    `MAX_TRAVEL` of zero, and at zero without limits. A joint of another type stays at 0.
     """
     if not joint.is_single_dof:
         return 0.0, 0.0
     lower, upper = bounds(joint) or (0.0, -1.0)
     if joint.is_prismatic:
-        lower, upper = (min(max(end, -FAR), FAR) for end in (lower, upper))
+        lower, upper = (min(max(end, -MAX_TRAVEL), MAX_TRAVEL) for end in (lower, upper))
         return (lower, upper) if lower <= upper else (0.0, 0.0)
     if lower > upper:
         return -pi, pi

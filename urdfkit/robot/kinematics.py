@@ -27,7 +27,7 @@ class MimicLaw(Record):
 
 
 #: Larger shifts, in rad or m, and factors are implausible.
-_LARGEST = 1e9
+_MAX_COEFFICIENT = 1e9
 
 #: Relation of a locked joint.
 LOCKED = MimicLaw("", 0.0, 0.0)
@@ -62,7 +62,7 @@ def laws(joints: Mapping[str, Joint]) -> dict[str, MimicLaw]:
 def _followed(law: MimicLaw, mimic: Mimic) -> MimicLaw:
     """The relation of a mimic joint, from the relation of its leader."""
     factor, shift = mimic.multiplier * law.factor, mimic.multiplier * law.shift + mimic.offset
-    is_linkage = abs(factor) < _LARGEST and abs(shift) < _LARGEST
+    is_linkage = abs(factor) < _MAX_COEFFICIENT and abs(shift) < _MAX_COEFFICIENT
     return MimicLaw(law.leader, factor, shift) if is_linkage and law is not LOCKED else LOCKED
 
 

@@ -15,7 +15,7 @@ from urdfkit.robot.model import Body
 from urdfkit.robot.shapes import Primitive, primitive
 
 #: Direction components below this are 0: the ray is parallel to a face or an axis.
-_SMALL = 1e-9
+_PARALLEL = 1e-9
 
 
 class Scan(Record):
@@ -72,7 +72,7 @@ def _interval(shape: Primitive, start: Vector, along: Vector) -> tuple[float, fl
 
 
 def _slab(start: float, along: float, half: float) -> tuple[float, float] | None:
-    if abs(along) < _SMALL:
+    if abs(along) < _PARALLEL:
         return (-inf, inf) if abs(start) <= half else None
     t1, t2 = (-half - start) / along, (half - start) / along
     return min(t1, t2), max(t1, t2)
@@ -82,7 +82,7 @@ def _round(start: Vector, along: Vector, radius: float) -> tuple[float, float] |
     """The interval in a ball; in an infinite cylinder if all z are 0."""
     square, middle = dot(along, along), dot(start, along)
     excess = dot(start, start) - radius * radius
-    if square < _SMALL:
+    if square < _PARALLEL:
         return (-inf, inf) if excess <= 0 else None
     discriminant = middle * middle - square * excess
     if discriminant < 0:

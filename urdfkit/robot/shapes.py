@@ -18,7 +18,7 @@ from urdfkit.robot.values import numbers
 from urdfkit.text.document import Attribute
 
 #: Half edges outside this range, in m, are implausible for robots, and their cubes overflow.
-SMALLEST, LARGEST = 1e-7, 1e5
+MIN_HALF_EDGE, MAX_HALF_EDGE = 1e-7, 1e5
 
 #: The attributes of each primitive that are lengths.
 SIZES = {
@@ -272,7 +272,7 @@ def primitive(body: Body) -> Primitive | None:
     extents = shape.half_extents if shape else None
     if shape is None or extents is None:
         return None
-    if not SMALLEST <= min(extents) <= max(extents) <= LARGEST:
+    if not MIN_HALF_EDGE <= min(extents) <= max(extents) <= MAX_HALF_EDGE:
         return None
     size = shape.size if shape.kind == "box" and shape.size else (0.0, 0.0, 0.0)
     radius = 0.0 if shape.kind == "box" else shape.radius or 0.0

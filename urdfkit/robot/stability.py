@@ -22,8 +22,8 @@ from urdfkit.robot.tree import KinematicTree
 Point = tuple[float, float]
 
 #: Points this near to the lowest point touch the ground: wheels and casters of real models differ
-#: by millimetres. A part of the size of the robot, and at least `LEAST` m.
-TOLERANCE, LEAST = 0.02, 0.003
+#: by millimetres. A part of the size of the robot, and at least `MIN_TOLERANCE` m.
+TOLERANCE, MIN_TOLERANCE = 0.02, 0.003
 
 #: Points of the unit circle.
 _CIRCLE = tuple((cos(pi * number / 16), sin(pi * number / 16)) for number in range(32))
@@ -287,7 +287,7 @@ def _touching(
     if not points:
         return {}
     size = max(max(values) - min(values) for values in zip(*points, strict=True))
-    limit = min(z for _, _, z in points) + max(LEAST, TOLERANCE * size)
+    limit = min(z for _, _, z in points) + max(MIN_TOLERANCE, TOLERANCE * size)
     touching = {name: [p for p in group if p[2] <= limit] for name, group in reaching.items()}
     return {name: group for name, group in touching.items() if group}
 
@@ -322,5 +322,5 @@ def _of_mesh(robot: Robot, shape: Shape, at: Transform) -> list[Vector]:
         return []
     heights = vertices @ at.rotation[2]
     low, high = float(heights.min()), float(heights.max())
-    chosen = vertices[heights <= low + max(LEAST, TOLERANCE * (high - low))]
+    chosen = vertices[heights <= low + max(MIN_TOLERANCE, TOLERANCE * (high - low))]
     return [at.apply((float(x), float(y), float(z))) for x, y, z in chosen]

@@ -25,7 +25,7 @@ _RIGHT_OF = {"left": "right", "l": "r"} | {
 _NUMBER = r"\d+"
 
 #: Longer names are not compared: the cost is quadratic in their length.
-_LONGEST = 200
+_MAX_LENGTH = 200
 
 
 def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
@@ -34,7 +34,7 @@ def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
     A name is in one pair at most. If a name contains several sides, such as the left finger of the
     left hand, the last one that has a counterpart counts: the right finger of the left hand.
     """
-    candidates = dict.fromkeys(name for name in names if len(name) <= _LONGEST)
+    candidates = dict.fromkeys(name for name in names if len(name) <= _MAX_LENGTH)
     paired: set[str] = set()
     result: list[tuple[str, str]] = []
     for name in candidates:
@@ -78,7 +78,7 @@ def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:
     """
     by_affixes: dict[tuple[str, str], list[str]] = {}
     for name in places:
-        if len(name) > _LONGEST:
+        if len(name) > _MAX_LENGTH:
             continue
         for match in re.finditer(_NUMBER, name):
             by_affixes.setdefault((name[: match.start()], name[match.end() :]), []).append(name)

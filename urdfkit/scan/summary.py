@@ -22,7 +22,7 @@ FACTS = {
 }  # fmt: skip
 _RATIOS = frozenset(("mass", "size_x", "size_y", "size_z", "cpu_seconds"))
 #: Interquartile ranges from the middle half: Tukey's "far out".
-_FAR = 3.0
+_FAR_OUT = 3.0
 #: Fewer values have no outliers.
 _FEWEST = 8
 
@@ -142,7 +142,7 @@ def _outliers(fact: str, values: list[tuple[float, str]]) -> list[Outlier]:
     if len(scaled) < _FEWEST:
         return []
     low, _, high = quantiles(map(itemgetter(0), scaled), n=4)
-    spread = _FAR * (high - low)
+    spread = _FAR_OUT * (high - low)
     far = [entry for entry in scaled if not low - spread <= entry[0] <= high + spread]
     far.sort(key=lambda entry: (-abs(entry[0] - (low + high) / 2), entry[2]))
     ends = [10**end if fact in _RATIOS else end for end in (low, high)]

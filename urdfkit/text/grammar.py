@@ -24,7 +24,7 @@ MAX_UNKNOWN = 1000
 _EXPECTED = {"link": ("inertial",)}
 
 #: Elements whose name must not be empty.
-_NAMED = ("link", "joint")
+_ELEMENTS_WITH_NAME = ("link", "joint")
 
 #: A tab or a line break between two numbers: only then are values compared as they were typed.
 _BREAK = rb"[\t\r\n](?<=[\d.][\t\r\n])\s*[-+.\d]"
@@ -243,7 +243,7 @@ class _Walk:
     def _text(self, attribute: Attribute, rule: AttributeRule) -> None:
         """Report an empty name of a link or joint, or a value that is not an allowed word."""
         element, text = attribute.element, attribute.value
-        if attribute.name == "name" and element.tag in _NAMED and not text.strip():
+        if attribute.name == "name" and element.tag in _ELEMENTS_WITH_NAME and not text.strip():
             self._add("URD003", element, attribute, attribute.name)
         elif "|" in rule.type and text not in rule.type.split("|") and not is_expression(text):
             self._add("URD005", element, attribute, rule.type)

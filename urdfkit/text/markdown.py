@@ -11,7 +11,7 @@ from urdfkit.text.terminal import printable
 
 #: Most characters of a comment on GitHub; GitLab and Gitea allow more.
 MAX_CHARACTERS = 65_536
-_MORE = f"\n_Cut to {MAX_CHARACTERS} characters; the JSON has everything._\n"
+_CUT_NOTE = f"\n_Cut to {MAX_CHARACTERS} characters; the JSON has everything._\n"
 #: Most characters of a message, a path or a help text.
 MAX_TEXT = 600
 
@@ -45,4 +45,4 @@ def fitted(sections: Iterable[str]) -> str:
     text = "\n".join(sections)
     if len(text) <= MAX_CHARACTERS:
         return text
-    return text[: text.rfind("\n", 0, MAX_CHARACTERS - len(_MORE)) + 1] + _MORE
+    return text[: text.rfind("\n", 0, MAX_CHARACTERS - len(_CUT_NOTE)) + 1] + _CUT_NOTE

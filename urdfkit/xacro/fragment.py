@@ -11,9 +11,9 @@ from urdfkit.workspace.packages import Packages
 from urdfkit.xacro.dom import Dom, Node
 
 #: Most names in a message.
-_SHOWN = 3
+_MAX_NAMED = 3
 #: Missing names from which a ``<robot>`` without a name is a part: fewer may be mistakes.
-_MANY = 4
+_MIN_MISSING = 4
 
 _MISSING = re.compile(r"(?:macro|name|argument|block) '([^']+)' (?:is not defined|has no value)")
 
@@ -38,7 +38,7 @@ def merge_missing_names(
         if document is None or not _is_fragment(document.documentElement, len(distinct)):
             return problems
         top = ""
-    names = few([f"'{name}'" for name in distinct], _SHOWN)
+    names = few([f"'{name}'" for name in distinct], _MAX_NAMED)
     robot = os.path.relpath(top, os.path.dirname(os.path.abspath(source.path))) if top else ""
     message = f"a part of {robot or 'another file'}, which must define {names}"
     help = f"check the robot instead: urdfkit check {shown(top)}" if top else ""
@@ -53,7 +53,7 @@ def _is_fragment(root: Node, missing: int) -> bool:
         return False
     links = {link.getAttribute("name") for link in root.getElementsByTagName("link")}
     children = {child.getAttribute("link") for child in root.getElementsByTagName("child")}
-    return bool(links) and (missing >= _MANY or links <= children)
+    return bool(links) and (missing >= _MIN_MISSING or links <= children)
 
 
 def _missing(problem: Problem) -> str:

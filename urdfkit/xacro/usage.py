@@ -18,7 +18,7 @@ _INSERTED = rb"""<xacro:insert_block\s+name\s*=\s*["'](\w+)"""
 _TAG = rb"<xacro:([\w.]+)"
 
 #: Bytes before the ``^`` of a forwarded parameter that are searched for its name.
-_NEAR = 200
+_MAX_DISTANCE = 200
 
 
 class Usage(Record):
@@ -61,7 +61,7 @@ def _forwarded(data: bytes) -> Iterator[bytes]:
     """The names in ``name:=^``, searched backwards from the sign, which is rarer than names."""
     sign = data.find(b"^")
     while sign >= 0:
-        name = re.search(_NAME_BEFORE, data[max(0, sign - _NEAR) : sign])
+        name = re.search(_NAME_BEFORE, data[max(0, sign - _MAX_DISTANCE) : sign])
         if name:
             yield name.group(1)
         sign = data.find(b"^", sign + 1)

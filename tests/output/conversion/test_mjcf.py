@@ -23,7 +23,7 @@ pytest.importorskip("trimesh")
 from tests.physics.dynamics.test_against_pinocchio import robots
 from urdfkit.core.spatial import IDENTITY
 from urdfkit.output.conversion.mjcf_geoms import Geoms
-from urdfkit.output.conversion.mjcf_proof import LENGTH, PART, prove
+from urdfkit.output.conversion.mjcf_proof import MAX_ERROR, MAX_OFFSET, prove
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.result import REPORT, proven
 
@@ -65,8 +65,8 @@ def loaded(robot: Source | Path, out: Path, **options: Any) -> tuple[Any, dict[s
 def test_robots_of_the_project(path: Path, tmp_path: Path) -> None:
     convert(path, tmp_path / "out")
     proof = json.loads((tmp_path / "out" / REPORT).read_text())["proof"]
-    assert proof["frames"] < LENGTH / 1e3
-    assert proof["mass_matrix"] < PART / 1e3
+    assert proof["frames"] < MAX_OFFSET / 1e3
+    assert proof["mass_matrix"] < MAX_ERROR / 1e3
     assert proof["holds"] is True
 
 
@@ -140,11 +140,11 @@ def test_the_proof_fails_for_different_dynamics(tmp_path: Path) -> None:
     model.opt.gravity = (0, -9.81, 0)
     assert (
         prove(model, robot, {}).differences["mass_matrix"]
-        < PART
+        < MAX_ERROR
         < prove(model, robot, {}).differences["gravity"]
     )
     model.body("tip").inertia *= 1.0001
-    assert prove(model, robot, {}).differences["mass_matrix"] > PART
+    assert prove(model, robot, {}).differences["mass_matrix"] > MAX_ERROR
 
 
 #: A robot with one of each, and errors in the writer: a method, the body or joint, what it sets.

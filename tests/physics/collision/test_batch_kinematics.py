@@ -16,7 +16,7 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
 from urdfkit.physics.collision.batch_kinematics import matrix, slopes, tree_arrays
 from urdfkit.robot import kinematics
-from urdfkit.robot.joints import FAR
+from urdfkit.robot.joints import MAX_TRAVEL
 
 MIMIC = '<mimic joint="a_b" multiplier="-2" offset="0.1"/>'
 ENTRIES = [
@@ -89,7 +89,7 @@ def test_limits_are_kept_and_joints_without_turn_once_around() -> None:
     assert ranges("revolute", revolute(-1e16, 1e16)) == (-pi, pi)
     assert ranges("revolute", revolute(1, -1)) == (-pi, pi)  # "free", to Bullet
     assert ranges("revolute", "") == (-pi, pi)
-    assert ranges("prismatic", revolute(-1e9, 1e9)) == (-FAR, FAR)
+    assert ranges("prismatic", revolute(-1e9, 1e9)) == (-MAX_TRAVEL, MAX_TRAVEL)
     assert ranges("prismatic", revolute(1, -1)) == (0, 0)
 
 

@@ -9,7 +9,7 @@ pytest.importorskip("coal")
 
 from tests.physics.collision.robots import box, cube, cylinder, link, mesh, robot, sphere, stl
 from urdfkit.lint.context import Context
-from urdfkit.physics.collision.bodies import LARGEST, THINNEST
+from urdfkit.physics.collision.bodies import MAX_COORDINATE, THINNEST
 from urdfkit.physics.collision.collision_geometry import build_geometry
 from urdfkit.physics.collision.geometry_arrays import (
     CollisionArrays,
@@ -47,10 +47,10 @@ def test_primitives_stay_exact(shape: str, kind: str, size: tuple[float, ...]) -
         ('<box size="1 1"/>', "a size is missing or cannot be read"),
         ('<cylinder radius="1"/>', "a size is missing or cannot be read"),
         ('<sphere radius="nan"/>', "a size is missing or cannot be read"),
-        (box(1e12, 1, 1), f"it is larger than {LARGEST:g} m"),
+        (box(1e12, 1, 1), f"it is larger than {MAX_COORDINATE:g} m"),
         ("<cone/>", "<cone> is not a URDF shape"),
         ("", "it has no geometry"),
-        (f"{box(1, 1, 1)}@1e12 0 0", f"it is more than {LARGEST:g} m from its link"),
+        (f"{box(1, 1, 1)}@1e12 0 0", f"it is more than {MAX_COORDINATE:g} m from its link"),
         ('<mesh filename="file:///no/such.stl"/>', "the file is missing"),
     ],
 )
@@ -97,7 +97,7 @@ def test_a_mesh_without_any_area_is_left_out(tmp_path: Path) -> None:
 
 def test_a_huge_mesh_is_left_out(tmp_path: Path) -> None:
     _, omitted = made(robot(link("a", mesh(cube(tmp_path / "c.stl", 0.5), "1e12 1 1"))))
-    assert omitted == (OmittedCollision("a", 0, f"it is larger than {LARGEST:g} m"),)
+    assert omitted == (OmittedCollision("a", 0, f"it is larger than {MAX_COORDINATE:g} m"),)
 
 
 def test_a_cube_of_triangles_is_convex_and_an_open_one_is_not(tmp_path: Path) -> None:

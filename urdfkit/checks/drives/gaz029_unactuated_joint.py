@@ -29,7 +29,7 @@ GOOD = robot_xml(
 )
 
 #: Number of names in a message; the others are counted.
-_MOST = 4
+_MAX_NAMED = 4
 
 
 @rule(
@@ -48,13 +48,15 @@ def check(context: Context) -> Findings:
     wheels = [joint for joint in model.joints if joint.kind == "continuous" and not joint.mimic]
     if not wheels:
         return
-    names = few([f"'{joint.name}'" for joint in wheels], _MOST)
+    names = few([f"'{joint.name}'" for joint in wheels], _MAX_NAMED)
     who, verb, them = ("joints", "are", "them") if len(wheels) > 1 else ("joint", "is", "it")
     yield Finding(
         wheels[0].at,
         f"{who} {names} {verb} not actuated in Gazebo: no transmission, ros2_control or "
         f"plugin names {them}",
-        related=tuple(Related(joint.at.span, "not actuated either") for joint in wheels[1:_MOST]),
+        related=tuple(
+            Related(joint.at.span, "not actuated either") for joint in wheels[1:_MAX_NAMED]
+        ),
     )
 
 

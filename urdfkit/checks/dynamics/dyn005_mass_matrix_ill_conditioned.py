@@ -38,7 +38,7 @@ def check(context: Context) -> Findings:
     if not light or context.is_part:
         return
     robot = context.dynamics  # first, as it reports if the libraries of the module are missing
-    from urdfkit.physics.dynamics.conditioning import LARGEST, conditioning
+    from urdfkit.physics.dynamics.conditioning import MAX_RATIO, conditioning
 
     result = conditioning(robot)
     if not result.is_ill:
@@ -47,5 +47,5 @@ def check(context: Context) -> Findings:
     first = next((name for name in result.joints if name in names), light[0].name)
     ratio = "is singular" if isinf(result.number) else f"has the condition {result.number:.2g}"
     joints = " against ".join(f"'{name}'" for name in result.joints[:2])
-    message = f"the mass matrix {ratio}, over {LARGEST:.0e}: joint {joints} moves almost no mass"
+    message = f"the mass matrix {ratio}, over {MAX_RATIO:.0e}: joint {joints} moves almost no mass"
     yield Finding(context.model.joints_by_name[first].at, message)

@@ -41,7 +41,7 @@ _HARMLESS = {"material", "visual", *KEEPING_TAGS}
 _FLAGS = ("enable_wind", "kinematic", "must_be_base_link", "self_collide")
 _TRUE, _FALSE = ("1", "true", "yes"), ("0", "false", "no")
 #: Number of tags of a block that a message lists.
-_NAMED = 4
+_MAX_NAMED = 4
 
 
 @rule(Severity.WARNING)
@@ -123,7 +123,7 @@ def _without_reference(
         return
     child, owner = misplaced[0], owners[misplaced[0].tag]
     names = [f"<{tag}>" for tag in dict.fromkeys(one.tag for one in misplaced)]
-    what = ", ".join(names[:_NAMED]) + (" and others" if len(names) > _NAMED else "")
+    what = ", ".join(names[:_MAX_NAMED]) + (" and others" if len(names) > _MAX_NAMED else "")
     yield Finding(
         block if len(misplaced) > 1 else child,
         f"{what} in a <gazebo> without a reference (ignored): it is for a {owner}",

@@ -28,7 +28,7 @@ from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.views import frame_of, planar_scan, tilt
 
 #: Radians: lidars are adjusted by less than the first; upright or upside down within the second.
-ADJUSTED, NEAR = 0.06, 0.06
+MAX_ADJUSTMENT, TOLERANCE = 0.06, 0.06
 
 BAD = robot_xml(
     solid_xml("base"),
@@ -48,7 +48,7 @@ def check(context: Context) -> Findings:
     fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
     for sensor in sensors(context.model):
         frame = frame_of(sensor, context.tree) if sensor.reference in fixed else None
-        if frame is not None and planar_scan(sensor) and tilt(frame) > ADJUSTED:
+        if frame is not None and planar_scan(sensor) and tilt(frame) > MAX_ADJUSTMENT:
             yield _finding(sensor, frame)
 
 
@@ -64,10 +64,10 @@ def _rolls(tree: KinematicTree) -> bool:
 
 def _finding(sensor: Sensor, frame: Transform) -> Finding:
     angle = tilt(frame)
-    if angle > pi - NEAR:
+    if angle > pi - TOLERANCE:
         message = f"{sensor.who} is upside down: seen from above, its scan runs clockwise"
         return Finding(sensor.at, message, severity=Severity.INFO)
-    if abs(angle - pi / 2) < NEAR:
+    if abs(angle - pi / 2) < TOLERANCE:
         return Finding(sensor.at, f"{sensor.who} scans upright: z of its frame is horizontal")
     slope = min(angle, pi - angle)
     return Finding(

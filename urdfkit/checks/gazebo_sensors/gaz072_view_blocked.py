@@ -40,9 +40,9 @@ from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.views import frame_of, image_rays, is_camera, planar_scan
 
 #: Blocked part of the beams of a lidar, from which it is an info and a warning.
-SOME, MANY = 0.1, 0.3
+BLOCKED_INFO, BLOCKED_WARNING = 0.1, 0.3
 #: In m: a camera is intended to see parts farther away, such as the hand of its robot.
-NEAR = 0.5
+MAX_RANGE = 0.5
 _CLIP = 0.1
 
 _DECK = '<origin xyz="0.3 0 0"/>'
@@ -87,7 +87,7 @@ def check(context: Context) -> Findings:
             near = _near(obstacles(visuals=sensor.type.startswith("gpu")), frame, scan.high)
             yield from _of_lidar(context, sensor, frame, scan, near)
         elif is_camera(sensor):
-            near = _near(obstacles(visuals=True), frame, NEAR)
+            near = _near(obstacles(visuals=True), frame, MAX_RANGE)
             yield from _of_camera(context, sensor, frame, near)
 
 
@@ -132,13 +132,13 @@ def _of_lidar(
         if found:
             blocked.setdefault(one.link, set()).update(found)
     part = len(set().union(*blocked.values())) / scan.samples
-    if part >= SOME:
+    if part >= BLOCKED_INFO:
         yield _finding(
             context,
             sensor,
             f"{sensor.who}: {100 * part:.0f} % of its beams end at the robot itself",
             blocked,
-        )._replace(severity=None if part >= MANY else Severity.INFO)
+        )._replace(severity=None if part >= BLOCKED_WARNING else Severity.INFO)
 
 
 def _of_camera(
@@ -156,7 +156,7 @@ def _of_camera(
     blocked: dict[str, set[int]] = {}
     for one in near:
         if one.is_mesh:
-            found = _on_mesh(context, one, frame, rays, low=low, high=NEAR, both_sides=False)
+            found = _on_mesh(context, one, frame, rays, low=low, high=MAX_RANGE, both_sides=False)
         else:
             found = {number for number, hit in enumerate(_hits(one, rays, low)) if hit}
         if found:
@@ -173,7 +173,7 @@ def _hits(obstacle: _Obstacle, rays: list[Vector], low: float) -> Iterator[bool]
             yield False
             continue
         enters, leaves = found
-        yield enters <= NEAR and (leaves if obstacle.is_mesh else enters) >= low
+        yield enters <= MAX_RANGE and (leaves if obstacle.is_mesh else enters) >= low
 
 
 def _finding(

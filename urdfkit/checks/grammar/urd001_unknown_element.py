@@ -47,7 +47,7 @@ _INSTEAD = {"joint_properties": "write <dynamics> instead, which has the same at
 _ROOT = re.compile(rb"<([A-Za-z][\w:.-]*)(?=[^<>]*>)")
 
 #: Number of elements with the same tag in the same wrong place that a finding lists.
-_SHOWN = 5
+_MAX_NAMED = 5
 
 
 @rule(
@@ -178,7 +178,7 @@ def _in_place(
         f"{owner(parent)}: URDF parsers ignore <{element.tag}> inside <{parent.tag}>; "
         f"it belongs in {places}{more_like_this(len(others))}"
     )
-    related = tuple(Related(other.span, owner(other)) for other in others[:_SHOWN])
+    related = tuple(Related(other.span, owner(other)) for other in others[:_MAX_NAMED])
     # The colour of a collision is not shown; onshape-to-robot writes an <origin> of zeros in links.
     is_material = element.tag == "material" and parent.tag == "collision"
     is_idle = is_material or (element.tag == "origin" and _is_zero(element))

@@ -27,7 +27,7 @@ BAD = robot_xml(
 FIXED = GOOD = BAD.replace("fricton", "friction")
 
 #: Number of foreign attributes, and of elements with them, that a finding lists.
-_SHOWN = 5
+_MAX_NAMED = 5
 
 
 @rule(
@@ -73,8 +73,10 @@ def _foreign(attributes: list[Attribute]) -> Finding:
     element = first.element
     names = [f"'{name}'" for name in dict.fromkeys(one.name for one in attributes)]
     kind = "attributes" if len(names) > 1 else "attribute"
-    what = f"unknown {kind} {listed(names, _SHOWN)} in <{element.tag}> (ignored)"
+    what = f"unknown {kind} {listed(names, _MAX_NAMED)} in <{element.tag}> (ignored)"
     others = {one.element: one for one in attributes if one.element is not element}
     message = f"{owner(element)}: {what}{more_like_this(len(others))}"
-    related = tuple(Related(one.span, owner(one.element)) for one in list(others.values())[:_SHOWN])
+    related = tuple(
+        Related(one.span, owner(one.element)) for one in list(others.values())[:_MAX_NAMED]
+    )
     return Finding(first, message, related=related)

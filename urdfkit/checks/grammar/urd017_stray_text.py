@@ -22,7 +22,7 @@ GOOD = BAD.replace("<origin>0 0 0.1</origin>", '<origin xyz="0 0 0.1"/>')
 #: An attribute may contain ">".
 _TAGS = rb"""<!--[\s\S]*?-->|<(?:"[^"]*"|'[^']*'|[^<>"'])*>"""
 #: Number of characters of a text that a message contains.
-_SHOWN = 40
+_MAX_CHARACTERS = 40
 
 
 @rule(Severity.WARNING, help="write the value as an attribute, or remove it")
@@ -30,7 +30,7 @@ def check(context: Context) -> Findings:
     for deviation in context.deviations.get("URD017", ()):
         element = deviation.element
         text = element.text.strip().split("\n")[0].rstrip()
-        shown = text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
+        shown = text if len(text) <= _MAX_CHARACTERS else f"{text[:_MAX_CHARACTERS]}..."
         message = f"{owner(element)}: URDF parsers ignore the text '{shown}' in <{element.tag}>"
         place = _place(element, text.encode(), context.document.sources)
         is_comment = text.startswith(("#", "//"))

@@ -39,7 +39,7 @@ BAD = robot_xml(
 GOOD = BAD.replace("<collision>", f"{inertial_xml('0.5', '0.002 0.002 0.002')}<collision>")
 
 #: Number of children that a message lists.
-_NAMED = 4
+_MAX_NAMED = 4
 
 #: Targets whose sdformat drops tiny masses.
 _OLD_GAZEBO = ("classic-ros1", "classic-ros2", "gz-fortress")
@@ -148,7 +148,7 @@ def _finding(body: RigidBody, context: Context) -> Finding | None:
     children = [f"'{n}'" for n in dropped if n not in {link.name for link, _ in body.links}]
     others = ""
     if children:
-        named = few(children, _NAMED - 1) if len(children) > _NAMED else listed(children)
+        named = few(children, _MAX_NAMED - 1) if len(children) > _MAX_NAMED else listed(children)
         others = f" and its children {named}"
     by = "the root"
     if body.joint:  # a fixed joint connects it to the world

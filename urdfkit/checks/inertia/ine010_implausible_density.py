@@ -37,12 +37,12 @@ FIXED = GOOD = (
 )
 
 #: A density that is too high or too low by this factor may be due to a coarse shape.
-_NEAR = 2.0
+_COARSE_FACTOR = 2.0
 #: In m³: volume above which a body is not a robot part.
 _ROOM = 1.0
 
 #: Help if most links of a robot are wrong, by the unit in which the values are written.
-_COMMON = {
+_UNIT_HELPS = {
     "g": "the masses are probably in g: divide them by 1000, and the tensors with them",
     "mm": 'the sizes are probably in mm: write them in m, and scale="0.001 0.001 0.001" for meshes',
     "": "one mistake caused them all: masses are in kg, and sizes in m",
@@ -69,7 +69,7 @@ def _of_the_robot(findings: list[tuple[LinkInertia, Finding]]) -> Finding:
     edits = [edit for fix in fixes if fix for edit in fix.edits]
     return worst._replace(
         message=f"{worst.message} ({and_more(others)}: most links of the robot)",
-        help=_COMMON[unit],
+        help=_UNIT_HELPS[unit],
         related=tuple(
             Related(inertia.at.span, finding.message) for inertia, finding in others[:MAX_RELATED]
         ),
@@ -104,7 +104,7 @@ def _finding(inertia: LinkInertia) -> Finding:
 
 def _is_harmless(inertia: LinkInertia, density: float) -> bool:
     """True for a density near a bound, and for the walls of a scene."""
-    is_near = MIN_PART_DENSITY / _NEAR <= density <= MAX_PART_DENSITY * _NEAR
+    is_near = MIN_PART_DENSITY / _COARSE_FACTOR <= density <= MAX_PART_DENSITY * _COARSE_FACTOR
     is_wall = (
         density < MIN_PART_DENSITY and inertia.solid is not None and inertia.solid.volume > _ROOM
     )

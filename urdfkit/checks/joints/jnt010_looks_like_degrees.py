@@ -69,7 +69,7 @@ _ROUND_ANGLE = radians(1000)
 _MAX_ARM_RANGE = 8 * pi
 
 #: Largest velocity limit of the other joints of a slow arm, in rad/s.
-_SLOW = 10.0
+_MAX_SLOW_SPEED = 10.0
 
 
 @rule(Severity.WARNING, help="write it in radians, or radians per second")
@@ -211,7 +211,7 @@ def _speeds(model: RobotModel) -> Findings:
     suspects = [(joint, velocity) for joint, velocity in known if _is_suspect(velocity.value)]
     values = {velocity.value for _, velocity in suspects}
     rest = [velocity.value for _, velocity in known if velocity.value not in values]
-    is_slow = bool(rest) and max(rest) <= _SLOW
+    is_slow = bool(rest) and max(rest) <= _MAX_SLOW_SPEED
     for joint, velocity in suspects:
         if len(values) > 1 or is_slow or velocity.value in _COMMON_SPEEDS:
             yield _speed(joint, velocity)

@@ -35,14 +35,14 @@ BAD = robot_xml(
 FIXED = GOOD = BAD.replace('"30"', '"0.03"')
 
 #: In m; few robots have such a distance between two joints, but most do in mm.
-_FAR = 10.0
+_MIN_DISTANCE = 10.0
 #: In m; shorter origins are rounding.
 _NONE = 1e-4
 #: Least ratio to the distances and sizes of the rest of the model.
 _RATIO = 100.0
 
 #: Least travel that is reported: times the longest part of the robot, and in m.
-_TIMES = 20.0
+_MIN_RELATIVE_TRAVEL = 20.0
 _MIN_TRAVEL = 5.0
 
 #: Least size of a shape that is reported: times the size of the other links, and in m.
@@ -63,10 +63,10 @@ def _origins(model: RobotModel) -> Findings:
     # A robot can be anywhere in the world.
     placed = (joint for joint in model.joints if joint.parent_name != "world")
     reaches = [(joint, length(joint.origin.position)) for joint in placed]
-    far = [(joint, reach) for joint, reach in reaches if reach >= _FAR]
+    far = [(joint, reach) for joint, reach in reaches if reach >= _MIN_DISTANCE]
     if not far:
         return
-    near = sorted(reach for _, reach in reaches if _NONE < reach < _FAR)
+    near = sorted(reach for _, reach in reaches if _NONE < reach < _MIN_DISTANCE)
     least = min(reach for _, reach in far)
     if evidence := _evidence(model, least, near, len(far)):
         joints = [joint for joint, _ in far]
@@ -113,7 +113,7 @@ def _limits(model: RobotModel) -> Findings:
     origins = [max(map(abs, joint.origin.position)) for joint in model.joints]
     longest = max((*sizes, *origins), default=0.0)
     for joint, (lower, upper) in suspects:
-        if longest and max(abs(lower), abs(upper)) > _TIMES * longest and joint.limit:
+        if longest and max(abs(lower), abs(upper)) > _MIN_RELATIVE_TRAVEL * longest and joint.limit:
             yield Finding(
                 joint.limit.at,
                 f"joint '{joint.name}' has limits [{lower:g}, {upper:g}] m, but no part of the "

@@ -42,7 +42,7 @@ GOOD = BAD.replace("1000", "80")
 #: Relative tolerance of effort and velocity.
 _TOLERANCE = 0.01
 #: Tolerance of the positions of mirrored frames, in m.
-_NEAR = 1e-3
+_MAX_OFFSET = 1e-3
 #: Cosine of the angle between two axes below which they are different, not rounded.
 _ACROSS = 0.5
 #: Allowed ratio of damping and friction, which are measured.
@@ -144,7 +144,7 @@ def _axes(context: Context) -> Findings:
 
 def _are_mirrored(one: Transform, other: Transform) -> bool:
     (x, y, z), (a, b, c) = one.position, other.position
-    return abs(y) > _NEAR and max(abs(x - a), abs(y + b), abs(z - c)) <= _NEAR
+    return abs(y) > _MAX_OFFSET and max(abs(x - a), abs(y + b), abs(z - c)) <= _MAX_OFFSET
 
 
 def _axis(joint: Joint, frame: Transform) -> Vector:

@@ -34,7 +34,7 @@ GOOD = BAD.replace("<geometry>", '<origin rpy="1.5707963 0 0"/>\n    <geometry>'
 _NOT_WHEELS = ("caster", "castor", "swivel", "steer", "mount", "support", "bracket", "hub", "fork")
 
 #: Cosine of the angle between two axes, below which they differ, and above which they are equal.
-_ACROSS, _ALONG = 0.5, 0.9
+_MAX_COSINE_ACROSS, _MIN_COSINE_ALONG = 0.5, 0.9
 
 #: In rad: limits of wheels that are written as revolute joints without stops.
 _UNLIMITED = 100.0
@@ -62,7 +62,7 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
     (body, axle), axis = wheel, direction(joint)
     shape = "cylinder" if body.shape and body.shape.kind == "cylinder" else "mesh"
     shape_name = f"{'collision' if body in link.collisions else 'visual'} {shape}"
-    if abs(dot(axis, axle)) < _ACROSS:
+    if abs(dot(axis, axle)) < _MAX_COSINE_ACROSS:
         yield Finding(
             joint.at.child_or_self("axis"),
             f"joint '{joint.name}' turns wheel '{link.name}' about {rounded(axis, 3)}, but the "
@@ -93,7 +93,7 @@ def _rolls(link: Link, axis: Vector) -> bool:
     """True if the joint turns a cylinder of the link about its own axis."""
     for body in (*link.collisions, *link.visuals):
         if body.shape and body.shape.kind == "cylinder":
-            return abs(dot(rotate(body.origin.rotation, Z_AXIS), axis)) > _ALONG
+            return abs(dot(rotate(body.origin.rotation, Z_AXIS), axis)) > _MIN_COSINE_ALONG
     return False
 
 

@@ -24,11 +24,11 @@ BAD = robot_xml(
 GOOD = BAD.replace("2.4", "0.24")
 
 #: Least gap: times the longest shape, and in m.
-_TIMES = 4.0
-_LEAST = 0.5
+_MIN_RELATIVE_GAP = 4.0
+_MIN_GAP = 0.5
 
 #: Types of joints whose links stay together; prismatic and free links may be anywhere.
-_HELD = ("fixed", "revolute", "continuous")
+_JOINTS_WITHOUT_GAP = ("fixed", "revolute", "continuous")
 
 
 @rule(
@@ -53,7 +53,7 @@ def _far(context: Context) -> Iterator[tuple[Joint, Link, Link, tuple[float, flo
     """The joints whose links are far from each other, with parent, child, gap and longest edge."""
     links = context.model.links_by_name
     for joint in context.model.joints:
-        if max(map(abs, joint.origin.position)) < _LEAST or joint.kind not in _HELD:
+        if max(map(abs, joint.origin.position)) < _MIN_GAP or joint.kind not in _JOINTS_WITHOUT_GAP:
             continue
         ends = (joint.parent, joint.child)
         parent, child = (links.get(end.value) if end else None for end in ends)
@@ -75,7 +75,7 @@ def _gap(context: Context, here: Link, there: Link, frame: Transform) -> tuple[f
     one, other = first.bounds, second.bounds.moved(frame)
     gap = one.gap(other)
     longest = max(*one.edges, *other.edges)
-    return (gap, longest) if gap > max(_TIMES * longest, _LEAST) else None
+    return (gap, longest) if gap > max(_MIN_RELATIVE_GAP * longest, _MIN_GAP) else None
 
 
 def _is_bridged(

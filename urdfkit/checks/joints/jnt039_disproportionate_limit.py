@@ -26,7 +26,7 @@ BAD = robot_xml(
 GOOD = BAD.replace("40000", "40")
 
 #: Ratio to the largest of the others; shoulders are stronger than wrists, and fingers are weak.
-_TIMES = {"effort": 200.0, "velocity": 20.0}
+_MAX_RATIOS = {"effort": 200.0, "velocity": 20.0}
 
 #: Ratio below the smallest of the others; DYN003 reports weak motors.
 _TIMES_LESS = 200.0
@@ -40,7 +40,7 @@ def check(context: Context) -> Findings:
     joints = [joint for joint in context.model.joints if joint.is_single_dof and joint.limit]
     for kind in SINGLE_DOF:  # wheels have other motors than arms
         same_kind = [joint for joint in joints if joint.kind == kind]
-        for key, times in _TIMES.items():
+        for key, times in _MAX_RATIOS.items():
             yield from _outlier(same_kind, key, times)
 
 

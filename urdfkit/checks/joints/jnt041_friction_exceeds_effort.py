@@ -29,7 +29,7 @@ GOOD = BAD.replace('"500"', '"0.5"')
 _CREEPS = {"rad": 0.1, "m": 0.01}
 
 #: The same bound as a part of the velocity limit.
-_SLOW = 0.05
+_MAX_VELOCITY_PART = 0.05
 
 
 @rule(Severity.WARNING, help="write friction in N·m (N for a slide), damping in N·m·s/rad (N·s/m)")
@@ -54,7 +54,7 @@ def _excessive(joint: Joint, dynamics: Element, limit: float) -> Findings:
         )
     speed = joint.limit.velocity.value if joint.limit and joint.limit.velocity else 0.0
     reached = limit / damping if damping > 0 else speed
-    if reached < min(_CREEPS[joint.unit], _SLOW * speed):
+    if reached < min(_CREEPS[joint.unit], _MAX_VELOCITY_PART * speed):
         yield Finding(
             dynamics.attributes["damping"],
             f"{who}: with damping {damping:g} {of}·s/{joint.unit}, the effort limit of {limit:g} "

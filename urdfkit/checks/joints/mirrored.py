@@ -12,7 +12,7 @@ from urdfkit.robot.model import Joint, RobotModel
 from urdfkit.robot.symmetry import pairs
 
 #: In m: tolerance for rounding.
-_NEAR = 1e-4
+_TOLERANCE = 1e-4
 _AXES = "xyz"
 
 #: In m: tolerance, as robots are not quite symmetric.
@@ -94,11 +94,11 @@ def _is_left_misplaced(model: RobotModel, left: Joint, right: Joint) -> bool:
 def _count_mirrored(place: Vector, places: list[Vector]) -> int:
     """Number of places at the same height and the same distance from the centre in x."""
     x, _, z = place
-    return sum(abs(abs(a) - abs(x)) < _NEAR and abs(c - z) < _NEAR for a, _, c in places)
+    return sum(abs(abs(a) - abs(x)) < _TOLERANCE and abs(c - z) < _TOLERANCE for a, _, c in places)
 
 
 def _is_equal(one: Vector, other: Vector) -> bool:
-    return all(abs(a - b) < _NEAR for a, b in zip(one, other, strict=True))
+    return all(abs(a - b) < _TOLERANCE for a, b in zip(one, other, strict=True))
 
 
 def _pairs(context: Context) -> Iterator[_Pair]:
@@ -117,11 +117,11 @@ def _asymmetric(counterparts: list[_Pair]) -> list[_Pair]:
     for pair in counterparts:
         is_shared = pair.left.parent_name == pair.right.parent_name
         above = 0.0 if is_shared else known.get(pair.right.parent_name, 0.0)
-        if above > _NEAR:
+        if above > _TOLERANCE:
             inherited += 1
         elif pair.distance > _OFFSET:
             odd.append(pair)
-    exact = sum(pair.distance <= _NEAR for pair in counterparts)
+    exact = sum(pair.distance <= _TOLERANCE for pair in counterparts)
     if len(odd) == 1 and exact >= _SYMMETRIC_PAIRS and exact + inherited + 1 == len(counterparts):
         x, _, z = odd[0].off
         return odd if max(abs(x), abs(z)) > _OFFSET else []  # the plane of symmetry is unknown
@@ -133,7 +133,7 @@ def _is_shifted_along_one_axis(pair: _Pair) -> bool:
     left, right = pair.left, pair.right
     if left.origin.rotation != right.origin.rotation or left.parent_name != right.parent_name:
         return False
-    is_equal = [abs(part) <= _NEAR for part in pair.off]
+    is_equal = [abs(part) <= _TOLERANCE for part in pair.off]
     return is_equal[1] and sum(is_equal) == 2
 
 
@@ -144,7 +144,7 @@ def _shift(pair: _Pair) -> str:
     shifts = [
         f"{abs(part):.2g} m {plus if part > 0 else minus}"
         for part, plus, minus in directions
-        if abs(part) > _NEAR
+        if abs(part) > _TOLERANCE
     ]
     return f"is {' and '.join(shifts)} of the mirror image of '{pair.left.name}'"
 
@@ -154,12 +154,12 @@ def _reason(one: Joint, other: Joint) -> str:
     if one.origin.rotation != other.origin.rotation:
         return ""
     first, second = one.origin.position, other.origin.position
-    equal = [abs(a - b) < _NEAR for a, b in zip(first, second, strict=True)]
-    flipped = [abs(a + b) < _NEAR <= abs(a) for a, b in zip(first, second, strict=True)]
+    equal = [abs(a - b) < _TOLERANCE for a, b in zip(first, second, strict=True)]
+    flipped = [abs(a + b) < _TOLERANCE <= abs(a) for a, b in zip(first, second, strict=True)]
     if all(equal):
         return (
             "is at the same place as"
-            if abs(first[1]) >= _NEAR and _axis(one) == _axis(other)
+            if abs(first[1]) >= _TOLERANCE and _axis(one) == _axis(other)
             else ""
         )
     if not all(e or f for e, f in zip(equal, flipped, strict=True)) or not flipped[1]:

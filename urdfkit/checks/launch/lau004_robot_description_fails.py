@@ -28,7 +28,7 @@ GOOD = BAD.replace("r.xacro", "r.xacro side:=left")
 
 
 #: Characters of a line that a message quotes.
-_LONGEST = 60
+_MAX_CHARACTERS = 60
 _NOT_YET = "which fails at the first ': ' in a comment"
 
 
@@ -70,7 +70,7 @@ def _yaml_error(robot: Context) -> str:
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
         lines = robot.text.decode("utf-8", "replace").split("\n")[mark.line :]
-        shown = lines[0].strip()[:_LONGEST] if lines else ""
+        shown = lines[0].strip()[:_MAX_CHARACTERS] if lines else ""
         return f"which fails in line {mark.line + 1}, '{shown}': {error.problem}"
     except yaml.YAMLError as error:
         return f"which fails: {error}"

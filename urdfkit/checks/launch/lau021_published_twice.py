@@ -53,7 +53,7 @@ _PUBLISHERS = ("joint_state_publisher", "joint_state_publisher_gui")
 _TOPIC = "joint_states"
 _BROADCASTERS = ("joint_state_broadcaster", "joint_state_controller")
 #: In m: positions that are closer are equal.
-_NEAR = 1e-3
+_POSITION_TOLERANCE = 1e-3
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
@@ -96,7 +96,7 @@ def _repeats_joint(transform: StaticTransform, joint: Joint) -> bool:
     """True if the transform repeats a fixed joint, which is harmless."""
     is_parent = joint.parent_name == _frame(transform.parent)
     distance = dist(transform.position, joint.origin.position)
-    return joint.kind == "fixed" and is_parent and distance < _NEAR
+    return joint.kind == "fixed" and is_parent and distance < _POSITION_TOLERANCE
 
 
 def _frame(word: Word) -> str:

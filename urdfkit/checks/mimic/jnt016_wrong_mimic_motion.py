@@ -25,10 +25,10 @@ BAD = hand_xml("revolute", [_LIMIT], [_LIMIT, '<mimic joint="left_joint" multipl
 GOOD = BAD.replace(' multiplier="-1"', "")
 
 #: In m: smallest gap between fingers.
-_NEAR = 1e-3
+_MIN_GAP = 1e-3
 
 #: Cosine of the angle up to which a finger moves along the gap.
-_ALONG = 0.9
+_ALONG_GAP = 0.9
 
 
 @rule(Severity.WARNING)
@@ -86,7 +86,7 @@ def _fingers(joint: Joint, mimic: Mimic, leader: Joint) -> Findings:
     gap = minus(leader.origin.position, joint.origin.position)
     ways = (rotate(one.origin.rotation, direction(one)) for one in (joint, leader))
     ours, theirs = (dot(way, gap) for way in ways)
-    along = min(abs(ours), abs(theirs)) > _ALONG * length(gap) > _ALONG * _NEAR
+    along = min(abs(ours), abs(theirs)) > _ALONG_GAP * length(gap) > _ALONG_GAP * _MIN_GAP
     if along and ours * theirs * mimic.multiplier > 0:
         yield Finding(
             mimic.at,

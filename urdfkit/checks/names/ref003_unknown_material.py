@@ -26,7 +26,7 @@ FIXED = GOOD = BAD.replace("gray", "grey")
 #: Names for "no material", in lower case.
 _NONE = ("", "none")
 #: Number of visuals with the same material that a finding lists.
-SHOWN = 8
+MAX_NAMED = 8
 
 
 @rule(
@@ -42,7 +42,7 @@ def check(context: Context) -> Findings:
     suggester = Suggester([name for name in (*top, *filled) if name])
     for word, uses in _uses_without_colour(top, used).items():
         fix = None
-        related = tuple(Related(use.span, "used here, too") for use in uses[1:SHOWN])
+        related = tuple(Related(use.span, "used here, too") for use in uses[1:MAX_NAMED])
         if later := filled.get(word):
             reason = "it is defined only later"
             related = (Related(later.span, "defined here, too late"), *related)

@@ -32,7 +32,7 @@ BAD = robot_xml(
 GOOD = BAD[: BAD.index('<ros2_control name="arm_sim"')]
 
 #: Joints that a message names.
-_NAMED = 3
+_MAX_NAMED = 3
 
 
 @rule(Severity.ERROR, help="keep one of the two")
@@ -81,7 +81,7 @@ class _Duplicate(Record):
 
 
 def _duplicate_block(block: Component, first: Component, names: list[str]) -> Finding:
-    shown = few([f"'{name}'" for name in names], _NAMED)
+    shown = few([f"'{name}'" for name in names], _MAX_NAMED)
     return Finding(
         block.at,
         f"{block.called} declares interfaces of {shown} that are already declared",

@@ -29,7 +29,7 @@ _OF_ROBOTS = "IKFast"
 _OF_MOVEIT = "moveit_simple_controller_manager/MoveItSimpleControllerManager"
 
 #: Most groups that a help names.
-_NAMED = 8
+_MAX_NAMED = 8
 
 
 def unknown_names(context: Context, srdf: Srdf) -> Findings:
@@ -74,8 +74,8 @@ def _groups(context: Context, srdf: Srdf) -> Findings:
 
 def _few(names: Iterable[str]) -> str:
     quoted = [f"'{name}'" for name in sorted(names)]
-    more = [f"{len(quoted) - _NAMED} more"] if len(quoted) > _NAMED else []
-    return ", ".join([*quoted[:_NAMED], *more])
+    more = [f"{len(quoted) - _MAX_NAMED} more"] if len(quoted) > _MAX_NAMED else []
+    return ", ".join([*quoted[:_MAX_NAMED], *more])
 
 
 def _solvers(context: Context, srdf: Srdf) -> Findings:

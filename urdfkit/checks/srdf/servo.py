@@ -19,7 +19,7 @@ _GROUP, _TOPIC = "move_group_name", "command_out_topic"
 #: In Humble and before; later Servo takes frames from its commands.
 _FRAMES = ("planning_frame", "ee_frame_name", "robot_link_command_frame")
 _OUTPUTS = ("joint_trajectory", "commands")
-_NAMED = 4
+_MAX_NAMED = 4
 
 
 def unknown_in_servo(context: Context, srdf: Srdf) -> Findings:
@@ -33,7 +33,7 @@ def unknown_in_servo(context: Context, srdf: Srdf) -> Findings:
         for key, name in written.items():
             if name in lost and known[key]:
                 message = f"{file}: unknown {key} '{name}'{did_you_mean(name, known[key])}"
-                help = f"write one of {few(sorted(known[key]), _NAMED)}"
+                help = f"write one of {few(sorted(known[key]), _MAX_NAMED)}"
                 yield Finding(values[key].span, message, help, severity=Severity.WARNING)
         if _TOPIC in values:
             yield from _unknown_controller(context, srdf, values[_TOPIC])
@@ -51,6 +51,6 @@ def _unknown_controller(context: Context, srdf: Srdf, topic: Value) -> Findings:
             topic.span,
             f"{_TOPIC} is of controller '{name}', which no parameter file of ros2_control defines"
             f"{did_you_mean(name, moving)}",
-            f"name a controller that is defined: {few(sorted(moving), _NAMED)}",
+            f"name a controller that is defined: {few(sorted(moving), _MAX_NAMED)}",
             severity=Severity.WARNING,
         )

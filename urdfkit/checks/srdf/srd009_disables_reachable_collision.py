@@ -38,7 +38,7 @@ FILES = srdf_files(
 )
 
 #: In m: a smaller overlap may be due to rounding.
-_DEEP = 1e-3
+_MIN_DEPTH = 1e-3
 _SAMPLES = 2000
 #: Most pairs times samples: all samples up to 200 pairs. A humanoid with hands has 2000 pairs,
 #: which would take a minute; fewer samples are enough to find mistakes.
@@ -80,7 +80,7 @@ def check(context: Context) -> Findings:
     pairs = [(first, second) for _, first, second in never]
     collisions = configurations.colliding(pairs, samples, lambda pair: not disables(pair))
     for (element, first, second), collision in zip(never, collisions, strict=True):
-        if collision and collision.depth > _DEEP:
+        if collision and collision.depth > _MIN_DEPTH:
             pose = ", ".join(f"{name} {at:.3g}" for name, at in collision.pose.items())
             message = (
                 f"'{first}' and '{second}' overlap by {1000 * collision.depth:.1f} mm at {pose}"

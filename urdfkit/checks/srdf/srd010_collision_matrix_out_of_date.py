@@ -37,7 +37,7 @@ FILES = srdf_files(
 )
 
 #: In m: bodies that only touch are not reported.
-_DEEP = 1e-4
+_MIN_DEPTH = 1e-4
 
 
 @rule(
@@ -53,7 +53,7 @@ def check(context: Context) -> Findings:
     for pair in context.collisions.contacts_in_moveit.pairs:
         if not (pair.is_adjacent or pair.is_rigid) or srdf.disables(frozenset(pair.names)):
             continue
-        if pair.contact and pair.contact.depth > _DEEP:
+        if pair.contact and pair.contact.depth > _MIN_DEPTH:
             first, second = sorted(pair.names)
             yield Finding(
                 srdf.root,

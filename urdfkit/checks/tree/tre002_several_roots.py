@@ -20,7 +20,7 @@ BAD = robot_xml(link_xml("base"), link_xml("arm"), link_xml("camera"), joint_xml
 GOOD = robot_xml(BAD, joint_xml("fixed", name="camera_joint", parent="arm", child="camera"))
 
 #: Number of roots that a message lists; the others are counted.
-SHOWN = 8
+MAX_NAMED = 8
 
 
 @rule(
@@ -43,10 +43,10 @@ def check(context: Context) -> Findings:
     names = [f"'{root.name}'" for root in roots]
     yield Finding(
         others[0].at,
-        f"{len(roots)} root links: {few(names, SHOWN)}",
+        f"{len(roots)} root links: {few(names, MAX_NAMED)}",
         related=tuple(
             Related(root.at.span, f"'{root.name}' has no parent")
-            for root in (main, *others[1:SHOWN])
+            for root in (main, *others[1:MAX_NAMED])
         ),
     )
 

@@ -27,7 +27,7 @@ BAD = robot_xml(
 GOOD = BAD.replace('<parent link="rod"/>', '<parent link="base"/>')
 
 #: Number of links of a loop that a message lists; the others are counted.
-SHOWN = 8
+MAX_NAMED = 8
 
 
 @rule(
@@ -47,7 +47,7 @@ def check(context: Context) -> Findings:
             loop[-1].child or loop[-1].at,
             f"a closed loop of {len(loop)} joints: {_shown(loop)}",
             related=tuple(
-                Related(joint.at.span, f"joint '{joint.name}'") for joint in loop[:-1][:SHOWN]
+                Related(joint.at.span, f"joint '{joint.name}'") for joint in loop[:-1][:MAX_NAMED]
             ),
         )
 
@@ -55,5 +55,5 @@ def check(context: Context) -> Findings:
 def _shown(loop: tuple[Joint, ...]) -> str:
     """The links of a loop, such as ``a -> b -> a``."""
     names = [joint.parent_name for joint in loop]
-    more = [f"({len(names) - SHOWN} more)"] if len(names) > SHOWN else []
-    return " -> ".join([*names[:SHOWN], *more, names[0]])
+    more = [f"({len(names) - MAX_NAMED} more)"] if len(names) > MAX_NAMED else []
+    return " -> ".join([*names[:MAX_NAMED], *more, names[0]])

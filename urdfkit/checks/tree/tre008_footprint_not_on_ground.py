@@ -35,7 +35,7 @@ FIXED = GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
 TOLERANCE = 0.005
 
 #: Cosine of the angle to the vertical, below which an axis is horizontal.
-_LEVEL = 0.1
+_MAX_COSINE_LEVEL = 0.1
 
 #: In m: a link that extends lower than the wheels by more is not a caster.
 _CASTER = 0.1
@@ -148,7 +148,7 @@ def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) 
         if not above or above[0].kind != "continuous":
             continue
         frame = tree.frames[name]
-        if abs(dot(up, rotate(frame.rotation, direction(above[0])))) > _LEVEL:
+        if abs(dot(up, rotate(frame.rotation, direction(above[0])))) > _MAX_COSINE_LEVEL:
             continue
         for body in tree.model.links_by_name[name].collisions:
             bottom = _bottom(body, frame, up)

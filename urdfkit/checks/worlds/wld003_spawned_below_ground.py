@@ -62,7 +62,7 @@ FILES = {
 _WITH_FLOOR = ("default.sdf", "empty.sdf")
 _DESCRIPTION = "robot_description"
 #: Depths in m: below the first the robot does not visibly jump; above the second it is ejected.
-TOLERANCE, DEEP = 0.01, 0.1
+TOLERANCE, EJECTION_DEPTH = 0.01, 0.1
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
@@ -92,7 +92,7 @@ def check(context: Context) -> Findings:
                 "below the ground",
                 f"spawn it at z = {z + depth:.3g} or higher",
                 related=(Related(robot.model.links_by_name[lowest[1]].at.span, "the link"),),
-                severity=None if depth > DEEP else Severity.INFO,
+                severity=None if depth > EJECTION_DEPTH else Severity.INFO,
             )
 
 

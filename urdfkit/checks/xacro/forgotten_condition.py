@@ -14,7 +14,7 @@ from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
 #: Number of boolean arguments whose other value is tried.
-_MOST = 8
+_MAX_ARGUMENTS = 8
 _OTHER = {"true": "false", "false": "true"}
 _TAG = re.compile(
     rb"""<(/?)xacro:(if|unless)\b((?:[^<>"']|"[^"]*"|'[^']*')*?)(/?)>""",
@@ -67,7 +67,7 @@ def _booleans(context: Context) -> list[tuple[str, str]]:
     defaults = context.xacro.defaults
     values = {name: context.arguments.get(name, text) for name, text in defaults.items()}
     others = [(name, _OTHER.get(text.strip().lower())) for name, text in values.items()]
-    return [(name, other) for name, other in others if other][:_MOST]
+    return [(name, other) for name, other in others if other][:_MAX_ARGUMENTS]
 
 
 def _suspects(context: Context) -> Iterator[Attribute]:

@@ -29,7 +29,7 @@ GOOD = BAD.replace("${side}_base", "${side}_${width}")
 FIXED = BAD.replace('  <xacro:property name="width" value="0.3"/>\n', "")
 
 #: Numbers that are too common to compare.
-_COMMON = (-1.0, 0.0, 1.0)
+_COMMON_NUMBERS = (-1.0, 0.0, 1.0)
 _COLOUR = re.compile(rb"""\brgba\s*=\s*(["'])[^"']*\1""")
 _NUMBER = re.compile(rb"(?<![\w.])[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
 
@@ -105,4 +105,4 @@ def _numbers_written(context: Context) -> set[float]:
             data[span.start : span.end] = b" " * (span.end - span.start)
     body = data.find(b"?>") + 1  # excludes the XML version
     text = _COLOUR.sub(b"", bytes(data[body:]))
-    return {float(number) for number in _NUMBER.findall(text)}.difference(_COMMON)
+    return {float(number) for number in _NUMBER.findall(text)}.difference(_COMMON_NUMBERS)

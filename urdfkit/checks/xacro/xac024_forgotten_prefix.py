@@ -36,7 +36,7 @@ GOOD = BAD.replace('link="base"', 'link="$(arg prefix)base"')
 #: Value of the prefix in the second expansion.
 _PREFIX = "left_"
 #: Number of empty arguments that are tried as a prefix.
-_MOST = 4
+_MAX_ARGUMENTS = 4
 _DEFINED = ("link", "joint")
 #: Attributes that refer to a link or joint; ``name`` refers to one in `_DEFINED` in other elements.
 _ATTRIBUTES = ("link", "joint", "reference")
@@ -91,7 +91,7 @@ def _empty_arguments(context: Context) -> list[str]:
     """The arguments with an empty value; those whose name contains prefix come first."""
     defaults = context.xacro.defaults
     empty = [name for name in defaults if not context.arguments.get(name, defaults[name]).strip()]
-    return sorted(empty, key=lambda name: not name.endswith("prefix"))[:_MOST]
+    return sorted(empty, key=lambda name: not name.endswith("prefix"))[:_MAX_ARGUMENTS]
 
 
 def _definitions(root: Element) -> Iterator[tuple[str, Attribute]]:

@@ -4,7 +4,13 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from urdfkit.core.words import counted, few
-from urdfkit.physics.collision.matrix import NEAR, ClosestApproach, Matrix, PairResult, PairVerdict
+from urdfkit.physics.collision.matrix import (
+    NEAR_MISS,
+    ClosestApproach,
+    Matrix,
+    PairResult,
+    PairVerdict,
+)
 from urdfkit.physics.collision.srdf_matrix import MatrixComparison
 from urdfkit.text.markdown import escape, table
 from urdfkit.text.terminal import columns, printable, wrap
@@ -132,7 +138,7 @@ def _lists(
         ("collide in the initial pose", matrix.of(PairVerdict.DEFAULT)),
         ("always collide", matrix.of(PairVerdict.ALWAYS)),
         ("can collide", often),
-        (f"never collide, but come closer than {1000 * NEAR:g} mm", matrix.near_misses),
+        (f"never collide, but come closer than {1000 * NEAR_MISS:g} mm", matrix.near_misses),
     ]
     if comparison is not None:
         named += [

@@ -16,7 +16,7 @@ from urdfkit.mesh.io.facts import MAX_BYTES, Defect, MeshFacts, empty, not_a_mes
 from urdfkit.text.source import why_unreadable
 
 #: Upper bound of the size of a robot mesh.
-_LARGEST = 1024**3
+_MAX_SIZE = 1024**3
 _HEAD = 4096
 _LONG_HEAD = 64 * 1024
 
@@ -170,7 +170,7 @@ def _suggested(data: bytes, suffix: str) -> str:
     if suffix in (".stl", ".stlb") and not _is_text(data[:_HEAD]):
         # In a file that is not STL, the triangle count is an arbitrary number.
         header = data[:80].rstrip(b"\0")
-        is_stl = _is_text(header) or binary_stl.whole_size(data) <= _LARGEST
+        is_stl = _is_text(header) or binary_stl.whole_size(data) <= _MAX_SIZE
         return facts.BINARY_STL if is_stl else ""
     if suffix == ".obj" and data.lstrip().startswith(b"#"):
         return facts.OBJ

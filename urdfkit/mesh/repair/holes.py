@@ -11,7 +11,7 @@ from urdfkit.mesh.geometry import Flags, Floats, Integers
 from urdfkit.mesh.repair.soup import TriangleSoup
 
 #: Longer boundaries are closed in their plane: the optimal triangulation takes cubic time.
-_LONGEST = 120
+_MAX_CORNERS = 120
 
 
 def fill(soup: TriangleSoup) -> TriangleSoup:
@@ -74,7 +74,7 @@ def _barred(loop: Integers, used_edges: set[tuple[int, int]]) -> Flags:
     """(n, n), True for diagonals of a loop that are edges of the mesh already."""
     number = len(loop)
     barred = np.zeros((number, number), dtype=bool)
-    if number > _LONGEST:
+    if number > _MAX_CORNERS:
         return barred
     for start in range(number):
         for end in range(start + 2, number - (start == 0)):
@@ -90,7 +90,7 @@ def triangulated(points: Floats, barred: Flags) -> Integers:
         points: (n, 3).
         barred: (n, n), forbidden diagonals, by start and end.
     """
-    if len(points) > _LONGEST:
+    if len(points) > _MAX_CORNERS:
         return _in_plane(points)
     return _smallest(points, barred)
 

@@ -32,7 +32,7 @@ from urdfkit.text.source import shown
 MANIFEST = "bundle.json"
 VERSION = 1
 #: Most files that an error names.
-_NAMED = 5
+_MAX_NAMED = 5
 
 
 class ManifestEntry(Record):
@@ -224,7 +224,7 @@ def located_files(robot: Context, references: Iterable[Placed[str]]) -> dict[int
             unresolved = outside if located.outside else missing
             unresolved.append(f"{reference.span}: {reference.value}")
     reasons = [
-        f"the robot references files that {defect}: {few(locations, _NAMED)}"
+        f"the robot references files that {defect}: {few(locations, _MAX_NAMED)}"
         for defect, locations in (("do not exist", missing), ("are outside the workspace", outside))
         if locations
     ]

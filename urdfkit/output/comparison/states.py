@@ -15,7 +15,7 @@ from urdfkit.workspace.revisions import locate
 from urdfkit.workspace.snapshots import check_out_snapshot
 
 #: Size in bytes above which files of a revision are ignored.
-LARGEST = 64 * 1024 * 1024
+MAX_BYTES = 64 * 1024 * 1024
 
 
 class RobotState:
@@ -40,7 +40,7 @@ class RobotState:
         if ":" in word and not os.path.exists(word):
             revision, _, path = word.partition(":")
             path = locate(path, revision)
-            old = check_out_snapshot(path, revision, directory, options.packages, LARGEST)
+            old = check_out_snapshot(path, revision, directory, options.packages, MAX_BYTES)
             found, options = old.path, options._replace(packages=old.packages)
         values = options.config.entry(path, options.arguments, options.variant).arguments
         source, resolver = Source.read(found), Resolver(options.packages)

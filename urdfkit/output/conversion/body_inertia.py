@@ -9,7 +9,7 @@ from urdfkit.robot.model import Link
 from urdfkit.robot.rigid_bodies import properties_of
 
 #: Masses in kg and moments in kg·m² below this count as zero.
-_LEAST = 1e-15
+_ZERO = 1e-15
 
 
 def pseudo_inertia(mass: float, center: Floats, tensor: Floats, frame: Transform) -> Floats:
@@ -41,7 +41,7 @@ def of_link(link: Link, frame: Transform) -> Floats:
 def about_center(ours: Floats, theirs: Floats) -> tuple[Floats, Floats]:
     """Two pseudo-inertias, both about the centre of mass of the first."""
     translation = np.eye(4)
-    if ours[3, 3] > _LEAST:
+    if ours[3, 3] > _ZERO:
         translation[:3, 3] = -ours[:3, 3] / ours[3, 3]
     return translation @ ours @ translation.T, translation @ theirs @ translation.T
 
@@ -52,7 +52,7 @@ def difference(ours: Floats, theirs: Floats) -> float:
     Moments are relative to the largest second moment and the mass, whatever the unit of length:
     a small part has a small tensor.
     """
-    second, mass = max(float(np.abs(ours[:3, :3]).max()), _LEAST), max(abs(ours[3, 3]), _LEAST)
+    second, mass = max(float(np.abs(ours[:3, :3]).max()), _ZERO), max(abs(ours[3, 3]), _ZERO)
     scale = np.sqrt([second, second, second, mass])
     largest = float(np.abs((ours - theirs) / np.outer(scale, scale)).max())
     return largest if np.isfinite(largest) else float("inf")

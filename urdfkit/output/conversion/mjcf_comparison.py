@@ -31,12 +31,12 @@ from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.values import number
 
 #: Entries below this, in N·m, kg or kg·m², are rounding errors.
-LEAST = 1e-9
+ZERO = 1e-9
 #: Difference of a part that is missing or of another type.
 WHOLE = 1.0
 
 
-def relative(ours: Floats, theirs: Floats, least: float = LEAST) -> float:
+def relative(ours: Floats, theirs: Floats, least: float = ZERO) -> float:
     """The largest difference, relative to the largest entry or ``least``."""
     largest = max(float(np.abs(ours).max(initial=0.0)), least)
     return float(np.abs(ours - theirs).max(initial=0.0)) / largest
@@ -188,7 +188,7 @@ def _mesh(
     else:
         centers = np.array([frame[:3, 3] for frame in frames])
         distances = np.maximum(low - centers, centers - high).clip(0)
-    return float(distances.max() / max(np.abs(ours).max(), LEAST))
+    return float(distances.max() / max(np.abs(ours).max(), ZERO))
 
 
 def _vertices(model: Any, geom: int) -> Floats:

@@ -12,7 +12,7 @@ from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.conversion.body_inertia import homogeneous
 from urdfkit.output.conversion.mjcf_comparison import (
-    LEAST,
+    ZERO,
     inertias,
     joints,
     names,
@@ -32,7 +32,7 @@ from urdfkit.robot.kinematics import laws, positions
 #: Number of random poses at which frames and dynamics are compared.
 POSES, DYNAMIC_POSES = 100, 10
 #: Bounds: of frames in m; of other differences relative.
-LENGTH, PART = 1e-9, 1e-6
+MAX_OFFSET, MAX_ERROR = 1e-9, 1e-6
 #: Bound of shapes: MuJoCo stores vertices of meshes in single precision.
 SHAPE = 1e-5
 #: Lever in m: a torque below that of the robot's weight on it is a rounding error.
@@ -66,14 +66,14 @@ def prove(model: Any, robot: Context, written: Mapping[int, WrittenShape]) -> Pr
     inertia = max(inertias(model, robot, poses.reading), default=(0.0, ""))
     frame, mimic, matrix, gravity = poses.compare()
     joint = max((mimic, ""), *joints(model, robot))
-    measured = ((frame, LENGTH), (inertia, PART), (joint, PART), (shape, SHAPE))
+    measured = ((frame, MAX_OFFSET), (inertia, MAX_ERROR), (joint, MAX_ERROR), (shape, SHAPE))
     _, worst = max((1.0, ""), *((most / bound, name) for (most, name), bound in measured))
     engine = "urdfkit" if is_large else "Pinocchio"
     reader = "Pinocchio" if poses.reading else "urdfkit"
     of_reader = "" if reader == engine else f", of the URDF as {reader} reads it"
-    is_moved = max(inertia[0], matrix, gravity, joint[0]) <= PART
+    is_moved = max(inertia[0], matrix, gravity, joint[0]) <= MAX_ERROR
     return Proof(
-        frame[0] <= LENGTH and is_moved and shape[0] <= SHAPE,
+        frame[0] <= MAX_OFFSET and is_moved and shape[0] <= SHAPE,
         f"MuJoCo and {engine} agree on frames, inertia, mass matrix and gravity torques"
         f"{of_reader}; joints and shapes match the robot",
         f"MuJoCo and {engine} do not agree on the robot: frames {frame[0]:.2g} m, "
@@ -151,7 +151,7 @@ class _Poses:
                     coordinates.compared(dynamics.gravity(pose)),
                     coordinates.gravity(data),
                 )
-                gravity = max(gravity, relative(ours, theirs, max(LEAST, LEVER * weight)))
+                gravity = max(gravity, relative(ours, theirs, max(ZERO, LEVER * weight)))
         return frame, mimic, matrix, gravity
 
 

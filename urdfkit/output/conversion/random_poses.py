@@ -6,7 +6,7 @@ from random import Random
 from urdfkit.robot.model import Joint
 
 #: Bound of positions, in rad or m, if the limit of a joint is larger or missing.
-_REACH = 3.0
+_MAX_POSITION = 3.0
 
 
 def random_poses(joints: Iterable[Joint], count: int) -> Iterator[dict[str, float]]:
@@ -22,6 +22,6 @@ def random_poses(joints: Iterable[Joint], count: int) -> Iterator[dict[str, floa
 
 def _range(joint: Joint) -> tuple[float, float]:
     limit = joint.limit if joint.kind != "continuous" else None
-    lower = max(limit.lower.value if limit and limit.lower else -_REACH, -_REACH)
-    upper = min(limit.upper.value if limit and limit.upper else _REACH, _REACH)
+    lower = max(limit.lower.value if limit and limit.lower else -_MAX_POSITION, -_MAX_POSITION)
+    upper = min(limit.upper.value if limit and limit.upper else _MAX_POSITION, _MAX_POSITION)
     return lower, max(lower, upper)

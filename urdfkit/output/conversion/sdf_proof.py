@@ -21,7 +21,7 @@ from urdfkit.text.document import Element
 #: Number of random poses at which frames are compared.
 POSES = 20
 #: Bounds: of frames and centres of mass in m; of other differences relative to the largest entry.
-LENGTH, PART = 1e-9, 1e-6
+MAX_OFFSET, MAX_ERROR = 1e-9, 1e-6
 #: Bound of inertia where sdformat rounds a pitch near 90 degrees to 90 degrees.
 ROUNDED = 1e-2
 
@@ -48,11 +48,11 @@ def prove(sdf: Sdf, robot: Context, conversion: SdfConversion) -> Proof:
     missing = sum(number for _, number in shapes)
     joint = max(_joints(sdf, robot, conversion), default=0.0)
     is_rounded = _is_rounded(tree)
-    is_placed = max(worst[0], shape) <= LENGTH and not missing
-    bounds = (ROUNDED, ROUNDED) if is_rounded else (LENGTH, PART)
-    is_heavy = mass <= PART and center <= bounds[0] and tensor <= bounds[1]
+    is_placed = max(worst[0], shape) <= MAX_OFFSET and not missing
+    bounds = (ROUNDED, ROUNDED) if is_rounded else (MAX_OFFSET, MAX_ERROR)
+    is_heavy = mass <= MAX_ERROR and center <= bounds[0] and tensor <= bounds[1]
     return Proof(
-        is_placed and is_heavy and joint <= PART,
+        is_placed and is_heavy and joint <= MAX_ERROR,
         "the SDF agrees with the robot on frames, shapes, masses, inertia, joints and limits",
         f"the SDF does not agree with the robot: frames {worst[0]:.2g} m ('{worst[1]}'), "
         f"masses {mass:.2g}, centres {center:.2g} m, inertia {tensor:.2g}, joints {joint:.2g}, "

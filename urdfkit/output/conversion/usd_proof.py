@@ -27,7 +27,7 @@ from urdfkit.robot.values import number
 
 #: Bounds: of frames in m, and of other differences relative to the largest number: USD stores
 #: masses in single precision.
-LENGTH, PART = 1e-9, 1e-5
+MAX_OFFSET, MAX_ERROR = 1e-9, 1e-5
 #: The converter's attributes of a joint, by the paths of URDF's attributes, with the power of
 #: degrees in their units.
 RESISTANCE = {
@@ -36,7 +36,7 @@ RESISTANCE = {
     "dynamics@friction": ("friction", 0),
 }
 #: Numbers below this are rounding errors.
-_LEAST = 1e-9
+_ZERO = 1e-9
 #: Difference of a part that is missing or of another type.
 _WHOLE = 1.0
 
@@ -209,10 +209,10 @@ def prove(stage: Stage, robot: Context) -> Proof:
     joints = max(_joints(stage, robot), default=(0.0, ""))
     shapes = max(_shape_differences(stage, robot), default=(0.0, ""))
     relative = (masses[0], axes[0], joints[0], shapes[0])
-    bounds = zip((frame, masses, axes, joints, shapes), (LENGTH, *[PART] * 4), strict=True)
+    bounds = zip((frame, masses, axes, joints, shapes), (MAX_OFFSET, *[MAX_ERROR] * 4), strict=True)
     _, worst = max((difference / bound, name) for (difference, name), bound in bounds)
     return Proof(
-        frame[0] <= LENGTH and max(relative) <= PART,
+        frame[0] <= MAX_OFFSET and max(relative) <= MAX_ERROR,
         "the stage agrees with the robot on frames, masses, inertia, joints and shapes",
         f"the USD does not agree with the robot: frames {frame[0]:.2g} m, "
         f"masses {masses[0]:.2g}, axes {axes[0]:.2g}, joints {joints[0]:.2g}, "
@@ -304,7 +304,7 @@ def _resistance(prim: Any, joint: Joint) -> Iterator[float]:
         if value is not None:
             ours = value * per_degree**power
             theirs = prim.GetAttribute(f"newton:{name}").Get()
-            yield _WHOLE if theirs is None else abs(theirs - ours) / max(abs(ours), _LEAST)
+            yield _WHOLE if theirs is None else abs(theirs - ours) / max(abs(ours), _ZERO)
 
 
 def _mimic(stage: Stage, prim: Any, joint: Joint) -> Iterator[float]:

@@ -15,7 +15,7 @@ from urdfkit.robot.model import Body, Link, Shape
 #: Prim types of URDF's primitives.
 _TYPES = {"box": "Cube", "sphere": "Sphere", "cylinder": "Cylinder"}
 #: Lengths in m below this are rounding errors.
-_LEAST = 1e-9
+_ZERO = 1e-9
 _CORNERS = np.array(list(product((-1.0, 1.0), repeat=3)))
 
 
@@ -53,7 +53,7 @@ def shape_difference(prim: Any, robot: Context, body: Body) -> float:
     if prim.GetTypeName() != _TYPES[shape.kind] or theirs is None:
         return 1.0
     points = _moved(_CORNERS * theirs, back @ _matrix(prim, prim.GetParent()))
-    return float(np.abs(points - _CORNERS * extents).max() / max(*extents, _LEAST))
+    return float(np.abs(points - _CORNERS * extents).max() / max(*extents, _ZERO))
 
 
 def _mesh_difference(prim: Any, robot: Context, shape: Shape, back: Floats) -> float:
@@ -63,7 +63,7 @@ def _mesh_difference(prim: Any, robot: Context, shape: Shape, back: Floats) -> f
     ours = mesh.vertices[np.unique(mesh.faces)] * np.multiply(shape.scale, mesh.unit)
     theirs = np.concatenate([_moved(points, back @ at) for points, at in _vertices(prim)])
     low, high = theirs.min(axis=0) - ours.min(axis=0), theirs.max(axis=0) - ours.max(axis=0)
-    return float(np.abs([low, high]).max() / max(np.abs(ours).max(), _LEAST))
+    return float(np.abs([low, high]).max() / max(np.abs(ours).max(), _ZERO))
 
 
 def _half_extents(prim: Any) -> Floats | None:

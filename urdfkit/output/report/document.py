@@ -49,7 +49,7 @@ _PARTS: dict[str, Callable[[Context], object]] = {
     "meshes": tables.meshes,
 }
 #: The slow parts.
-LONG = ("statics", "standing", "collisions")
+SLOW_SECTIONS = ("statics", "standing", "collisions")
 
 
 class ReportInput(Record):
@@ -73,7 +73,7 @@ def describe(
 
     Args:
         file: a URDF or xacro file, or a launch file that describes one robot.
-        quick: omit the slow parts, `LONG`.
+        quick: omit the slow parts, `SLOW_SECTIONS`.
         progress: called with the number of finished steps and of all steps of a slow part.
 
     Raises:
@@ -149,7 +149,7 @@ def _document(context: Context, report: Report) -> ReportDocument:
         "gathered": findings(grouped(report.diagnostics), places),
         "skipped": written["skipped"],
         "crashed": written["crashed"],
-        **dict.fromkeys(LONG),
+        **dict.fromkeys(SLOW_SECTIONS),
         **parts,
         "missing": missing,
     }

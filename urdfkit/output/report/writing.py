@@ -10,7 +10,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.strict_json import dumped
 from urdfkit.errors import Unavailable, UrdfkitError
 from urdfkit.lint.options import Options
-from urdfkit.output.report.document import LONG, ReportDocument, ReportInput, describe
+from urdfkit.output.report.document import SLOW_SECTIONS, ReportDocument, ReportInput, describe
 from urdfkit.output.report.scene import PageScene
 from urdfkit.output.report.translations import Translator
 from urdfkit.text.source import Source
@@ -44,7 +44,7 @@ def report(
         UnreadableFile: the file is missing or cannot be read.
         UrdfkitError: the format needs a library that is not installed, or lacks the table.
     """
-    shows_all = form in ("html", "json") or (form == "csv" and table in LONG)
+    shows_all = form in ("html", "json") or (form == "csv" and table in SLOW_SECTIONS)
     reported = describe(file, options, quick=quick or not shows_all, progress=progress)
     document = reported.document
     if form == "json":

@@ -11,9 +11,9 @@ from urdfkit.robot.model import Joint
 
 #: Within this time in s, a joint must reach this velocity in rad/s or m/s, this part of its
 #: velocity limit, or an end of its range. Talos' grippers reach half of their limit.
-DRIVEN, SPEED, PART = 1.0, 0.1, 0.1
+DRIVEN, SPEED, SPEED_PART = 1.0, 0.1, 0.1
 #: A joint that moves by less, in rad or m, was at the end of its range.
-_LEAST = 1e-3
+_MIN_MOVE = 1e-3
 
 
 def drive(robot: SimulatedRobot) -> Iterator[Verdict]:
@@ -39,8 +39,8 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
     dof, start = robot.dof(joint.name), robot.position(data, joint.name)
     lower, upper = robot.range(joint.name) or (-float("inf"), float("inf"))
     sign = 1.0 if upper - start >= start - lower else -1.0
-    room = max(upper - start, start - lower) - _LEAST
-    fastest, enough = 0.0, min(PART * velocity, SPEED)
+    room = max(upper - start, start - lower) - _MIN_MOVE
+    fastest, enough = 0.0, min(SPEED_PART * velocity, SPEED)
     unit, force = joint.unit, joint.effort_unit
     pushed = f"its effort of {effort:g} {force}"
     friction = float(model.dof_frictionloss[dof])

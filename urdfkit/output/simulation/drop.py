@@ -14,7 +14,7 @@ from urdfkit.robot.stability import is_freestanding, lowest_links
 
 #: Height of the drop in m, and time in s after which the robot must be still; a robot that falls
 #: over late has more time.
-HEIGHT, DROPPED, LONGEST = 0.05, 3.0, 6.0
+HEIGHT, DROPPED, MAX_DURATION = 0.05, 3.0, 6.0
 #: Final period in s, and its acceleration bound in m/s²: a robot may roll away.
 LAST, JITTER = 0.5, 2.0
 #: Most depth in the floor, in m: contacts of MuJoCo yield by 4 mm under a body, and by 11 mm
@@ -48,7 +48,7 @@ def _dropped(robot: SimulatedRobot, dropped: str) -> Verdict:
     _lock(robot, data)
     data.qpos[2] += HEIGHT
     jitter, calm, before = 0.0, 0, data.qvel[:3].copy()
-    for number in range(round(LONGEST / STEP)):
+    for number in range(round(MAX_DURATION / STEP)):
         mujoco.mj_step(robot.model, data)
         if diverged(data) is not None:
             text = f"{dropped}, its simulation diverges after {number * STEP:.2g} s"
@@ -70,7 +70,7 @@ def _dropped(robot: SimulatedRobot, dropped: str) -> Verdict:
         text = f"{dropped}, link '{link}' sinks into the floor by {depth * 1e3:.3g} mm"
         return Verdict("drop", False, text, depth, DEPTH, (link,), robot.collision(link))
     if not is_calm:
-        text = f"{dropped}, it still jitters after {LONGEST:g} s, with {jitter:.2g} m/s²"
+        text = f"{dropped}, it still jitters after {MAX_DURATION:g} s, with {jitter:.2g} m/s²"
         return Verdict("drop", False, text, jitter, JITTER)
     if tilt > TILT and _is_to_stand(robot):
         text = f"{dropped}, it tips over by {tilt:.0f} degrees"

@@ -21,7 +21,7 @@ from urdfkit.text.source import Span
 
 #: Bound of energy gain: the energy to lift the robot by this height in m, plus this part of its
 #: largest kinetic energy.
-LIFT, PART = 1e-3, 0.01
+LIFT, KINETIC_PART = 1e-3, 0.01
 #: Part of the kinetic energy that a valid robot, such as a UR10e, may gain from the default step.
 PART_OF_STEPS = 0.1
 #: Overlapping links throw a robot if the energy that they add lifts it by more than this
@@ -41,7 +41,7 @@ class _Release(Record):
 
     @property
     def bound(self) -> float:
-        return LIFT * self.weight + PART * self.kinetic
+        return LIFT * self.weight + KINETIC_PART * self.kinetic
 
     @property
     def is_calm(self) -> bool:

@@ -20,7 +20,7 @@ from urdfkit.robot.model import Joint
 SAMPLES = 24
 #: A joint is jammed if links collide when it moves to either side by this part of its range, or
 #: by this much in rad or m, whichever is less.
-PART, TURN, SLIDE = 0.1, 0.1, 0.02
+RANGE_PART, TURN, SLIDE = 0.1, 0.1, 0.02
 #: Number of random poses of the other joints in which a jammed joint is tried.
 TRIALS = 20
 #: Time in s for which leaders are held at an end of their ranges.
@@ -40,7 +40,7 @@ def sweep(robot: SimulatedRobot) -> Iterator[Verdict]:
         start = poses.start[joint.name]
         lower, upper = robot.range(joint.name) or (start - pi, start + pi)
         least = min(least, (_free_part(poses, joint.name, lower, upper), joint.name))
-        step = min(PART * (upper - lower), SLIDE if joint.is_prismatic else TURN)
+        step = min(RANGE_PART * (upper - lower), SLIDE if joint.is_prismatic else TURN)
         near = [at for at in (start - step, start + step) if lower <= at <= upper]
         hits = [(at, poses.collision(joint.name, at)) for at in near]
         jam = next(((at, *hit) for at, hit in hits if hit), None)

@@ -15,7 +15,7 @@ ERROR = 1.0
 #: Duration in s.
 DURATION = 1.0
 #: A robot that moves less has no error: the energy to lift it by this height in m.
-_LEAST = 1e-3
+_MIN_LIFT = 1e-3
 
 
 def timestep(robot: SimulatedRobot) -> Iterator[Verdict]:
@@ -64,4 +64,4 @@ def _error(robot: SimulatedRobot, step: float) -> float:
             return inf
         error = max(error, abs(float(data.energy.sum()) - start))
         kinetic = max(kinetic, float(data.energy[1]))
-    return error / kinetic if kinetic > _LEAST * robot.weight else 0.0
+    return error / kinetic if kinetic > _MIN_LIFT * robot.weight else 0.0

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from urdfkit.robot import Robot
 
 #: Limit in m of the size of bodies and their distance from the link; others are omitted.
-LARGEST = 1e6
+MAX_COORDINATE = 1e6
 #: Least thickness in m: thinner primitives are thickened, smaller meshes omitted.
 THINNEST = 1e-6
 #: Overlap in m up to which bodies only touch.
@@ -74,8 +74,8 @@ def why_omitted(body: Body) -> str:
     shape = body.shape
     if shape is None:
         return "it has no geometry"
-    if max(map(abs, body.origin.position)) > LARGEST:
-        return f"it is more than {LARGEST:g} m from its link"
+    if max(map(abs, body.origin.position)) > MAX_COORDINATE:
+        return f"it is more than {MAX_COORDINATE:g} m from its link"
     if shape.kind == "mesh":
         return ""
     sizes = _sizes(shape)
@@ -86,8 +86,8 @@ def why_omitted(body: Body) -> str:
     size = primitive_size(shape)
     if min(value for value in sizes if value is not None) < 0:
         return "a size is negative"
-    if max(size) > LARGEST:
-        return f"it is larger than {LARGEST:g} m"
+    if max(size) > MAX_COORDINATE:
+        return f"it is larger than {MAX_COORDINATE:g} m"
     return ""
 
 
@@ -139,7 +139,7 @@ def _mesh(
     """A mesh with its measured bounding box; without measures, with the largest possible box."""
     assert body.shape is not None
     if isinstance(measures, str):
-        half = (LARGEST, LARGEST, LARGEST)
+        half = (MAX_COORDINATE, MAX_COORDINATE, MAX_COORDINATE)
         return CollisionBody(
             link, number, body.origin, "mesh", (), ORIGIN, half, (), may_be_convex=True
         )

@@ -12,7 +12,7 @@ import numpy as np
 from urdfkit.mesh.geometry import Floats, Integers, scaled_normals
 from urdfkit.mesh.welding import weld
 from urdfkit.physics.collision.batch_kinematics import matrix
-from urdfkit.physics.collision.bodies import LARGEST, THINNEST, primitive_size, why_omitted
+from urdfkit.physics.collision.bodies import MAX_COORDINATE, THINNEST, primitive_size, why_omitted
 from urdfkit.robot.assets.triangles import Meshes
 from urdfkit.robot.model import Link, RobotModel, Shape
 
@@ -90,8 +90,8 @@ def _mesh(shape: Shape, meshes: Meshes, *, unit: bool) -> tuple[Floats, Integers
     vertices, faces = _sound(vertices, mesh.faces)
     if not len(faces):
         return "none of its triangles has an area"
-    if np.abs(vertices).max() > LARGEST:
-        return f"it is larger than {LARGEST:g} m"
+    if np.abs(vertices).max() > MAX_COORDINATE:
+        return f"it is larger than {MAX_COORDINATE:g} m"
     if np.ptp(vertices, axis=0).max() < THINNEST:
         return f"it is smaller than {THINNEST:g} m"
     return vertices, faces

@@ -29,7 +29,7 @@ _LEAST_RANGE = 1e-4
 #: Length below which coal has not set a vector.
 _NO_DIRECTION = 1e-6
 #: Squared gradient below which a descent ends.
-_LEVEL = 1e-8
+_FLAT_GRADIENT = 1e-8
 #: Largest step of a joint, as a part of its range.
 _STRIDE = 0.25
 #: Damping factor below which a descent ends; steps that increase the distance are damped.
@@ -172,7 +172,7 @@ class _Descent:
         """Descend until the bodies collide or reach a minimum."""
         active = np.arange(len(self._at))
         for _ in range(_STEPS):
-            active = active[(self._slope_within_limits(active) ** 2).sum(axis=1) > _LEVEL]
+            active = active[(self._slope_within_limits(active) ** 2).sum(axis=1) > _FLAT_GRADIENT]
             if not len(active) or self.distance < -TOUCH:
                 break
             self._step(active)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from urdfkit.physics.collision.geometry_arrays import OmittedCollision
 
 #: Distance in m below which a pair without collisions is a near miss.
-NEAR = 0.005
+NEAR_MISS = 0.005
 
 
 class PairVerdict(Enum):
@@ -63,7 +63,7 @@ class PairResult(NamedTuple):
     def is_near_miss(self) -> bool:
         """True if the links move against each other and nearly collide."""
         is_free = self.verdict is PairVerdict.NEVER and self.moves
-        return is_free and self.nearest is not None and self.nearest.distance < NEAR
+        return is_free and self.nearest is not None and self.nearest.distance < NEAR_MISS
 
 
 class Matrix(NamedTuple):

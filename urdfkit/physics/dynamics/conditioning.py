@@ -8,7 +8,7 @@ from urdfkit.core.record import Record
 from urdfkit.physics.dynamics.robot import Dynamics
 
 #: Limit of single precision, which several simulators use: seven digits.
-LARGEST = 1e7
+MAX_RATIO = 1e7
 
 
 class Conditioning(Record):
@@ -22,7 +22,7 @@ class Conditioning(Record):
     @property
     def is_ill(self) -> bool:
         """True if single precision is not sufficient to invert the matrix."""
-        return self.number > LARGEST
+        return self.number > MAX_RATIO
 
 
 def conditioning(robot: Dynamics) -> Conditioning:

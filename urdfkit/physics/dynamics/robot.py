@@ -27,7 +27,7 @@ from urdfkit.robot.tree import KinematicTree
 MAX_JOINTS = 150
 
 #: Largest plausible number; products of larger numbers may overflow.
-LARGEST = 1e30
+MAX_NUMBER = 1e30
 
 
 class Unsuitable(UrdfkitError):
@@ -61,7 +61,7 @@ class Dynamics:
             raise Unsuitable(f"too many movable joints for Pinocchio: {count} > {MAX_JOINTS}")
         for link, mass in self.payload.items():
             tree.model.require_link(link)
-            if not abs(mass) < LARGEST:
+            if not abs(mass) < MAX_NUMBER:
                 raise Unsuitable(f"payload of link '{link}' is implausible: {mass:g} kg")
         self.model, self._numbers, self._frames = _build(tree, self.payload)
         self._laws = laws(tree.model.joints_by_name)
@@ -265,7 +265,7 @@ def _inertia(link: Link) -> pin.Inertia:
     """Pinocchio's inertia of a link, in the link frame."""
     mass, center, moments = properties_of(link, Transform())
     tensor = np.array(moments.rows)
-    if not max(abs(mass), np.abs(center).max(), np.abs(tensor).max()) < LARGEST:
+    if not max(abs(mass), np.abs(center).max(), np.abs(tensor).max()) < MAX_NUMBER:
         raise Unsuitable(f"link '{link.name}' has an implausible mass, position or inertia")
     inertia = pin.Inertia.Zero()  # other constructors reject values that Pinocchio's parser accepts
     inertia.mass, inertia.lever, inertia.inertia = mass, np.array(center), tensor
@@ -274,6 +274,6 @@ def _inertia(link: Link) -> pin.Inertia:
 
 def _se3(frame: Transform) -> pin.SE3:
     position = np.array(frame.position)
-    if not np.abs(position).max() < LARGEST:
+    if not np.abs(position).max() < MAX_NUMBER:
         raise Unsuitable("the origin of a joint is implausibly far away")
     return pin.SE3(np.array(frame.rotation), position)

@@ -13,7 +13,7 @@ from urdfkit.robot.model import Body, Link
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, Primitive
 
 #: Edges in m outside this range, computed from an inertia tensor, show that the tensor is wrong.
-_SHORTEST, _LONGEST = 0.001, 3.0
+_MIN_EDGE, _MAX_EDGE = 0.001, 3.0
 #: Range of edges in m for which solids can be built.
 BUILDABLE = (1e-6, 1e4)
 
@@ -102,7 +102,7 @@ def _block_of_inertia(link: Link) -> Primitive | None:
     if x == y == z and f"{x:e}".startswith("1.000000e"):
         return None  # placeholders such as 1, 0.1, 0.001
     squares = [6 * value / link.mass for value in (y + z - x, x + z - y, x + y - z)]
-    if not all(_SHORTEST**2 <= square <= _LONGEST**2 for square in squares):
+    if not all(_MIN_EDGE**2 <= square <= _MAX_EDGE**2 for square in squares):
         return None
     a, b, c = map(sqrt, squares)
     return Primitive("box", (a, b, c), 0.0, 0.0, inertial.origin)

@@ -30,7 +30,7 @@ NESTED = 0.9
 MARKER = 0.005
 
 #: Corners at a smaller distance, in m, differ by a tolerance, or by the thickness of a sheet.
-NEAR = 0.002
+TOLERANCE = 0.002
 
 #: Largest ratio of the edges of a cube; and the range of ratios of a shape that is too small by a
 #: factor of 1000 and only similar.
@@ -42,10 +42,10 @@ SIMILAR_UNIT, SIMILAR = 1.5, 1.02
 
 #: Concentric boxes with a larger overlap show one part; a motor and a cylinder in the place of its
 #: neighbour have 0.66.
-SAME = 0.72
+SAME_OVERLAP = 0.72
 
 #: Least increase of the overlap by a rotation.
-GAIN = 0.3
+MIN_GAIN = 0.3
 
 #: Two meshes with this overlap after a rotation are one part; with an overlap above the second
 #: value, they are aligned.
@@ -127,7 +127,7 @@ class VisualCollisionPair:
         turns = [*self._turns(self.link.visuals, self.visual, self.collision)]
         turns += self._turns(self.link.collisions, self.collision, self.visual)
         best = max(turns, key=lambda turn: round(turn.overlap, 3), default=None)
-        least = max(SAME, self.overlap + GAIN)
+        least = max(SAME_OVERLAP, self.overlap + MIN_GAIN)
         if self._has_meshes:
             least = min(least, SAME_MESH)
         return best if best and best.overlap >= least else None
@@ -160,7 +160,7 @@ class VisualCollisionPair:
             return True
         collision, visual = self.collision.bounds, self.visual.bounds
         concentric = visual.moved(Transform(position=minus(collision.center, visual.center)))
-        if _overlap(collision, concentric) >= SAME:
+        if _overlap(collision, concentric) >= SAME_OVERLAP:
             return True
         return collision.gap(visual) > max(*collision.edges, *visual.edges)
 
@@ -168,7 +168,7 @@ class VisualCollisionPair:
     def _coincides(self) -> bool:
         """True if both boxes have the same corners, as two sheets on one another."""
         corners = zip(self.visual.bounds, self.collision.bounds, strict=True)
-        return all(length(minus(corner, opposite)) <= NEAR for corner, opposite in corners)
+        return all(length(minus(corner, opposite)) <= TOLERANCE for corner, opposite in corners)
 
     @property
     def has_one_shape(self) -> bool:

@@ -24,7 +24,7 @@ NOISE = 1e-13
 ROUNDING = 0.01
 
 #: Relative tolerance for moments that were computed from a solid.
-SAME = 0.03
+MOMENT_TOLERANCE = 0.03
 
 #: Three moments that agree up to this factor with another formula do not agree by chance.
 EXACT_RATIO = 1.03
@@ -37,7 +37,7 @@ TURNED = 0.25
 
 #: Range of a tensor relative to that of the uniform solid: a mass in the middle has less, and the
 #: thinnest shell twice as much. Tensors with many digits were computed and may be larger.
-LEAST, MOST, MOST_COMPUTED = 0.3, 2.0, 3.5
+MIN_FACTOR, MAX_FACTOR, MAX_COMPUTED_FACTOR = 0.3, 2.0, 3.5
 
 #: Values that are written as placeholders, in kg·m².
 PLACEHOLDERS = (1.0, 0.1, 0.01, 0.001)
@@ -202,8 +202,8 @@ class LinkInertia:
         if self.expected is None or not self.is_diagonal:
             return False
         ratios = self.ratios(self.expected)
-        most = MOST if self.is_round else MOST_COMPUTED
-        return min(ratios) < LEAST or max(ratios) > most
+        most = MAX_FACTOR if self.is_round else MAX_COMPUTED_FACTOR
+        return min(ratios) < MIN_FACTOR or max(ratios) > most
 
     @property
     def is_of_shape(self) -> bool:
@@ -224,7 +224,7 @@ class LinkInertia:
         if not self.is_diagonal and difference < TURNED * self.moments[2]:
             return False  # slightly rotated
         pairs = zip(self.moments, inertia.principal_moments(self.expected), strict=True)
-        return all(abs(a - b) <= SAME * b for a, b in pairs)
+        return all(abs(a - b) <= MOMENT_TOLERANCE * b for a, b in pairs)
 
     @property
     def is_marker(self) -> bool:

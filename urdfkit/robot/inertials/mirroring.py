@@ -14,7 +14,7 @@ from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.edits import replace_value
 
 #: Tolerance of mirrored positions, in m.
-_NEAR = 1e-3
+_TOLERANCE = 1e-3
 #: The products of inertia that change their sign with an axis: y, or else x.
 _PLANES = ((1, ("ixy", "iyz")), (0, ("ixy", "ixz")))
 
@@ -33,7 +33,7 @@ def mirror_image(
     if own is None or its is None:
         return None
     for axis, products in _PLANES:
-        if dist(_flipped(its.position, axis), own.position) <= _NEAR:
+        if dist(_flipped(its.position, axis), own.position) <= _TOLERANCE:
             properties = properties_of(other.link, its)
             signs = {key: -getattr(properties.tensor, key) for key in products}
             center, tensor = _flipped(properties.center, axis), properties.tensor._replace(**signs)
@@ -52,7 +52,7 @@ def along_inertial(link: LinkInertia, tensor: Tensor) -> Tensor:
 
 def center_edits(link: LinkInertia, center: Vector) -> tuple[Edit, ...] | None:
     """Edits that change the centre of mass; empty if it is equal, None if they are impossible."""
-    if dist(center, link.inertial.origin.position) <= _NEAR:
+    if dist(center, link.inertial.origin.position) <= _TOLERANCE:
         return ()
     origin = link.inertial.at.child("origin")
     xyz = origin.attributes.get("xyz") if origin else None

@@ -19,7 +19,7 @@ from urdfkit.text.document import Attribute, Element
 _PARALLEL = 0.999
 
 #: Least distance in m between left and right wheels.
-_APART = 0.01
+_MIN_TRACK = 0.01
 
 
 class Wheel(Record):
@@ -120,7 +120,7 @@ def wrong_direction(
     if left.is_parallel(right) and left.is_flat:
         message = f"the axis of '{left.joint.name}' is vertical, so the wheel lies flat"
         return message, "write another <axis>, or another rpy in the <origin> of the joint"
-    if not left.is_parallel(right) or abs(to_left) < _APART:
+    if not left.is_parallel(right) or abs(to_left) < _MIN_TRACK:
         return None
     first, second = f"'{left.joint.name}'", f"'{right.joint.name}'"
     if dot(left.axis, right.axis) < 0:
@@ -145,7 +145,7 @@ def wrong_steering(left: Wheel, right: Wheel, rolling: Wheel) -> tuple[str, str]
     if left.axis[2] < 0 and right.axis[2] < 0:
         message = f"the axes of {first} and {second} point down, so the robot steers the wrong way"
         return message, "invert the <axis> of both joints"
-    if to_left > -_APART:
+    if to_left > -_MIN_TRACK:
         return None
     message = f"left steering joint {first} is {-to_left:.3g} m to the right of {second}"
     return message, "swap the joints"
