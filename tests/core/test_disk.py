@@ -129,6 +129,7 @@ READERS = {
     "workspace/resolve.py": "itself",
     "workspace/srdf_files.py": IN_PACKAGE,
     "workspace/program_strings.py": ADMITTED,
+    "workspace/submodules.py": IN_PACKAGE,
     "xacro/file_reader.py": "Resolver.allows",
 }
 

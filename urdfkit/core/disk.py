@@ -115,6 +115,11 @@ def is_link(path: str) -> bool:
     return S_ISLNK(_mode(path, follow=False))
 
 
+def link_target(path: str) -> str:
+    """The path that a symbolic link contains."""
+    return os.readlink(path)
+
+
 def has_name(path: str) -> bool:
     """True if the path exists, even as a broken link."""
     return _mode(path, follow=False) != 0

@@ -171,7 +171,7 @@ def why_unreadable(path: str, error: OSError) -> str:
     if not isinstance(error, FileNotFoundError):
         return error.strerror or str(error)
     if disk.is_link(path):
-        return f"is a symbolic link to '{os.readlink(path)}', which does not exist"
+        return f"is a symbolic link to '{disk.link_target(path)}', which does not exist"
     directory, name = os.path.split(path)
     try:
         siblings = disk.names(directory or ".")
