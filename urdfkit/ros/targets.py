@@ -127,6 +127,7 @@ class TargetFacts(Record):
     rejects_massless: bool = False  # True if it rejects a moving link without mass
     #: Density in kg/m³ of the collisions of a link without ``<inertial>``; 0 if not computed.
     density: float = 0.0
+    default_mass: float = 0.0  # in kg, of a link without ``<inertial>``
     #: True if moments must satisfy the triangle inequality without tolerance.
     rejects_rounding: bool = False
     least_moment: float = 0.0  # in kg·m²; it rejects lower moments. 0 without a bound

@@ -46,6 +46,16 @@ def test_mujoco_takes_the_mass_from_collisions() -> None:
     assert found.message.endswith("MuJoCo computes its mass from its collisions, at 1000 kg/m³")
 
 
+def test_pybullet_gives_every_link_a_kilogram() -> None:
+    robot = link("frame") + BASE + joint("frame", "base") + link("arm", HEAVY)
+    robot += joint("base", "arm", "revolute") + link("tip") + joint("arm", "tip")
+    (found,) = reported(robot, "pybullet")
+    assert found.severity is Severity.WARNING
+    assert found.message == "link 'tip' has no <inertial>: PyBullet gives it 1 kg"
+    assert reported(robot, "classic-ros1") == []
+    assert reported(robot.replace(link("tip"), link("tip", HEAVY)), "pybullet") == []
+
+
 def test_what_goes_with_it_is_named() -> None:
     robot = BASE + link("arm", VISUAL) + joint("base", "arm", "revolute") + link("frame")
     robot += joint("arm", "frame")

@@ -1,7 +1,8 @@
 """A link that a joint moves has no mass.
 
 RViz and MoveIt do not use masses. MuJoCo computes the mass of a link without `<inertial>` from its
-collisions, at 1000 kg/m³, and rejects the robot if it has no collisions. Gazebo drops links:
+collisions, at 1000 kg/m³, and rejects the robot if it has no collisions. PyBullet gives every link
+without `<inertial>` 1 kg, a frame at the tip of an arm as well. Gazebo drops links:
 
 - Gazebo drops a moving link with all its children if neither the link nor the links fixed to it
   have a mass, in older versions without an error; controllers then do not find their joints. Add an
@@ -14,12 +15,13 @@ collisions, at 1000 kg/m³, and rejects the robot if it has no collisions. Gazeb
 - If no link has a mass, Gazebo rejects the robot. Many arms are published without masses, for RViz
   and MoveIt.
 
-An error for Gazebo and MuJoCo, a warning if MuJoCo computes a mass or if only older Gazebo drops
-links, otherwise an info.
+An error for Gazebo and MuJoCo, a warning for PyBullet, or if MuJoCo computes a mass or only older
+Gazebo drops links, otherwise an info.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
     MuJoCo, inertiafromgeom: https://mujoco.readthedocs.io/en/stable/XMLreference.html#compiler-inertiafromgeom
+    PyBullet, UrdfParser.cpp: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/UrdfParser.cpp
     gazebosim/sdformat#199: https://github.com/gazebosim/sdformat/issues/199
     gazebosim/gz-sim#2815: https://github.com/gazebosim/gz-sim/issues/2815
 """
@@ -56,7 +58,11 @@ _HELP_OF_ZERO = "write its mass in kg, or give it a fixed joint if it is only a 
     reports_missing=True,
 )
 def check(context: Context) -> Findings:
-    strict = [target for target in context.given_facts if target.rejects_massless or target.density]
+    strict = [
+        target
+        for target in context.given_facts
+        if target.rejects_massless or target.density or target.default_mass
+    ]
     if strict and not context.is_part and not context.mujoco.least_mass:
         for target in strict:
             yield from _in_target(context, target)
@@ -77,6 +83,9 @@ def _in_target(context: Context, target: TargetFacts) -> Findings:
     """Moving links without mass, or with a mass that the target computes."""
     for body in context.masses.bodies:
         if body.joint is None:
+            continue
+        if target.default_mass:
+            yield from _of_default_mass(body, target)
             continue
         moved = f"moved by the {body.joint.kind} joint '{body.joint.name}'"
         computed = [link for link, _ in body.links if link.inertial is None and link.collisions]
@@ -101,6 +110,21 @@ def _in_target(context: Context, target: TargetFacts) -> Findings:
                 severity=Severity.ERROR,
                 targets=(target.name,),
                 group_key=f"rejected by {target.name}",
+            )
+
+
+def _of_default_mass(body: RigidBody, target: TargetFacts) -> Findings:
+    """Links that add a mass of the target to a moving body."""
+    for link, _ in body.links:
+        if link.inertial is None:
+            yield Finding(
+                link.at,
+                f"link '{link.name}' has no <inertial>: {target.title} gives it "
+                f"{target.default_mass:g} kg",
+                "give it an <inertial>; a gram is enough for a frame",
+                severity=Severity.WARNING,
+                targets=(target.name,),
+                group_key=f"default mass of {target.name}",
             )
 
 
