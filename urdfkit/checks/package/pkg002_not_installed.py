@@ -43,7 +43,7 @@ def check(context: Context) -> Findings:
     packages = context.resolver.packages
     if is_launch(context.source.path):
         if home := packages.enclosing(context.source.path):
-            yield from _uninstalled(context, *home, _launched(context, *home))
+            yield from _uninstalled(context, *home, _launched(context, home[1]))
         return
     sources: dict[tuple[str, str], list[Source]] = {}
     for source in context.document.sources:
@@ -89,7 +89,7 @@ def _referenced(sources: Iterable[Source], name: str) -> Iterator[tuple[str, Spa
                 yield os.path.normpath(mention.relative), mention.span
 
 
-def _launched(context: Context, name: str, directory: str) -> Iterator[tuple[str, Span]]:
+def _launched(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
     """A launch file, and the files of its own package that it names, relative to the package."""
     own = os.path.abspath(context.source.path)
     if not os.path.relpath(own, directory).startswith("launch"):

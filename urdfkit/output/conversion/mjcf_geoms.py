@@ -245,7 +245,7 @@ class Geoms:
                 self.simpler.add(id(geometry.at))
                 self._losses.approximate(shape.at, note)
                 return pieces
-        plate = self._plate(geometry, shape, file)
+        plate = self._plate(shape, file)
         if plate:
             note = f"its convex hull, {THICKNESS * 1e3:g} mm thick, as the mesh is flat"
             self.simpler.add(id(geometry.at))
@@ -255,7 +255,7 @@ class Geoms:
         mesh = self._mesh(file, shape, shape.scale, is_visual=False)
         return (Piece("mesh", size, mesh=mesh),)
 
-    def _plate(self, geometry: Body, shape: Shape, file: str) -> Piece | None:
+    def _plate(self, shape: Shape, file: str) -> Piece | None:
         """A plate for a flat mesh, of which MuJoCo cannot compute a hull; None for other meshes."""
         vertices = self._robot.meshes.vertices(shape)
         if vertices is None or not len(vertices):

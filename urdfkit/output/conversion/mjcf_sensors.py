@@ -44,17 +44,17 @@ def add_sensors(mjcf: MjcfRobot, robot: Context) -> None:
 
 
 def _add(mjcf: MjcfRobot, robot: Context, sensor: Sensor) -> None:
-    joint = robot.model.joints_by_name.get(sensor.reference)
-    is_wrench = sensor.type == "force_torque" and joint is not None
-    is_known = is_wrench or sensor.type in (*_IMUS, *_CAMERAS) or bool(sensor.lidar)
-    link = joint.child_name if is_wrench and joint else sensor.reference
+    joints = robot.model.joints_by_name if sensor.type == "force_torque" else {}
+    joint = joints.get(sensor.reference)
+    is_known = joint is not None or sensor.type in (*_IMUS, *_CAMERAS) or bool(sensor.lidar)
+    link = joint.child_name if joint is not None else sensor.reference
     body = mjcf.bodies.get(link)
     if body is None or not is_known:
         mjcf.losses.lose(sensor.at, f"no MuJoCo sensor for type '{sensor.type}'")
         return
     frame, pose = mjcf.frames[link], _pose(mjcf, robot, sensor.at, link)
-    if is_wrench and joint is not None:
-        _wrench(mjcf, robot, sensor, joint, frame @ pose)
+    if joint is not None:
+        _wrench(mjcf, sensor, joint, frame @ pose)
     elif sensor.type in _IMUS:
         _measured(mjcf, sensor, body, frame @ pose, _IMU)
     elif sensor.type in _CAMERAS:
@@ -90,7 +90,7 @@ def _pose(
     return outer @ inner if outer and is_in_outer else inner
 
 
-def _wrench(mjcf: MjcfRobot, robot: Context, sensor: Sensor, joint: Joint, at: Transform) -> None:
+def _wrench(mjcf: MjcfRobot, sensor: Sensor, joint: Joint, at: Transform) -> None:
     """Force and torque that the parent of a joint applies to its child, at the sensor.
 
     Gazebo reports them in the axes of the child or, according to ``<frame>``, of the parent or
