@@ -2,8 +2,9 @@
 
 import os
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, KeysView
 from functools import lru_cache
+from itertools import islice
 
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.core.suggest import is_typo as is_one_letter_off
@@ -29,13 +30,18 @@ MAX_FILES, MAX_DIRECTORIES = 500, 2000
 class ArgumentUses:
     """The arguments that a launch file uses, in the order of the file."""
 
-    def __init__(self, declared: set[str]) -> None:
-        #: The names declared so far, with those of the including file.
-        self.declared = declared
-        self._undeclared: dict[str, tuple[Span, frozenset[str]]] = {}
+    def __init__(self, declared: Iterable[str]) -> None:
+        self._declared = dict.fromkeys(declared)
+        #: The location of the first use of each, and the number of names declared before it.
+        self._undeclared: dict[str, tuple[Span, int]] = {}
+
+    @property
+    def declared(self) -> KeysView[str]:
+        """The names declared so far, with those of the including file."""
+        return self._declared.keys()
 
     def declare(self, names: Iterable[str]) -> None:
-        self.declared.update(names)
+        self._declared.update(dict.fromkeys(names))
 
     def use(self, element: Element, names: Iterable[str]) -> None:
         """Record arguments that attributes of these names use before a declaration."""
@@ -43,7 +49,7 @@ class ArgumentUses:
             attribute = element.attributes.get(name)
             for used in USE.findall(attribute.value) if attribute else ():
                 if attribute and used not in self.declared:
-                    self._undeclared.setdefault(used, (attribute.span, frozenset(self.declared)))
+                    self._undeclared.setdefault(used, (attribute.span, len(self.declared)))
 
     def problems(
         self,
@@ -67,15 +73,18 @@ class ArgumentUses:
             if not (carries_over and name in self.declared)
         }
         is_certain = bool(missing) and is_sure()
-        for name, (span, declared) in missing.items():
-            if not is_certain and not misspelt(name, declared, span.source):
+        for number, (name, (span, count)) in enumerate(missing.items()):
+            suggested = ""
+            if number < Suggester.MAX_WORDS:
+                suggested = misspelt(name, tuple(islice(self._declared, count)), span.source)
+            if not (is_certain or suggested):
                 continue
             if name in self.declared:
                 message = f"argument '{name}' is used before it is declared"
                 yield Problem("LAU006", span, message, frame=frame)
             else:
                 ros = 2 if carries_over else 1
-                yield undeclared(name, declared, span, frame, is_lost=is_lost, ros=ros)
+                yield undeclared(name, suggested, span, frame, is_lost=is_lost, ros=ros)
 
 
 def misspelt(name: str, declared: Collection[str], source: Source) -> str:
@@ -84,7 +93,9 @@ def misspelt(name: str, declared: Collection[str], source: Source) -> str:
     An argument that the file declares and uses, or that another file declares, is similar by
     chance, unless the names differ in one letter only.
     """
-    suggested = Suggester(frozenset(declared)).suggested(name)
+    suggested = Suggester(declared).suggested(name)
+    if not suggested:
+        return ""
     word = rb"(?<![\w-])%b(?![\w-])" % re.escape(suggested.encode())
     is_unused = len(re.findall(word, source.data)) == 1
     return suggested if is_unused or is_one_letter_off(name, suggested) else ""
@@ -92,7 +103,7 @@ def misspelt(name: str, declared: Collection[str], source: Source) -> str:
 
 def undeclared(
     name: str,
-    declared: Collection[str],
+    suggested: str,
     span: Span,
     frame: CallFrame | None,
     *,
@@ -103,8 +114,10 @@ def undeclared(
 
     The command line may set it, unless the file is included without these arguments
     (``is_lost``), or the name is a typo. In ROS 1, this forces callers to set it.
+
+    Args:
+        suggested: the declared argument that it misspells; empty if there is none.
     """
-    suggested = misspelt(name, declared, span.source)
     message = f"no argument '{name}' is declared"
     message += f"; did you mean '{suggested}'?" if suggested else ""
     severity = None

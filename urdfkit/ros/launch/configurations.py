@@ -3,6 +3,7 @@
 import ast
 from collections.abc import Collection, Iterator
 
+from urdfkit.core.suggest import Suggester
 from urdfkit.ros.launch.argument_checks import (
     declares_others,
     is_included,
@@ -111,10 +112,12 @@ class Configurations:
         if not missing or b".launch_configurations" in self._values.source.data:
             return
         is_sure = self._is_whole and not self._may_inherit()
-        for name, call in missing.items():
+        for number, (name, call) in enumerate(missing.items()):
             span = self._values.span(call)
-            if is_sure or misspelt(name, self._known, span.source):
-                yield undeclared(name, self._known, span, None, is_lost=False, ros=2)
+            known = self._known if number < Suggester.MAX_WORDS else ()
+            suggested = misspelt(name, known, span.source)
+            if is_sure or suggested:
+                yield undeclared(name, suggested, span, None, is_lost=False, ros=2)
 
     def _may_inherit(self) -> bool:
         """True if other launch files may include this file and pass unknown arguments."""
