@@ -60,6 +60,19 @@ def test_parts_of_a_default_that_another_launch_file_uses(tmp_path: Path) -> Non
     assert [one.severity.value for one in found] == ["error"]
 
 
+def test_parts_that_one_of_two_launch_files_chooses_at_run_time(tmp_path: Path) -> None:
+    """Monash Nova Rover: a launch file passes on arguments that it does not declare."""
+    robot = ROBOT.replace("<link", '<xacro:arg name="base" default="base"/><link', 1)
+    robot = robot.replace('"base"/><link name="world', '"$(arg base)"/><link name="world')
+    robot = robot.replace('<child link="base"/>', '<child link="$(arg base)"/>')
+    errors(tmp_path / "arm", "cell = 'true'", robot)
+    text = START.format(choice="cell = input()").replace('": cell', '": cell, "base": "b"')
+    (tmp_path / "arm" / "launch" / "b.launch.py").write_text(text)
+    found = check(tmp_path / "arm" / "arm.xacro", select=["TRE002"]).diagnostics
+    assert {one.severity.value for one in found} == {"warning"}
+    assert len(found) == 1
+
+
 def test_a_typo_does_not_depend_on_what_is_chosen(tmp_path: Path) -> None:
     joint = '<joint name="k" type="fixed"><parent link="wolrd"/><child link="tip"/></joint>'
     robot = ROBOT.replace("<xacro:if", f'<link name="tip"/>{joint}<xacro:if')

@@ -53,7 +53,9 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
     for robot in (*_given(job, names, context), *job.started):
         if robot.arguments.keys() >= set(names):
             files = (file.path for file in robot.parameters)
-            sets.setdefault((frozenset(robot.arguments.items()), *files), robot)
+            key = (frozenset(robot.arguments.items()), *files)
+            if key not in sets or (robot.is_whole and not sets[key].is_whole):
+                sets[key] = robot
     known: set[tuple[str, str]] = set()
     new: list[RobotArguments] = []
     rest: list[RobotArguments] = []
@@ -270,6 +272,7 @@ def _started(
             launched=_launched(job, origins),
             found=job.found if robot.frame is None else not robot.is_whole,
             assumed="" if robot.frame else _named(robot.arguments),
+            unknown=robot.unknown,
         )
         yield variant.about_parameters() if variant.arguments in known else variant
         known.append(variant.arguments)

@@ -105,8 +105,9 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
         return result
     from urdfkit.ros.launch.robot_arguments import known_at_run_time
 
+    own = open_names if "" in job.unknown else open_names.intersection(job.unknown)
     unknown = known_at_run_time(job.path, open_names, context.resolver)
-    names = sorted({*unknown, *job.replaced})
+    names = sorted({*own, *unknown, *job.replaced})
     if not names:
         return result
     with_defaults = (f"the default of {', '.join(names)}",)

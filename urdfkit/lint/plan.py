@@ -46,6 +46,8 @@ class Job(Record):
     assumed: str = ""
     #: Arguments whose default is checked although no launch file starts the robot with it.
     replaced: frozenset[str] = frozenset()
+    #: Arguments whose value the launch file knows only at run time; "" stands for any name.
+    unknown: tuple[str, ...] = ()
     codes: frozenset[str] = frozenset()  # codes of the rules to run; all if empty
     #: The text, if it was already read. A robot in a directory is read when it is checked: there
     #: may be thousands.
@@ -225,7 +227,8 @@ class Plan:
     def _as_started(self, path: str, robot: RobotArguments) -> Job:
         """The job of a robot with the arguments of a launch file."""
         arguments = {**self.config.arguments, **robot.arguments}
-        return Job(path, "", arguments, not robot.is_whole, robot.frame, robot.parameters)
+        job = Job(path, "", arguments, not robot.is_whole, robot.frame, robot.parameters)
+        return job._replace(unknown=robot.unknown)
 
     def _also_started(self, job: Job) -> Job:
         """The job, also with the arguments of launch files; only for the first of its variants.
