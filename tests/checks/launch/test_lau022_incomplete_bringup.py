@@ -322,3 +322,17 @@ def test_hardware_in_gazebo(
     found = reported(tmp_path, "LAU022", "a.launch.py", text + spawn, files)
     words = f"gz_ros2_control-system does not load {real}"
     assert [words in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("first", "count"), [("true", 0), ("false", 1)])
+def test_hardware_of_a_second_description(tmp_path: Path, first: str, count: int) -> None:
+    """Elfin: the robot in Gazebo has its arguments; that for MoveIt has the defaults."""
+    node = f"Command(['xacro {tmp_path}/r.xacro sim:={first}'])"
+    text = STATE.format(f", parameters=[{{'robot_description': {node}}}]")
+    text += NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    more = f"parameters=[{{'robot_description': Command(['xacro {tmp_path}/r.xacro'])}}]"
+    text += NODE.format("moveit_ros_move_group", "move_group", more)
+    files = {"r.xacro": SWITCHED.format(GZ, "acme/Driver")}
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    words = "gz_ros2_control-system does not load acme/Driver"
+    assert len([one for one in found if words in one.message]) == count

@@ -102,11 +102,18 @@ def unloaded_hardware(context: Context, started: tuple[StartedProgram, ...]) -> 
     """Hardware of a robot in Gazebo that Gazebo's control plugin does not load.
 
     It is mock hardware, or the files of the robot also name that of Gazebo, for other arguments.
+    A launch file may describe its robot again, for MoveIt alone.
     """
     if not any(map(spawner_of, started)):
         return
-    for description, robot in context.described_robots:
-        if not description.is_whole:
+    robots = list(context.described_robots)
+    simulated = {
+        description.path
+        for description, robot in robots
+        if any(each.hardware.startswith(_OF_GAZEBO) for each in components(robot.model))
+    }
+    for description, robot in robots:
+        if not description.is_whole or description.path in simulated:
             continue
         plugins = control_plugins(robot.model)
         hardware = components(robot.model)
