@@ -287,3 +287,13 @@ def test_joint_is_misspelt_if_srdf_and_ros2_control_agree(
 def test_adapters(tmp_path: Path, text: str, help: str) -> None:
     (tmp_path / "ompl_planning.yaml").write_text(text)
     assert [one.help for one in findings(tmp_path, GROUPS, "SRD001")] == [help] * bool(help)
+
+
+def test_few_of_many_get_a_suggestion(tmp_path: Path) -> None:
+    """Each was compared with all, and the known names collected for each: 20,000 took minutes."""
+    groups = "".join(f'<group name="speed_{number}"/>' for number in range(100))
+    states = "".join(f'<group_state name="s" group="spead_{number}"/>' for number in range(100))
+    pairs = '<disable_collisions link1="base" link2="hnad" reason="Never"/>'
+    found = findings(tmp_path, groups + states + pairs, "SRD001")
+    assert len(found) == 101
+    assert ["did you mean" in one.message for one in found] == [True] * 50 + [False] * 51

@@ -80,18 +80,19 @@ _MAX_STARTED = 32
 def check(context: Context) -> Findings:
     srdf = context.required_srdf
     elsewhere = _names_with_other_arguments(context, srdf) if srdf.unknown else set()
+    suggestions = _Suggestions(context, srdf)
     for kind, attribute in srdf.references():
-        known = srdf.known(kind)
         if kind != "group" and attribute.value in elsewhere:
             continue
-        if attribute.value and attribute.value not in known and not is_free_flyer(attribute):
-            yield _unknown(context, kind, attribute, known)
-    links = srdf.known("link")
+        is_known = attribute.value in srdf.known(kind) or is_free_flyer(attribute)
+        if attribute.value and not is_known:
+            yield suggestions.unknown(kind, attribute)
+    links = srdf.known("link") | elsewhere
     for pair in (*srdf.root.all("disable_collisions"), *srdf.root.all("enable_collisions")):
         for key in ("link1", "link2"):
             name = pair.attributes.get(key)
-            if name is not None and name.value not in links | elsewhere:
-                yield _unknown(context, "link", name, links)._replace(
+            if name is not None and name.value not in links:
+                yield suggestions.unknown("link", name)._replace(
                     help="compute the collision matrix again, or fix the name",
                     severity=Severity.WARNING,
                 )
@@ -114,20 +115,31 @@ def _names_with_other_arguments(context: Context, srdf: Srdf) -> set[str]:
     return names
 
 
-def _unknown(context: Context, kind: str, name: Attribute, known: set[str]) -> Finding:
-    known = known - _siblings(name)
-    suggested = Suggester(known).suggested(name.value)
-    model = context.model
-    defined = (model.links_by_name if kind == "link" else model.joints_by_name).get(suggested)
-    fix = corrected_definition(context, defined, name.value) if kind != "group" else None
-    fix = fix or fix_value(name, suggested)
-    message = f"unknown {kind} '{name.value}'{Suggester(known, SIMILAR).hint(name.value)}"
-    arguments = " ".join(f"{key}:={value}" for key, value in context.arguments.items())
-    related = Related(
-        context.document.root.span, f"compared with this robot{arguments and ', '}{arguments}"
-    )
-    key = name.value if fix else kind
-    return Finding(name, message, fix=fix, group_key=key, related=(related,))
+class _Suggestions:
+    """Findings about unknown names, of which the first few get a suggestion."""
+
+    def __init__(self, context: Context, srdf: Srdf) -> None:
+        self._context = context
+        self._srdf = srdf
+        self._number = 0
+
+    def unknown(self, kind: str, name: Attribute) -> Finding:
+        context, known = self._context, frozenset[str]()
+        self._number += 1
+        if self._number <= Suggester.MAX_WORDS:
+            known = self._srdf.known(kind) - _siblings(name)
+        suggested = Suggester(known).suggested(name.value)
+        model = context.model
+        defined = (model.links_by_name if kind == "link" else model.joints_by_name).get(suggested)
+        fix = corrected_definition(context, defined, name.value) if kind != "group" else None
+        fix = fix or fix_value(name, suggested)
+        message = f"unknown {kind} '{name.value}'{Suggester(known, SIMILAR).hint(name.value)}"
+        arguments = " ".join(f"{key}:={value}" for key, value in context.arguments.items())
+        related = Related(
+            context.document.root.span, f"compared with this robot{arguments and ', '}{arguments}"
+        )
+        key = name.value if fix else kind
+        return Finding(name, message, fix=fix, group_key=key, related=(related,))
 
 
 def _siblings(name: Attribute) -> set[str]:

@@ -110,14 +110,18 @@ class Srdf:
         }
         return self.refers_to_robot and len(unknown) <= 1
 
-    def known(self, kind: str) -> set[str]:
+    def known(self, kind: str) -> frozenset[str]:
         """The names of a kind that the robot or this file defines."""
-        if kind == "group":
-            return set(self.groups_by_name)
-        if kind == "link":
-            return set(self.tree.model.links_by_name)
+        return self._known[kind]
+
+    @cached_property
+    def _known(self) -> dict[str, frozenset[str]]:
         virtual = {joint.get("name") or "" for joint in self.virtual_joints}
-        return virtual | set(self.tree.model.joints_by_name)
+        return {
+            "group": frozenset(self.groups_by_name),
+            "link": frozenset(self.tree.model.links_by_name),
+            "joint": frozenset(virtual.union(self.tree.model.joints_by_name)),
+        }
 
     def joints_between(self, base: str, tip: str) -> list[Joint] | None:
         """The joints from a link down to another; None if the second is not below the first."""

@@ -58,7 +58,7 @@ def names_of_other_robots(description: RosDescription, srdf: Srdf, names: set[st
     return found
 
 
-def _prefix(bare: set[str], prefixed: set[str]) -> str:
+def _prefix(bare: AbstractSet[str], prefixed: AbstractSet[str]) -> str:
     """The prefix that turns nearly all ``bare`` names into ``prefixed`` names."""
     begins = Counter(
         longer[:at] for longer in prefixed for at in range(1, len(longer)) if longer[at:] in bare
