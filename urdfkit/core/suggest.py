@@ -14,10 +14,10 @@ SIMILAR, SIMILAR_FILE, TYPO, CLOSE_TYPO = 0.6, 0.7, 0.8, 0.93
 _WITHOUT_SUFFIX = 0.65
 
 #: Least similarity of two words at the same place in a name: ``cam_link``, ``camera_link``.
-_RELATED = 0.4
+_MIN_WORD_SIMILARITY = 0.4
 
 #: Candidates that are compared again without their common suffix.
-_COMPARED = 3
+_MAX_COMPARED = 3
 
 #: Longer words are not compared: they are not typos of a name, and it would take time.
 _MAX_LENGTH = 200
@@ -41,7 +41,7 @@ def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | N
         return None
     from difflib import get_close_matches  # 1 ms, and most unknown words resemble none
 
-    close = get_close_matches(text, spellings, _COMPARED, cutoff)
+    close = get_close_matches(text, spellings, _MAX_COMPARED, cutoff)
     for candidate in sorted(close, key=lambda key: not _differs_in_kind(text, key)):
         stem, other = _without_common_suffix(text, candidate)
         if stem == text or get_close_matches(stem, [other], 1, min(cutoff, _WITHOUT_SUFFIX)):
@@ -176,7 +176,7 @@ def _has_another_word(word: str, other: str) -> bool:
     if len(pairs) < 2 or word.count("_") != other.count("_") or len(different) != 1:
         return False
     ((left, right),) = different
-    return nearest(left, [right], _RELATED) is None
+    return nearest(left, [right], _MIN_WORD_SIMILARITY) is None
 
 
 def _words(name: str) -> set[str]:

@@ -108,7 +108,7 @@ Check = Callable[[Context], Findings]
 NAMES = ("name", "link", "joint", "reference")
 
 #: Size in bytes up to which a page shows a whole file.
-_SHORT = 500
+_MAX_SHOWN_BYTES = 500
 
 #: Separates the explanation in the docstring of a rule from its sources, one per line.
 _SOURCES = "\n\nSources:\n"
@@ -227,7 +227,7 @@ class Rule(Record):
             for name, data in files.items()
             if data.isascii()
             and b"\0" not in data
-            and 0 < len(data) < _SHORT
+            and 0 < len(data) < _MAX_SHOWN_BYTES
             and ".git/" not in name
         }
 

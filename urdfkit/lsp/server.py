@@ -46,7 +46,7 @@ WATCHED = (
 )
 #: New objects after which garbage is collected during a check: several large robots. Garbage is
 #: also collected after each check.
-_GARBAGE = 1_000_000
+_GARBAGE_THRESHOLD = 1_000_000
 
 _SEVERITIES = {
     Severity.ERROR: lsp.DiagnosticSeverity.Error,
@@ -289,7 +289,7 @@ def serve(server: Server) -> None:
     Output of libraries is redirected to standard error: it would break the protocol.
     """
     logging.basicConfig(stream=sys.stderr, level=logging.WARNING)
-    gc.set_threshold(_GARBAGE)
+    gc.set_threshold(_GARBAGE_THRESHOLD)
     with os.fdopen(os.dup(1), "wb", buffering=0) as output:
         os.dup2(2, 1)
         sys.stdout = sys.stderr

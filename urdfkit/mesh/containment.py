@@ -15,7 +15,7 @@ from urdfkit.mesh.welding import weld
 _MAX_EDGE = 0.01
 #: Growth of a piece beyond what the corners of a triangle need, up to which the triangle is not
 #: cut; same unit.
-_LITTLE = 0.0005
+_MAX_GROWTH = 0.0005
 #: Most triangles at once; each round cuts every edge in half.
 _MAX_TRIANGLES = 50_000
 #: Rounding error of a distance, relative to the diagonal.
@@ -58,7 +58,7 @@ def grow_pieces(pieces: Sequence[Floats], points: Floats, faces: Integers) -> li
         outside = np.stack([excess(points, half_spaces(corners)) for corners in grown])[:, faces]
         needed = outside.max(axis=2)
         least, owner = needed.min(axis=0), needed.argmin(axis=0)
-        is_whole = least <= np.maximum(outside.min(axis=0).max(axis=1), 0.0) + _LITTLE * size
+        is_whole = least <= np.maximum(outside.min(axis=0).max(axis=1), 0.0) + _MAX_GROWTH * size
         triangles = points[faces]
         edges = np.linalg.norm(triangles - np.roll(triangles, 1, axis=1), axis=2).max(axis=1)
         is_whole |= edges <= _MAX_EDGE * size

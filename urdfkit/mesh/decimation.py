@@ -14,12 +14,12 @@ from urdfkit.mesh.manifolds import solid
 from urdfkit.mesh.repair.soup import TriangleSoup, soup_of
 
 #: Factor from one tolerance to the next.
-_GROWTH = 1.5
+_TOLERANCE_FACTOR = 1.5
 #: Smallest and largest cell, as a part of the diagonal.
 _FIRST_CELL, _LAST_CELL = 1e-3, 1.0
 #: Diagonal of the meshes passed to fast-simplification. It removes edges within absolute errors, of
 #: which the first is 1e-3; at this size that is negligible.
-_LENGTH = 1000.0
+_DIAGONAL = 1000.0
 
 #: Number, points and faces of a part.
 _Piece = tuple[int, Floats, Integers]
@@ -58,7 +58,7 @@ def with_fewer(mesh: Mesh, triangles: int) -> Mesh:
     from fast_simplification import simplify
 
     soup = soup_of(mesh)
-    scale, share = _LENGTH / soup.size, triangles / len(soup.faces)
+    scale, share = _DIAGONAL / soup.size, triangles / len(soup.faces)
     pieces: list[_Piece] = []
     for piece in _by_part(soup):
         number, points, faces = _compact(piece)
@@ -74,7 +74,7 @@ def _coarser(mesh: Mesh, makers: list[_Coarser], first: float, last: float) -> I
     tolerance = first
     while tolerance < last:
         yield _mesh_of(mesh, [piece for maker in makers for piece in maker(tolerance)])
-        tolerance *= _GROWTH
+        tolerance *= _TOLERANCE_FACTOR
 
 
 def _mesh_of(mesh: Mesh, pieces: list[_Piece]) -> Mesh:

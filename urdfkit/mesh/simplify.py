@@ -24,7 +24,7 @@ _FINEST_OF_ERROR, _COARSEST_OF_ERROR = 0.01, 2.0
 #: Triangles with which quadric simplification starts, as multiples of the target.
 _START_FACTORS = (1.5, 2.5, 5)
 #: Greatest further reduction by quadrics after coarsening, and search steps for it.
-_FEWER, _STEPS = 8.0, 5
+_MAX_REDUCTION, _STEPS = 8.0, 5
 
 
 class Unreachable(UrdfkitError):
@@ -106,7 +106,7 @@ def to_error(mesh: Mesh, error: float, progress: Progress | None = None) -> Simp
     number = len(best.mesh.faces)
     starts = _starts(coarser[: at + 1], number)
     start = min(starts, key=lambda start: measure(with_fewer(start, number // 2)).deviation)
-    fewest, most = number / _FEWER, float(number)
+    fewest, most = number / _MAX_REDUCTION, float(number)
     for _ in range(_STEPS):
         target = (fewest * most) ** 0.5
         result = measure(with_fewer(start, round(target)))

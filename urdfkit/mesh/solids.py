@@ -20,7 +20,7 @@ SIDES = 48
 #: Decimals of a coordinate in m: far below what is visible, far above the rounding of sums.
 _DECIMALS = 8
 #: A common volume below this part of the solid is not an overlap.
-_FILM = 1e-6
+_MIN_OVERLAP = 1e-6
 #: Thickness in m below which a feature is an artefact of booleans.
 _SLIVER = 1e-6
 
@@ -37,7 +37,7 @@ def disjoint(solids: Iterable[Coloured]) -> list[Coloured]:
         rest = solid
         for _, earlier in result:
             # Solids that only touch are unchanged: a boolean would leave a film of no thickness.
-            if (rest ^ earlier).volume() > _FILM * rest.volume():
+            if (rest ^ earlier).volume() > _MIN_OVERLAP * rest.volume():
                 rest = rest - earlier
         if rest.volume() > 0:
             result.append((material, rest))

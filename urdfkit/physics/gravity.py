@@ -36,10 +36,10 @@ NEGLIGIBLE = 1e-4
 MAX_RESTED = 50
 
 #: Candidate positions of joints that others mimic, rounds, and factor of the range in each round.
-_TRIALS, _ROUNDS, _NARROWER = 17, 6, 0.25
+_TRIALS, _ROUNDS, _RANGE_FACTOR = 17, 6, 0.25
 
 #: Climbs that are refined with such candidates.
-_REFINED = 3
+_MAX_REFINED = 3
 
 #: Relative gain below which a search ends.
 _MIN_GAIN = 1e-9
@@ -105,7 +105,7 @@ class _Climb:
         names = [name for name in self._names if several or len(self._model.moved[name]) > 1]
         for number in range(_ROUNDS if names else 0):
             for name in names:
-                trials = (self._pose[name], *self._trials(name, _NARROWER**number))
+                trials = (self._pose[name], *self._trials(name, _RANGE_FACTOR**number))
                 self._move(name, max(trials, key=partial(self._value_at, name)))
             self.torque = self._sign * self._value()
             if not several:
@@ -253,7 +253,7 @@ def find_worst(
         if not climbs or budget > 0:
             climbs.append(_Climb(model, name, start, budget))
             budget -= climbs[-1].steps
-    highest = sorted(climbs, key=lambda climb: -climb.torque)[:_REFINED]
+    highest = sorted(climbs, key=lambda climb: -climb.torque)[:_MAX_REFINED]
     for climb in highest:
         climb.refine()
     best = max(highest, key=lambda climb: climb.torque)

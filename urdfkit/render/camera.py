@@ -20,7 +20,7 @@ VIEWS = {
     "bottom": (0.0, -90.0),
 }
 #: Vertical field of view in degrees: a long lens with little distortion.
-FIELD = 28.0
+FOV = 28.0
 #: Empty part of the image on each side.
 MARGIN = 0.09
 #: Space in m around a point-like robot, whose frames and joints are drawn as for 1 m.
@@ -41,7 +41,7 @@ class Camera(NamedTuple):
     #: Rows are the directions right, up and backwards, in the world.
     axes: tuple[tuple[float, ...], ...]
     size: tuple[int, int]  # width and height of the image in pixels
-    field: float = FIELD  # vertical field of view in degrees
+    field: float = FOV  # vertical field of view in degrees
     extent: float = 0.0  # height in m of an orthographic image; 0 for perspective
     near: float = 0.01  # distance of the near plane in m
 
@@ -158,12 +158,12 @@ def place_camera(
         wide, high, _ = highest - lowest
         extent = max(high, wide / aspect, reach / 50) / (1 - 2 * MARGIN)
         eye = middle + np.array((0, 0, 3 * reach))
-        return Camera(vector(axes.T @ eye), _rows(axes), size, FIELD, float(extent), reach / 100)
-    eye = _eye(projected, tan(radians(FIELD) / 2) * (1 - 2 * MARGIN), aspect)
+        return Camera(vector(axes.T @ eye), _rows(axes), size, FOV, float(extent), reach / 100)
+    eye = _eye(projected, tan(radians(FOV) / 2) * (1 - 2 * MARGIN), aspect)
     if distance is not None:
         eye = np.array((middle[0], middle[1], middle[2] + distance))
     near = max(reach / 1000, (eye[2] - highest[2]) / 2)
-    return Camera(vector(axes.T @ eye), _rows(axes), size, FIELD, 0.0, float(near))
+    return Camera(vector(axes.T @ eye), _rows(axes), size, FOV, 0.0, float(near))
 
 
 def size_error(size: tuple[int, int]) -> str:

@@ -30,11 +30,11 @@ from urdfkit.ros.surface_materials import SurfaceMaterial
 #: Rows of pixels in a band.
 BAND = 60
 #: Most layers of translucent surfaces.
-PEELS = 4
+MAX_LAYERS = 4
 #: Opacity above which a surface is opaque.
-SOLID = 0.98
+MIN_OPAQUE = 0.98
 #: Offset of collisions towards the camera, as a part of the robot's size.
-LIFT = 0.004
+COLLISION_OFFSET = 0.004
 #: Radius of ambient occlusion, as a part of the robot's size.
 OCCLUSION_RADIUS = 0.12
 #: Depth difference up to which light is averaged over a lattice, as a part of the robot's size.
@@ -225,7 +225,7 @@ class _Drawing:
             near: nearness of the vertices.
             middle: of the robot, in the world.
         """
-        step = np.float32(LIFT * self.size)
+        step = np.float32(COLLISION_OFFSET * self.size)
         distance = float(np.dot(np.asarray(self.camera.eye) - middle, self.camera.axes[2]))
         for item, piece, kind in zip(self.scene.items, everything.pieces, self.kinds, strict=True):
             if item.role not in ("collision", "contacts") or kind == _OPAQUE:
@@ -256,7 +256,7 @@ class _Drawing:
         """The visible translucent surfaces, the nearest layer first (depth peeling)."""
         layers = []
         below = None
-        for _ in range(PEELS if len(numbers) else 0):
+        for _ in range(MAX_LAYERS if len(numbers) else 0):
             below = nearest(self.screen, numbers, grid, above=above, below=below)
             if not below.any():
                 break
@@ -335,4 +335,4 @@ class _Drawing:
 def _kind(material: SurfaceMaterial) -> int:
     if material.overlay:
         return _OVERLAY
-    return _OPAQUE if material.rgba[3] > SOLID else _CLEAR
+    return _OPAQUE if material.rgba[3] > MIN_OPAQUE else _CLEAR

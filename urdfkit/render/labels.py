@@ -24,7 +24,7 @@ _DISTANCES = (1.2, 2.4, 4.0, 6.0, 9.0, 13.0)
 #: Number of these distances for an optional label.
 _OPTIONAL_DISTANCES = 3
 #: Step in pixels of the search for visible links.
-_EACH = 4
+_SEARCH_STEP = 4
 
 
 class LabelBox(NamedTuple):
@@ -138,7 +138,7 @@ def _anchors(scene: Scene, camera: Camera) -> dict[int, tuple[float, float]]:
 
 def _links_of_pixels(scene: Scene, camera: Camera) -> dict[str, Floats]:
     """The pixels (n, 2) in which each link is visible; one of four by four is tested."""
-    width, height = (max(1, edge // _EACH) for edge in camera.size)
+    width, height = (max(1, edge // _SEARCH_STEP) for edge in camera.size)
     small = camera._replace(size=(width, height))
     items = tuple(item for item in scene.items if not item.material.overlay)
     triangles = cut(soup(scene._replace(items=items), small), small)
@@ -147,7 +147,7 @@ def _links_of_pixels(scene: Scene, camera: Camera) -> dict[str, Floats]:
     numbers = split(nearest(screen, np.arange(len(chosen)), grid))[0]
     rows, columns = np.nonzero(numbers >= 0)
     owners = triangles.item[chosen][numbers[rows, columns]]
-    pixels = (np.stack((columns, rows), axis=1) + 0.5) * _EACH
+    pixels = (np.stack((columns, rows), axis=1) + 0.5) * _SEARCH_STEP
     names = np.array([item.link for item in items])[owners] if items else owners
     return {str(name): pixels[names == name] for name in np.unique(names)}
 

@@ -15,7 +15,7 @@ FLOOR = np.array((0.27, 0.265, 0.26), dtype=np.float32)
 #: Reflectance at normal incidence, and exponent of the highlight.
 REFLECTANCE, SHININESS = 0.04, 42.0
 #: Least albedo.
-DARKEST = 0.012
+MIN_ALBEDO = 0.012
 #: Brightness above which tones are compressed.
 KNEE = 0.72
 
@@ -47,7 +47,7 @@ def shaded(
     upwards = dot(normal, rig.up) * np.float32(0.5) + np.float32(0.5)
     ambient = (FLOOR + (SKY - FLOOR) * upwards[:, None]) * lit.sky[:, None]
     light = ambient + sun[:, None] * SUN + fill[:, None] * FILL
-    colour = np.maximum(albedo, np.float32(DARKEST)) * light
+    colour = np.maximum(albedo, np.float32(MIN_ALBEDO)) * light
 
     facing = np.clip(dot(normal, viewer), 0, 1)
     grazing = np.float32(REFLECTANCE) + np.float32(1 - REFLECTANCE) * (1 - facing) ** 5

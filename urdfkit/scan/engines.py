@@ -16,7 +16,7 @@ from urdfkit.scan.rows import ModelRow
 #: Models of a Dask task: some tenths of a second. A killed scan repeats them.
 BATCH = 50
 #: Waiting and running tasks per processor: enough to keep it busy, few enough for memory.
-_AHEAD = 3
+_MAX_TASKS = 3
 
 
 def local(models: Iterable[Model], settings: Settings, jobs: int) -> Iterator[ModelRow]:
@@ -45,7 +45,7 @@ def local(models: Iterable[Model], settings: Settings, jobs: int) -> Iterator[Mo
     try:
         for model in models:
             waiting.add(pool.submit(check, model))
-            if len(waiting) >= _AHEAD * jobs:
+            if len(waiting) >= _MAX_TASKS * jobs:
                 done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
                 yield from (task.result() for task in done)
         while waiting:
@@ -90,7 +90,7 @@ def dask(
                 batches_by_task[task.key] = batch
                 yield task
 
-        tasks = as_completed(list(submit(_AHEAD * max(1, sum(client.nthreads().values())))))
+        tasks = as_completed(list(submit(_MAX_TASKS * max(1, sum(client.nthreads().values())))))
         for task in tasks:
             batch = batches_by_task.pop(task.key)
             try:

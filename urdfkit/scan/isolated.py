@@ -20,7 +20,7 @@ from urdfkit.scan.rows import ModelRow, check_model
 from urdfkit.workspace.resolve import Resolver
 
 #: Models after which the process is replaced, so that leaks do not add up.
-_MODELS = 2000
+_MODELS_PER_PROCESS = 2000
 
 
 class Settings(Record):
@@ -71,7 +71,7 @@ class Isolated:
             raise UrdfkitError("no process can be started within the limit of memory") from error
         if problem:
             raise problem
-        self._left = _MODELS
+        self._left = _MODELS_PER_PROCESS
 
     def _ask(self, value: object) -> Any:
         assert self._process is not None

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 
 from urdfkit import __version__
-from urdfkit.scan.summary import EXAMPLES, FACTS, Summary
+from urdfkit.scan.summary import FACTS, MAX_EXAMPLES, Summary
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; margin: 2em auto; max-width: 70em; padding: 0 1em }
@@ -98,7 +98,7 @@ def _tables(summary: Summary) -> Iterator[_Table]:
 
 
 def _listed(names: Sequence[str]) -> str:
-    return ", ".join(names[:EXAMPLES]) + (", ..." if len(names) > EXAMPLES else "")
+    return ", ".join(names[:MAX_EXAMPLES]) + (", ..." if len(names) > MAX_EXAMPLES else "")
 
 
 def _is_number(cell: object) -> bool:

@@ -12,7 +12,7 @@ from typing import Any
 from urdfkit.core.record import Record
 
 #: Listed examples of each entry.
-EXAMPLES = 3
+MAX_EXAMPLES = 3
 #: Rows of one list.
 MAX_ROWS = 20
 #: Facts whose outliers are listed, with their units; `_RATIOS` are compared on a log scale.
@@ -24,7 +24,7 @@ _RATIOS = frozenset(("mass", "size_x", "size_y", "size_z", "cpu_seconds"))
 #: Interquartile ranges from the middle half: Tukey's "far out".
 _FAR_OUT = 3.0
 #: Fewer values have no outliers.
-_FEWEST = 8
+_MIN_VALUES = 8
 
 
 class RuleRate(Record):
@@ -126,7 +126,7 @@ def _count_rules(rules: dict[str, RuleRate], row: dict[str, Any]) -> None:
         rules[code] = rate._replace(severity=worst)
     for code, count in counts.items():
         rate = rules[code]
-        examples = (*rate.examples, row["model"])[:EXAMPLES]
+        examples = (*rate.examples, row["model"])[:MAX_EXAMPLES]
         rules[code] = rate._replace(
             findings=rate.findings + count, models=rate.models + 1, examples=examples
         )
@@ -139,11 +139,11 @@ def _outliers(fact: str, values: list[tuple[float, str]]) -> list[Outlier]:
         for value, name in values
         if value > 0 or fact not in _RATIOS
     ]
-    if len(scaled) < _FEWEST:
+    if len(scaled) < _MIN_VALUES:
         return []
     low, _, high = quantiles(map(itemgetter(0), scaled), n=4)
     spread = _FAR_OUT * (high - low)
     far = [entry for entry in scaled if not low - spread <= entry[0] <= high + spread]
     far.sort(key=lambda entry: (-abs(entry[0] - (low + high) / 2), entry[2]))
     ends = [10**end if fact in _RATIOS else end for end in (low, high)]
-    return [Outlier(fact, value, ends[0], ends[1], name) for _, value, name in far[:EXAMPLES]]
+    return [Outlier(fact, value, ends[0], ends[1], name) for _, value, name in far[:MAX_EXAMPLES]]

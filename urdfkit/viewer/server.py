@@ -37,7 +37,7 @@ T = TypeVar("T")
 HOST = "127.0.0.1"
 #: Seconds between checks of the files. Polling works on every file system, and with editors that
 #: replace a file by a new one.
-PAUSE = 0.4
+POLL_SECONDS = 0.4
 #: Size limit of the arguments that a page sends, in bytes.
 MAX_BODY = 100_000
 
@@ -80,7 +80,7 @@ class Viewer:
         """Read the robot again whenever a file changes, until the process ends."""
         self._completing = asyncio.create_task(self._complete(self.state))
         while True:
-            await asyncio.sleep(PAUSE)
+            await asyncio.sleep(POLL_SECONDS)
             if await asyncio.to_thread(lambda: self.state.is_stale):
                 await self.refresh()
 

@@ -16,7 +16,7 @@ from urdfkit.core import expansion_limits
 from urdfkit.xacro.budget import Budget
 
 #: Seconds until the interruption is repeated, if the first exception is caught.
-_REPEAT = 0.1
+_REPEAT_SECONDS = 0.1
 
 
 @contextmanager
@@ -57,7 +57,7 @@ def _start_timer(budget: Budget) -> Callable[[], None] | None:
         previous = signal.signal(signal.SIGVTALRM, interrupt)
     except ValueError:  # not the main thread
         return None
-    signal.setitimer(signal.ITIMER_VIRTUAL, budget.seconds_left(), _REPEAT)
+    signal.setitimer(signal.ITIMER_VIRTUAL, budget.seconds_left(), _REPEAT_SECONDS)
 
     def stop() -> None:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0)

@@ -22,7 +22,7 @@ from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.matrix import Matrix, PairVerdict
 from urdfkit.physics.collision.pair_queries import CollisionModel
 from urdfkit.physics.collision.sampling import collisions
-from urdfkit.physics.collision.task import COUNTED, PairFindings, Task
+from urdfkit.physics.collision.task import COUNTED_SAMPLES, PairFindings, Task
 from urdfkit.physics.collision.worker_pool import CollisionError, WorkerPool
 
 
@@ -52,7 +52,7 @@ def test_how_often_a_two_link_arm_hits_itself_is_what_geometry_says() -> None:
     }
     pair = found["base", "lower"]
     assert pair.verdict is PairVerdict.SOMETIMES
-    deviation = sqrt(expected * (1 - expected) / COUNTED)
+    deviation = sqrt(expected * (1 - expected) / COUNTED_SAMPLES)
     assert pair.frequency == pytest.approx(expected, abs=4 * deviation)
     assert pair.nearest is not None
     assert pair.nearest.distance == pytest.approx(upper - lower - 2 * radius, abs=0.01)

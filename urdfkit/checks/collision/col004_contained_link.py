@@ -40,9 +40,9 @@ BAD = robot_xml(
 GOOD = BAD.replace("0 0 0.05", "0 0 0.12")
 
 #: In m: a smaller shape is a placeholder.
-_POINT = 1e-5
+_MIN_SIZE = 1e-5
 #: Number of contained links that a finding lists.
-_NOTES = 5
+_MAX_NAMED = 5
 
 
 @rule(
@@ -85,7 +85,7 @@ def _is_envelope(context: Context, name: str) -> bool:
 def _is_point(model: RobotModel, body: CollisionBody) -> bool:
     shape = model.links_by_name[body.link].collisions[body.number].shape
     extents = shape and shape.half_extents
-    return extents is not None and max(extents) < _POINT
+    return extents is not None and max(extents) < _MIN_SIZE
 
 
 def _is_transparent(material: Material | None) -> bool:
@@ -109,10 +109,10 @@ def _several(model: RobotModel, contacts: list[Contact]) -> Finding:
     return Finding(
         _element(model, large),
         f"the collision geometry of link '{large.link}' contains {len(names)} other links, which "
-        f"cannot make contact: {few(names, _NOTES)}",
+        f"cannot make contact: {few(names, _MAX_NAMED)}",
         related=tuple(
             Related(_element(model, contact.small).span, f"link '{contact.small.link}'")
-            for contact in contacts[:_NOTES]
+            for contact in contacts[:_MAX_NAMED]
         ),
         weight=len(names),
     )

@@ -31,7 +31,7 @@ BAD = robot_xml(
 GOOD = link_xml("base", visual_xml(_BOX), collision_xml(_BOX))
 
 #: In kg: a smaller mass is a placeholder that a simulator requires.
-_HEAVY = 1e-3
+_MIN_MASS = 1e-3
 
 
 @rule(
@@ -87,7 +87,7 @@ def _without_both(context: Context) -> Findings:
     if not any(link.collisions for link in context.model.links) or context.is_part:
         return
     for body in rigid_bodies(context.tree):
-        if body.joint and body.mass > _HEAVY and _is_bare_end(body, context):
+        if body.joint and body.mass > _MIN_MASS and _is_bare_end(body, context):
             yield Finding(
                 body.top.at,
                 f"link '{body.top.name}' of {body.mass:g} kg moves and has neither visual nor "

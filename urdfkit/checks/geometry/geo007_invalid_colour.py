@@ -30,7 +30,7 @@ BAD = robot_xml(
 FIXED = GOOD = BAD.replace("255 140 0 1", "1 0.549 0 1")
 
 #: Components up to this are inaccurate, not values up to 255.
-_SLIGHTLY = 2.0
+_MAX_INACCURATE = 2.0
 
 #: Values of an opaque alpha in another unit, next to components from 0 to 1.
 _OPAQUE = (100.0, 255.0)
@@ -86,11 +86,11 @@ def _fixed(values: tuple[float, ...]) -> str:
     if min(values) < 0 or max(values) > 255:
         return ""
     color, alpha = values[:3], values[3:]
-    if max(color) <= _SLIGHTLY and max(alpha, default=0) > _SLIGHTLY:
+    if max(color) <= _MAX_INACCURATE and max(alpha, default=0) > _MAX_INACCURATE:
         if alpha[0] not in _OPAQUE:
             return ""
         alpha = (1.0,)
-    if max(color) <= _SLIGHTLY:
+    if max(color) <= _MAX_INACCURATE:
         return spaced(min(value, 1.0) for value in (*color, *alpha))
     if max(values) <= _PERCENT and alpha and alpha[0] > 1:  # all of them in one unit
         return rounded([value / alpha[0] for value in values], 3) if alpha[0] in _FULL else ""

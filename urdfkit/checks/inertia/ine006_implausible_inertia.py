@@ -54,7 +54,7 @@ FIXED = GOOD = BAD.replace(
 )
 
 #: Ratio of radius of gyration to reach of the link, above which the message contains it.
-_STRIKING = 10.0
+_SHOWN_RATIO = 10.0
 
 #: Words of a comment next to a tensor that is too large on purpose.
 _PURPOSES = (b"stabilis", b"stabiliz")
@@ -121,7 +121,7 @@ def _is_deliberate(inertia: LinkInertia) -> bool:
 
 def _radius(inertia: LinkInertia) -> str:
     radius = inertia.radius_of_gyration
-    striking = radius > _STRIKING * inertia.reach
+    striking = radius > _SHOWN_RATIO * inertia.reach
     return f"; its radius of gyration is {radius:.3g} m" if striking else ""
 
 

@@ -39,7 +39,7 @@ FIXED = GOOD = (
 #: A density that is too high or too low by this factor may be due to a coarse shape.
 _COARSE_FACTOR = 2.0
 #: In m³: volume above which a body is not a robot part.
-_ROOM = 1.0
+_MAX_M3 = 1.0
 
 #: Help if most links of a robot are wrong, by the unit in which the values are written.
 _UNIT_HELPS = {
@@ -106,7 +106,7 @@ def _is_harmless(inertia: LinkInertia, density: float) -> bool:
     """True for a density near a bound, and for the walls of a scene."""
     is_near = MIN_PART_DENSITY / _COARSE_FACTOR <= density <= MAX_PART_DENSITY * _COARSE_FACTOR
     is_wall = (
-        density < MIN_PART_DENSITY and inertia.solid is not None and inertia.solid.volume > _ROOM
+        density < MIN_PART_DENSITY and inertia.solid is not None and inertia.solid.volume > _MAX_M3
     )
     return is_near or (is_wall and unit_mistake(inertia) != "mm")
 

@@ -37,9 +37,9 @@ FIXED = GOOD = BAD.replace('"30"', '"0.03"')
 #: In m; few robots have such a distance between two joints, but most do in mm.
 _MIN_DISTANCE = 10.0
 #: In m; shorter origins are rounding.
-_NONE = 1e-4
+_ROUNDING = 1e-4
 #: Least ratio to the distances and sizes of the rest of the model.
-_RATIO = 100.0
+_MIN_RATIO = 100.0
 
 #: Least travel that is reported: times the longest part of the robot, and in m.
 _MIN_RELATIVE_TRAVEL = 20.0
@@ -66,7 +66,7 @@ def _origins(model: RobotModel) -> Findings:
     far = [(joint, reach) for joint, reach in reaches if reach >= _MIN_DISTANCE]
     if not far:
         return
-    near = sorted(reach for _, reach in reaches if _NONE < reach < _MIN_DISTANCE)
+    near = sorted(reach for _, reach in reaches if _ROUNDING < reach < _MIN_DISTANCE)
     least = min(reach for _, reach in far)
     if evidence := _evidence(model, least, near, len(far)):
         joints = [joint for joint, _ in far]
@@ -85,14 +85,14 @@ def _evidence(model: RobotModel, least: float, near: list[float], count: int) ->
     """The evidence against origins of ``least`` metres and more; empty if there is none."""
     if len(near) > max(2, count):
         median = near[len(near) // 2]
-        if median < 1 and least > _RATIO * median:
+        if median < 1 and least > _MIN_RATIO * median:
             return f"half of the other {len(near)} joints are less than {median:.2g} m apart"
         return ""
     shapes = model.shapes
     if any(shape.filename and max(map(abs, shape.scale)) == 0.001 for shape in shapes):
         return "meshes are scaled by 0.001"
     sizes = [max(half) * 2 for shape in shapes if (half := shape.half_extents)]
-    if sizes and least > _RATIO * max(sizes) and not any(shape.filename for shape in shapes):
+    if sizes and least > _MIN_RATIO * max(sizes) and not any(shape.filename for shape in shapes):
         return f"no shape is larger than {max(sizes):g} m"
     return ""
 

@@ -44,9 +44,9 @@ _TOLERANCE = 0.01
 #: Tolerance of the positions of mirrored frames, in m.
 _MAX_OFFSET = 1e-3
 #: Cosine of the angle between two axes below which they are different, not rounded.
-_ACROSS = 0.5
+_MAX_COSINE = 0.5
 #: Allowed ratio of damping and friction, which are measured.
-_LOSSES = 2.0
+_MAX_LOSS_RATIO = 2.0
 #: Tolerance as a part of the range; the legs of a NAO differ by 0.005 of it.
 _RANGE_TOLERANCE = 0.05
 
@@ -107,7 +107,7 @@ def _losses(first: Joint, second: Joint) -> Iterator[str]:
     of = first.effort_unit
     for key, dimension in (("damping", f"{of}·s/{first.unit}"), ("friction", of)):
         a, b = number(one.get(key)), number(other.get(key))
-        if a and b and max(a, b) > _LOSSES * min(a, b) > 0:
+        if a and b and max(a, b) > _MAX_LOSS_RATIO * min(a, b) > 0:
             yield f"{key} {b:g}, not {a:g} {dimension}"
 
 
@@ -131,7 +131,7 @@ def _axes(context: Context) -> Findings:
         if one is None or other is None or not _are_mirrored(one, other):
             continue
         a, b = _axis(left, one), _axis(right, other)
-        if abs(dot((a[0], -a[1], a[2]), b)) < _ACROSS:
+        if abs(dot((a[0], -a[1], a[2]), b)) < _MAX_COSINE:
             yield Finding(
                 right.at.child_or_self("axis"),
                 f"joint '{right.name}' turns about {rounded(b, 3)} in the root frame, but its "

@@ -37,7 +37,7 @@ _NOT_WHEELS = ("caster", "castor", "swivel", "steer", "mount", "support", "brack
 _MAX_COSINE_ACROSS, _MIN_COSINE_ALONG = 0.5, 0.9
 
 #: In rad: limits of wheels that are written as revolute joints without stops.
-_UNLIMITED = 100.0
+_MIN_UNLIMITED = 100.0
 
 #: A mesh is a wheel if two of its edges are about equal, and the third is shorter.
 _ROUND, _FLAT = 0.94, 0.75
@@ -79,7 +79,7 @@ def _limited(joint: Joint, link: Link) -> Findings:
         return
     names = f"{joint.name} {link.name}".lower()
     is_wheel = "wheel" in names and "steer" not in names and "wheelie" not in names
-    if is_wheel and max(map(abs, ends)) < _UNLIMITED and _rolls(link, direction(joint)):
+    if is_wheel and max(map(abs, ends)) < _MIN_UNLIMITED and _rolls(link, direction(joint)):
         yield Finding(
             joint.type or joint.at,
             f"joint '{joint.name}' of wheel '{link.name}' is revolute, with limits "

@@ -32,7 +32,7 @@ _MAX_RATIOS = {"effort": 200.0, "velocity": 20.0}
 _TIMES_LESS = 200.0
 
 #: Least number of other joints to compare with.
-_OTHERS = 3
+_MIN_OTHERS = 3
 
 
 @rule(Severity.WARNING, help="check the unit (N·m or N, rad/s or m/s) and the decimal point")
@@ -48,7 +48,7 @@ def _outlier(joints: list[Joint], key: str, times: float) -> Findings:
     """The one joint whose limit is far above, or far below, those of all others."""
     known = [(joint, limit) for joint in joints if (limit := _limit(joint, key))]
     known.sort(key=lambda pair: pair[1].value)
-    if len(known) <= _OTHERS:
+    if len(known) <= _MIN_OTHERS:
         return
     (weakest, lowest), (_, low), (_, high), (strongest, highest) = *known[:2], *known[-2:]
     if highest.value >= times * high.value:

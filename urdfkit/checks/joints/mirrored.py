@@ -16,7 +16,7 @@ _TOLERANCE = 1e-4
 _AXES = "xyz"
 
 #: In m: tolerance, as robots are not quite symmetric.
-_OFFSET = 0.004
+_ASYMMETRY = 0.004
 
 #: Least number of symmetric pairs next to one that is not symmetric.
 _SYMMETRIC_PAIRS = 2
@@ -105,7 +105,7 @@ def _pairs(context: Context) -> Iterator[_Pair]:
     frames = context.tree.frames
     for left, right in context.symmetric_joints:
         here, there = (frames.get(joint.child_name) for joint in (left, right))
-        if here and there and abs(here.position[1] - there.position[1]) > _OFFSET:
+        if here and there and abs(here.position[1] - there.position[1]) > _ASYMMETRY:
             (x, y, z), (a, b, c) = here.position, there.position
             yield _Pair(left, right, (a - x, b + y, c - z))
 
@@ -119,12 +119,12 @@ def _asymmetric(counterparts: list[_Pair]) -> list[_Pair]:
         above = 0.0 if is_shared else known.get(pair.right.parent_name, 0.0)
         if above > _TOLERANCE:
             inherited += 1
-        elif pair.distance > _OFFSET:
+        elif pair.distance > _ASYMMETRY:
             odd.append(pair)
     exact = sum(pair.distance <= _TOLERANCE for pair in counterparts)
     if len(odd) == 1 and exact >= _SYMMETRIC_PAIRS and exact + inherited + 1 == len(counterparts):
         x, _, z = odd[0].off
-        return odd if max(abs(x), abs(z)) > _OFFSET else []  # the plane of symmetry is unknown
+        return odd if max(abs(x), abs(z)) > _ASYMMETRY else []  # the plane of symmetry is unknown
     return [pair for pair in odd if _is_shifted_along_one_axis(pair)]
 
 

@@ -15,7 +15,7 @@ COSTMAPS = ("local_costmap", "global_costmap")
 _PACKAGE = "nav2_costmap_2d"
 _KIND = r"(Layer|Filter)s?$"
 #: Least similarity of a misspelt layer: inflate is inflation, but semantic is not static.
-_SIMILAR = 0.75
+_MIN_SIMILARITY = 0.75
 _DATA = ("LaserScan", "PointCloud2")
 
 
@@ -88,7 +88,7 @@ def _layer(layer: dict[str, Node]) -> Findings:
         return
     package, _, name = re.sub("::|/", " ", plugin.text).partition(" ")
     kinds = {re.sub(_KIND, "", known): known for known in data("nodes")["layers"].split()}
-    near = nearest(re.sub(_KIND, "", name), kinds, _SIMILAR) or ""
+    near = nearest(re.sub(_KIND, "", name), kinds, _MIN_SIMILARITY) or ""
     suggested = kinds.get(near) if nearest(package, (_PACKAGE,)) else None
     if suggested and plugin.text != f"{_PACKAGE}::{suggested}":
         hint = f"'{plugin.text}'; did you mean '{_PACKAGE}::{suggested}'?"

@@ -78,7 +78,7 @@ _VIEWERS = (_PUBLISHER, *_SLIDERS, *_RVIZ)
 _PUBLISHERS_OF_ROS = ("mavros", "realsense2_camera", "rosbag", "rosbag2")
 #: Most robots of a workspace that are expanded for their links.
 _MAX_ROBOTS = 8
-_NAMED = 4
+_MAX_NAMED = 4
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
@@ -179,7 +179,7 @@ def _finding(frame: NamedFrame, known: frozenset[str]) -> Finding:
         f"{frame.who} '{frame.name}' is neither a link of the robot nor a static transform"
         f"{did_you_mean(frame.name, published)}",
         f"{f'set {frame.key} to' if is_default else 'name'} a frame that is published: "
-        f"{few(published, _NAMED)}",
+        f"{few(published, _MAX_NAMED)}",
         related=note,
     )
 
@@ -263,7 +263,7 @@ def _unknown_parents(
         if name and name.rpartition("/")[2] not in known and child not in of_robot:
             message = f"parent '{name}' of the static transform is not a link of the robot"
             message += did_you_mean(name, known)
-            help = f"name a frame that is published: {few(sorted(known - _WELL_KNOWN), _NAMED)}"
+            help = f"name a frame that is published: {few(sorted(known - _WELL_KNOWN), _MAX_NAMED)}"
             yield name, Finding(Location(transform.parent.span, node.frame), message, help)
 
 

@@ -7,7 +7,7 @@ from urdfkit.ros.launch.argument_checks import is_included
 
 _MANAGER = "nav2_lifecycle_manager"
 _NAMES = "node_names"
-_NAMED = 4
+_MAX_NAMED = 4
 
 
 def not_activated(context: Context) -> Findings:
@@ -38,7 +38,7 @@ def not_activated(context: Context) -> Findings:
     if missing := sorted(names.difference(nodes)):
         yield Finding(
             Location(managers[0].span, managers[0].frame),
-            f"the lifecycle manager waits for {few(missing, _NAMED)}, which nothing starts",
+            f"the lifecycle manager waits for {few(missing, _MAX_NAMED)}, which nothing starts",
             f"start them, or remove them from {_NAMES}",
             severity=Severity.WARNING,
         )

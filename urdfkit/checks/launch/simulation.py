@@ -34,7 +34,7 @@ _STATELESS = re.compile(
 )
 #: Systems of gz-sim: one publishes joint states, the other the poses of links.
 _STATES, _POSES = "joint-state-publisher", "pose-publisher"
-_NAMED = 2
+_MAX_NAMED = 2
 
 
 def missing_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
@@ -188,7 +188,7 @@ def unpublished_joint_states(context: Context, started: tuple[StartedProgram, ..
             help = f"add gz-sim-{_STATES}-system to the robot, and {help}"
         yield Finding(
             Location(publisher.span, publisher.frame),
-            f"nothing publishes the states of {few(joints, _NAMED)}: RViz has no transform of "
+            f"nothing publishes the states of {few(joints, _MAX_NAMED)}: RViz has no transform of "
             "their links",
             help,
         )

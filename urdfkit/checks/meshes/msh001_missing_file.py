@@ -64,7 +64,7 @@ _SCHEMES = ("package", "model", "file")
 #: A scheme without its colon or one of its slashes.
 _CUT_SCHEME = re.compile(r"(package|model)(?::/?|//)(?=[^/:])")
 #: Number of parent directories to search for relative paths: description/urdf/parts.
-_LEVELS = 3
+_MAX_LEVELS = 3
 #: Installation directories of ROS packages: `/opt/ros/humble`, `/opt/pal/ferrum`.
 _INSTALLATION = re.compile(r"/+(opt/[^/]+/[^/]+|usr/(local/)?share/[^/]+)/")
 #: Schemes that some programs download, and urdfkit does not.
@@ -217,7 +217,7 @@ def _directory_above(context: Context, located: ResolvedReference) -> str:
     if located.scheme != "relative":
         return ""
     directory = os.path.dirname(os.path.abspath(context.files.top))
-    for _ in range(_LEVELS):
+    for _ in range(_MAX_LEVELS):
         directory = os.path.dirname(directory)
         if disk.is_file(os.path.normpath(os.path.join(directory, located.reference))):
             return directory

@@ -42,7 +42,7 @@ _MIN_DEPTH = 1e-3
 _SAMPLES = 2000
 #: Most pairs times samples: all samples up to 200 pairs. A humanoid with hands has 2000 pairs,
 #: which would take a minute; fewer samples are enough to find mistakes.
-_WORK = 400_000
+_MAX_QUERIES = 400_000
 
 
 @rule(
@@ -75,7 +75,7 @@ def check(context: Context) -> Findings:
     never = [entry for entry in never if scaled.isdisjoint(entry[1:])]
     configurations = context.collisions.sampled_in_moveit
     never = [entry for entry in never if all(map(configurations.has_bodies, entry[1:]))]
-    samples = min(_SAMPLES, _WORK // max(len(never), 1))
+    samples = min(_SAMPLES, _MAX_QUERIES // max(len(never), 1))
     disables = srdf.disables
     pairs = [(first, second) for _, first, second in never]
     collisions = configurations.colliding(pairs, samples, lambda pair: not disables(pair))

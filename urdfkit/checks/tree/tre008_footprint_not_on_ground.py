@@ -38,7 +38,7 @@ TOLERANCE = 0.005
 _MAX_COSINE_LEVEL = 0.1
 
 #: In m: a link that extends lower than the wheels by more is not a caster.
-_CASTER = 0.1
+_MAX_CASTER_DEPTH = 0.1
 
 #: In m: a robot that has to be raised by more has a wrong size, not a wrong height.
 _MAX_RISE = 2.0
@@ -162,7 +162,7 @@ def _lifted_wheels(gaps: dict[str, float], lowest: str) -> str:
     """Text about two or more wheels at one height, if another link extends lower; else empty."""
     least = min(gaps.values(), default=0.0)
     wheels = [name for name, gap in gaps.items() if gap - least < TOLERANCE]
-    if lowest in wheels or len(wheels) < 2 or not TOLERANCE < least < _CASTER:
+    if lowest in wheels or len(wheels) < 2 or not TOLERANCE < least < _MAX_CASTER_DEPTH:
         return ""
     return f"; the wheels {', '.join(wheels)} are {least:.3g} m higher"
 

@@ -24,7 +24,7 @@ GOOD = BAD.replace("PI", "width").replace("3.1415926", "3.2")
 
 _NAME = r"(?i)(^|_|\b)m?_?pi($|_)"
 #: Distance below which a value is pi with any name.
-_CERTAIN = 1e-4
+_TOLERANCE = 1e-4
 #: Distance below which a value is pi if its name contains pi.
 _TOLERANCE_OF_NAMED = 2e-2
 
@@ -36,7 +36,7 @@ def check(context: Context) -> Findings:
         if value is None or value == pi:
             continue
         off = abs(value - pi)
-        if off < _CERTAIN or (off < _TOLERANCE_OF_NAMED and re.search(_NAME, definition.name)):
+        if off < _TOLERANCE or (off < _TOLERANCE_OF_NAMED and re.search(_NAME, definition.name)):
             message = f"property '{definition.name}' is {value}, {off:.1e} off the built-in pi"
             fix = Fix("use the built-in pi", _edits(definition))
             yield Finding(Location(definition.tag.span, definition.frame), message, fix=fix)

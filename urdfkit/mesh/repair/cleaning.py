@@ -10,7 +10,7 @@ from urdfkit.mesh.grouping import components, distinct
 from urdfkit.mesh.repair.soup import TriangleSoup
 
 #: A scrap is open and has fewer triangles than the smallest solid ...
-_SCRAP = 4
+_MIN_TRIANGLES = 4
 #: ... or less than this part of the total area.
 _SMALL_AREA_PART = 1e-4
 #: Rounds of removing fins, as a fin may carry another one.
@@ -121,7 +121,7 @@ def drop_scraps(soup: TriangleSoup) -> TriangleSoup:
     area = np.bincount(edges.bodies, weights=areas(soup.points, soup.faces))
     is_open = np.zeros(len(sizes), dtype=bool)
     is_open[edges.bodies[(edges.count[edges.of_face] == 1).any(axis=1)]] = True
-    scraps = is_open & ((sizes < _SCRAP) | (area < _SMALL_AREA_PART * area.sum()))
+    scraps = is_open & ((sizes < _MIN_TRIANGLES) | (area < _SMALL_AREA_PART * area.sum()))
     # A mesh of loose triangles only has no main surface.
     if area[scraps].sum() > 0.5 * area.sum():
         return soup

@@ -14,7 +14,7 @@ from urdfkit.physics.overloads import overloads, worst_pose
 #: Most deviation of a joint that holds, in rad or m.
 SAG = 0.02
 #: Seconds that a robot is held for.
-HELD = 1.0
+DURATION = 1.0
 #: Natural frequency of the position control in rad/s, as of a stiff drive.
 _STIFFNESS = 30.0
 
@@ -62,7 +62,7 @@ def _sags(robot: SimulatedRobot) -> Iterator[Verdict]:
     model, data = robot.model, robot.started()
     needed, start = data.qfrc_bias.copy(), data.qpos.copy()
     most = _efforts(robot)
-    for _ in range(round(HELD / FINE_STEP)):
+    for _ in range(round(DURATION / FINE_STEP)):
         data.qfrc_applied = np.clip(torques(model, data, start), -most, most)
         mujoco.mj_step(model, data)
     sags = {}
@@ -80,8 +80,8 @@ def _sags(robot: SimulatedRobot) -> Iterator[Verdict]:
         dof = robot.dof(joint.name)
         force = joint.effort_unit
         text = (
-            f"joint '{joint.name}' gives way by {sags[joint]:.2g} {joint.unit} in {HELD:g} s: to "
-            f"hold still it needs {abs(float(needed[dof])):.3g} {force}, its effort is "
+            f"joint '{joint.name}' gives way by {sags[joint]:.2g} {joint.unit} in {DURATION:g} s: "
+            f"to hold still it needs {abs(float(needed[dof])):.3g} {force}, its effort is "
             f"{most[dof]:g} {force}"
         )
         place = robot.joint(joint.name)

@@ -28,7 +28,7 @@ PART_OF_STEPS = 0.1
 #: part of its size: HyQ is lifted by 0.03 of it, an SO-100 by 0.7, an SO-101 by 70.
 THROWN = 0.3
 #: Duration in s.
-RELEASED = 2.0
+DURATION = 2.0
 
 
 class _Release(Record):
@@ -57,7 +57,7 @@ def release(robot: SimulatedRobot) -> Iterator[Verdict]:
     """Verdicts on whether a robot gains energy or diverges, with the cause."""
     yield from _driven_by_damping(robot)
     result = _released(robot, STEP)
-    text = f"released for {RELEASED:g} s, it gains {result.gain:.2g} J (bound {result.bound:.2g} J)"
+    text = f"released for {DURATION:g} s, it gains {result.gain:.2g} J (bound {result.bound:.2g} J)"
     if result.is_calm:
         yield Verdict("energy", True, text, result.gain, result.bound)
         return
@@ -117,7 +117,7 @@ def _released(robot: SimulatedRobot, step: float, *, contacts: bool = True) -> _
     model, data = robot.model, robot.started()
     start = most = float(data.energy.sum())
     kinetic, bad = 0.0, None
-    for _ in range(round(RELEASED / step)):
+    for _ in range(round(DURATION / step)):
         mujoco.mj_step(model, data)
         most = max(most, float(data.energy.sum()))
         kinetic = max(kinetic, float(data.energy[1]))
@@ -133,7 +133,7 @@ def moments(robot: SimulatedRobot, images: int) -> Iterator[dict[str, Transform]
     Ends early if the simulation diverges.
     """
     robot.set_up()
-    data, steps = robot.started(), round(RELEASED / STEP)
+    data, steps = robot.started(), round(DURATION / STEP)
     for step in range(steps + 1):
         if step % (steps // (images - 1)) == 0:
             yield robot.frames(data)

@@ -7,7 +7,7 @@ from urdfkit.output.simulation.verdicts import Verdict
 
 #: Largest mass per cube of the size, in kg/m³. Osmium has 22,590, and no robot fills the cube: the
 #: densest robots have 1,000.
-DENSEST = 1e6
+MAX_DENSITY = 1e6
 
 
 def size(robot: SimulatedRobot) -> Iterator[Verdict]:
@@ -22,11 +22,11 @@ def size(robot: SimulatedRobot) -> Iterator[Verdict]:
     extent, mass = robot.extent(), float(robot.model.body_mass.sum())
     density = mass / extent**3
     text = f"it weighs {mass:.3g} kg and measures {_length(extent)}"
-    if density <= DENSEST:
-        yield Verdict("size", True, text, density, DENSEST)
+    if density <= MAX_DENSITY:
+        yield Verdict("size", True, text, density, MAX_DENSITY)
         return
-    text += f": {density:.2g} kg/m³ (bound {DENSEST:g}), lengths may have the wrong unit"
-    yield Verdict("size", False, text, density, DENSEST)
+    text += f": {density:.2g} kg/m³ (bound {MAX_DENSITY:g}), lengths may have the wrong unit"
+    yield Verdict("size", False, text, density, MAX_DENSITY)
 
 
 def _length(metres: float) -> str:

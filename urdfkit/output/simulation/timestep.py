@@ -11,7 +11,7 @@ from urdfkit.robot.joint_loads import LIGHT, STEP, light_joints
 from urdfkit.text.source import Span
 
 #: Largest energy error. With steps of 2 ms a UR5 has 0.01, an SO-100 0.28, a Panda 0.38.
-ERROR = 1.0
+MAX_ERROR = 1.0
 #: Duration in s.
 DURATION = 1.0
 #: A robot that moves less has no error: the energy to lift it by this height in m.
@@ -29,12 +29,12 @@ def timestep(robot: SimulatedRobot) -> Iterator[Verdict]:
         f"energy error {_percent(error)} with steps of {STEP * 1e3:g} ms, {_percent(half)} with "
         f"{STEP * 5e2:g} ms"
     )
-    if error <= ERROR:
-        yield Verdict("timestep", True, text, error, ERROR)
+    if error <= MAX_ERROR:
+        yield Verdict("timestep", True, text, error, MAX_ERROR)
         return
     cause, names, span = light_link(robot)
-    text += cause or f" (bound {ERROR * 100:g} %): simulate it with shorter steps"
-    yield Verdict("timestep", True, text, error, ERROR, names, span, warns=True)
+    text += cause or f" (bound {MAX_ERROR * 100:g} %): simulate it with shorter steps"
+    yield Verdict("timestep", True, text, error, MAX_ERROR, names, span, warns=True)
 
 
 def _percent(error: float) -> str:

@@ -31,9 +31,9 @@ _NO_DIRECTION = 1e-6
 #: Squared gradient below which a descent ends.
 _FLAT_GRADIENT = 1e-8
 #: Largest step of a joint, as a part of its range.
-_STRIDE = 0.25
+_MAX_STEP = 0.25
 #: Damping factor below which a descent ends; steps that increase the distance are damped.
-_SHORTEST = 1e-3
+_MIN_DAMPING = 1e-3
 
 
 class ClosestPair(NamedTuple):
@@ -176,7 +176,7 @@ class _Descent:
             if not len(active) or self.distance < -TOUCH:
                 break
             self._step(active)
-            active = active[self._damping[active] > _SHORTEST]
+            active = active[self._damping[active] > _MIN_DAMPING]
         if self.distance >= -TOUCH:
             self.distance = self._bodies.exact(self.best)
 
@@ -197,7 +197,7 @@ class _Descent:
         length = (current.distance[active] + _GOAL) / (slope**2).sum(axis=1) * self._damping[active]
         step = -slope * length[:, None]
         most = (np.abs(step) / np.maximum(self._upper - self._lower, _LEAST_RANGE)).max(axis=1)
-        step *= np.minimum(1.0, _STRIDE / np.maximum(most, _STRIDE))[:, None]
+        step *= np.minimum(1.0, _MAX_STEP / np.maximum(most, _MAX_STEP))[:, None]
         target = np.clip(self._at[active] + step, self._lower, self._upper)
         result = self._bodies.measured(target, current.inside[active])
         self._note(target, result.distance)

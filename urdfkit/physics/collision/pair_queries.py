@@ -23,7 +23,7 @@ from urdfkit.physics.collision.collision_geometry import CollisionGeometry, Dist
 Pair = tuple[int, int]
 
 #: Random configurations from which the starts of descents are selected.
-_DRAWN = 1536
+_SAMPLES = 1536
 
 #: Relative error of the reported least distance, which is never too small.
 SLACK = 0.1
@@ -52,7 +52,7 @@ class CollisionModel:
     @cached_property
     def random_rows(self) -> Floats:
         """(m, dof), random configurations within the limits, the same for all pairs."""
-        return self.kinematics.samples(_DRAWN, 0, 0)
+        return self.kinematics.samples(_SAMPLES, 0, 0)
 
     @cached_property
     def random_frames(self) -> dict[int, Floats]:

@@ -12,7 +12,7 @@ from urdfkit.physics.collision.batch_kinematics import TreeArrays, tree_arrays
 from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.matrix import ClosestApproach, Matrix, PairResult, PairVerdict
 from urdfkit.physics.collision.pair_queries import Pair
-from urdfkit.physics.collision.task import COUNTED, PairFindings, Task
+from urdfkit.physics.collision.task import COUNTED_SAMPLES, PairFindings, Task
 from urdfkit.physics.collision.worker_pool import CollisionError, WorkerPool
 from urdfkit.robot.adjacency import Adjacency
 
@@ -79,7 +79,7 @@ def collisions(
         measured = {p: moves[p] for p, both in names.items() if not adjacency.is_adjacent(*both)}
         tasks = _tasks(measured, moving.row(begin or {}), samples, seed)
         findings = _measure_pairs(pool, tasks, samples, progress)
-    counted = min(samples, COUNTED)
+    counted = min(samples, COUNTED_SAMPLES)
     results = (
         _result(moving, pair, both, findings.get(pair, _ADJACENT), counted, moves=moves[pair])
         for pair, both in names.items()

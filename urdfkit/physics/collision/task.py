@@ -14,13 +14,13 @@ from urdfkit.physics.collision.pair_queries import CollisionModel, Pair, PairQue
 
 #: Samples in which the collisions of all pairs are counted; in later samples, only pairs without
 #: collisions are tested.
-COUNTED = 1000
+COUNTED_SAMPLES = 1000
 #: Least number of samples; sampling then ends if the last half of the samples found nothing new.
-ENOUGH = 10_000
+MIN_SAMPLES = 10_000
 
 #: Bytes for the frames of all links in a block of samples.
 _MEMORY = 64e6
-_FRAME = 128
+_FRAME_BYTES = 128
 _BLOCK = 1000
 
 
@@ -73,7 +73,7 @@ class _TaskRun:
         for pair, hits in self._measure(task.pairs, task.start[None], count=True):
             self._found[pair].hits_at_start = hits > 0
         moving = [pair for pair, moves in zip(task.pairs, task.moves, strict=True) if moves]
-        counted = min(task.samples, COUNTED)
+        counted = min(task.samples, COUNTED_SAMPLES)
         if moving and counted:
             self._count(moving, counted)
             self._descend(moving)
@@ -108,7 +108,7 @@ class _TaskRun:
             done = end
             for pair in before:
                 self._found[pair].samples = done
-            if done >= ENOUGH and free == before:
+            if done >= MIN_SAMPLES and free == before:
                 return
 
     def _measure(
@@ -127,6 +127,6 @@ class _TaskRun:
     def _blocks(self, start: int, end: int) -> Iterator[Floats]:
         """The samples of a range in blocks that fit into memory."""
         kinematics = self._collision_model.kinematics
-        size = max(10, min(_BLOCK, int(_MEMORY / _FRAME / max(1, len(kinematics.links)))))
+        size = max(10, min(_BLOCK, int(_MEMORY / _FRAME_BYTES / max(1, len(kinematics.links)))))
         for at in range(start, end, size):
             yield kinematics.samples(min(size, end - at), self._task.seed, at)

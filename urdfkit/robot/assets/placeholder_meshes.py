@@ -25,7 +25,7 @@ from urdfkit.robot.assets.target_bounds import BUILDABLE, is_buildable
 from urdfkit.workspace.resolve import OUTSIDE
 
 #: A broken file is salvaged if this part of its triangles is readable.
-_ENOUGH = 0.5
+_MIN_READABLE = 0.5
 
 
 class GeneratedMesh(Record):
@@ -208,7 +208,7 @@ def _make(
         from urdfkit.mesh.io.salvage import salvage
 
         salvaged = salvage(path)
-        if salvaged is not None and salvaged.share >= _ENOUGH:
+        if salvaged is not None and salvaged.share >= _MIN_READABLE:
             lost = f" ({'; '.join(salvaged.mesh.losses)})" if salvaged.mesh.losses else ""
             reason = f"salvaged: {salvaged}{lost}"
             return GeneratedMesh(path, references, defect, salvaged.mesh, reason)

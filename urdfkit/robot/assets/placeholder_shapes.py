@@ -29,9 +29,9 @@ from urdfkit.robot.model import Body, Link
 #: A part is stretched to its bounds if the factors of its edges differ by this ratio at most.
 _DISTORTION = 2.0
 #: Target bounds guessed from an inertia tensor overrule the data sheet up to this ratio.
-_GUESS = 2.0
+_MAX_GUESS = 2.0
 #: An axis with a larger cosine to an axis of the frame is replaced by that axis.
-_ALMOST = 0.999
+_MIN_COSINE = 0.999
 #: Rotation from a sensor frame (x forwards, z up) to an optical frame (z forwards, y down).
 _OPTICAL: Rotation = ((0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (1.0, 0.0, 0.0))
 
@@ -128,7 +128,7 @@ def _axes(robot: Robot, link: Link, body: Body, part: RealPart) -> Rotation:
 def _with_z_along(axis: Vector) -> Rotation:
     """A rotation whose third column is an axis."""
     for i in range(3):
-        if abs(axis[i]) > _ALMOST:
+        if abs(axis[i]) > _MIN_COSINE:
             axis = AXES[i]
     return transposed(basis(axis))
 
@@ -139,7 +139,7 @@ def _fit(part: RealPart, bounds: TargetBounds | None, link: Link) -> tuple[Vecto
         return part.size, "its true size: the link has no size"
     ratios = [edge / true for edge, true in zip(bounds.size, part.size, strict=True)]
     where = f"{bounds.source} of link '{link.name}'"
-    if not bounds.measured and not 1 / _GUESS <= min(ratios) <= max(ratios) <= _GUESS:
+    if not bounds.measured and not 1 / _MAX_GUESS <= min(ratios) <= max(ratios) <= _MAX_GUESS:
         return part.size, f"its true size: {where} give no plausible size"
     if part.turns or max(ratios) <= _DISTORTION * min(ratios):
         return bounds.size, f"fitted to {where}"

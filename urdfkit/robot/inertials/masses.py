@@ -18,7 +18,7 @@ from urdfkit.text.document import Element, Tag
 SAME_MASS = 1.05
 
 #: Ratio of the masses of links with the same tensor above which it cannot fit all of them.
-SPREAD = 1.5
+MAX_MASS_RATIO = 1.5
 
 #: Largest ratios of mass and moments between counterparts: real parts are not quite symmetric.
 PAIR_MASS, PAIR_MOMENTS = 1.2, 1.5
@@ -225,7 +225,7 @@ class Masses:
         return [
             group
             for group in by_tensor(free)
-            if _spread(link.link for link in group) > SPREAD
+            if _spread(link.link for link in group) > MAX_MASS_RATIO
             and any(self.is_significant(link.body, link.moments[2]) for link in group)
         ]
 

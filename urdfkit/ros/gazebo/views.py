@@ -11,7 +11,7 @@ from urdfkit.ros.gazebo.sensors import Sensor
 #: Most beams of a scan, and number of rays along an edge of an image, that are tested.
 MAX_BEAMS, EDGE = 360, 5
 #: Least angle of a scan in rad: narrower scans are of sonars and cliff sensors.
-NARROW = 1.5
+MIN_SCAN_ANGLE = 1.5
 
 _FIELD, _WIDTH, _HEIGHT = 1.047, 320.0, 240.0
 
@@ -42,7 +42,7 @@ def planar_scan(sensor: Sensor) -> Scan | None:
     if samples is None or first is None or last is None or low is None or top is None:
         return None
     is_flat = vertical is None or vertical.value <= 1
-    if not is_flat or not NARROW <= last - first <= 2 * pi + 0.01 or samples < 2 or low < 0:
+    if not is_flat or not MIN_SCAN_ANGLE <= last - first <= 2 * pi + 0.01 or samples < 2 or low < 0:
         return None
     return Scan(first, last, min(int(samples), MAX_BEAMS), low, top)
 
