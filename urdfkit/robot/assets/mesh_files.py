@@ -20,6 +20,9 @@ from urdfkit.workspace.resolve import Resolver
 
 #: Directories of a package that are searched for a missing file.
 MAX_DIRECTORIES = 2000
+
+#: Most comparisons of the names of missing files with those of a directory.
+MAX_COMPARED = 250_000
 #: With this many equal parent directories, one of several files with the same name is certain.
 MIN_COMMON_DIRECTORIES = 2
 #: The package and the path below it in the path of an installed file.
@@ -63,6 +66,13 @@ class MeshFiles:
         self._model = model
         self.facts: Callable[[str], MeshFacts] = cache(_facts)
         self._below = cache(lambda base: resolver.directories.files_below(base, MAX_DIRECTORIES))
+        self._names_below = cache(
+            lambda base: by_key((_folded_name(path), path) for path in self._below(base))
+        )
+        self._stems_below = cache(
+            lambda base: by_key((stem(path), path) for path in self._below(base) if _is_mesh(path))
+        )
+        self._stems_in = cache(self._stems_by_numbers)
 
     @cached_property
     def meshes(self) -> tuple[MeshReference, ...]:
@@ -114,7 +124,7 @@ class MeshFiles:
         facts = self.facts(path) if path else None
         return facts is not None and (has_other_up_axis(facts) or is_gltf(facts))
 
-    @property
+    @cached_property
     def missing(self) -> tuple[MeshReference, ...]:
         """References to missing files in known packages."""
         return tuple(
@@ -185,7 +195,7 @@ class MeshFiles:
             return suggestion
         similar = self._similar_name(located)
         links = self._links_by_similar_name.get(similar[0], {}).values()
-        if not similar[1] and not set.intersection(*links):
+        if similar[0] is not None and not similar[1] and not set.intersection(*links):
             similar = None, False
         candidates = [self._same_name_elsewhere(located), similar]
         if similar[0] is not None and stem(similar[0]) == stem(located.relative):
@@ -261,12 +271,10 @@ class MeshFiles:
             base = package[1] if package else self.resolver.packages.workspace(self.top)
         directory, expected = os.path.split(located.relative)
         by_common: dict[int, list[str]] = {}
-        for path in self._below(base):
-            name = os.path.basename(path)
-            if name.casefold() != expected.casefold() and not (
-                any_format and suffix(name) in BY_SUFFIX and stem(name) == stem(expected)
-            ):
-                continue
+        found = self._names_below(base).get(expected.casefold(), [])
+        if any_format:
+            found = [*{*found, *self._stems_below(base).get(stem(expected), ())}]
+        for path in found:
             common, ours, theirs = _without_common_end(directory, _relative(path, base))
             # Exclude the same part of another model of the series.
             if not (own := numbers_in(ours)) or numbers_in(theirs) in ([], own):
@@ -281,19 +289,30 @@ class MeshFiles:
         """A file of a similar name in the same directory, and whether the name is a typo."""
         base, relative = self._expected(located)
         directory, expected = os.path.split(os.path.normpath(os.path.join(base, relative)))
-        entries = self.resolver.directories.entries(directory) or {}
-        numbers = numbers_in(expected)
-        meshes = [
-            name
-            for name, is_directory in entries.items()
-            if not is_directory and suffix(name) in BY_SUFFIX and numbers_in(name) == numbers
-        ]
-        # Suffixes are not compared.
-        stems = {os.path.splitext(name)[0]: name for name in meshes}
+        stems = self._stems_in(directory).get(tuple(numbers_in(expected)), {})
+        if len(stems) * len(self.missing) > MAX_COMPARED:
+            return None, False
         close = nearest(os.path.splitext(expected)[0], stems, SIMILAR_FILE)
         if close is None:
             return None, False
         return os.path.join(directory, stems[close]), is_mistyped(expected, stems[close])
+
+    def _stems_by_numbers(self, directory: str) -> dict[tuple[str, ...], dict[str, str]]:
+        """The meshes in a directory by their name without suffix, by the numbers in it."""
+        stems: dict[tuple[str, ...], dict[str, str]] = {}
+        for name, is_directory in (self.resolver.directories.entries(directory) or {}).items():
+            if not is_directory and _is_mesh(name):
+                by_stem = stems.setdefault(tuple(numbers_in(name)), {})
+                by_stem[os.path.splitext(name)[0]] = name
+        return stems
+
+
+def _is_mesh(path: str) -> bool:
+    return suffix(path) in BY_SUFFIX
+
+
+def _folded_name(path: str) -> str:
+    return os.path.basename(path).casefold()
 
 
 def _facts(path: str) -> MeshFacts:
