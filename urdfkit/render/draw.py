@@ -10,7 +10,7 @@ from typing import NamedTuple, TypedDict
 
 import numpy as np
 
-from urdfkit.core.progress import Progress
+from urdfkit.core.progress import Progress, silent
 from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, FragmentSurface, fragments_of, surface_of
@@ -115,7 +115,7 @@ def draw(
         (h, w, 4), RGBA, sRGB, not premultiplied.
     """
     drawing = _Drawing(scene, camera, QUALITIES[quality], Workers(threads), floor, level)
-    return drawing.image(background, progress or (lambda _done, _total: None))
+    return drawing.image(background, progress or silent)
 
 
 class Samples(NamedTuple):
@@ -131,7 +131,7 @@ class Samples(NamedTuple):
 def samples(scene: Scene, camera: Camera) -> Samples:
     """Draw a scene for comparisons."""
     drawing = _Drawing(scene, camera, _SAMPLES, Workers(None), floor=False, level=None)
-    return Samples(drawing.image(None, lambda _done, _total: None), drawing.depth)
+    return Samples(drawing.image(None, silent), drawing.depth)
 
 
 class _Drawing:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from urdfkit.core.progress import Progress
+from urdfkit.core.progress import Progress, silent
 from urdfkit.core.record import Record
 from urdfkit.mesh.distance import directed_distance
 from urdfkit.mesh.geometry import Mesh
@@ -87,7 +87,7 @@ def repair(
     before = examine_mesh(mesh)
     if before.is_solid and not (union and before.overlap):
         return Repair(mesh, (), before, before)
-    report = progress or (lambda _done, _total: None)
+    report = progress or silent
     soup = soup_of(mesh)
     steps: list[RepairStep] = []
     if before.non_finite:

@@ -6,7 +6,7 @@ import os
 from math import dist
 
 from urdfkit.core import disk
-from urdfkit.core.progress import Progress
+from urdfkit.core.progress import Progress, silent
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
 from urdfkit.core.temporary import scratch
@@ -115,7 +115,7 @@ def compare(
         ConfigError: a file has several variants, or lacks this variant.
         UrdfkitError: the revision does not exist, or git is not installed.
     """
-    advance = progress or (lambda done, total: None)
+    advance = progress or silent
     steps = 4 if has_images else 3
     with scratch() as directory:
         states: list[RobotState] = []

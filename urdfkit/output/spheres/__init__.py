@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from urdfkit.core.progress import Progress, silent
 from urdfkit.core.record import Record
 from urdfkit.core.words import few
 from urdfkit.errors import UrdfkitError
@@ -16,7 +17,6 @@ from urdfkit.text.source import shown
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from urdfkit.core.progress import Progress
     from urdfkit.mesh.geometry import Floats, Mesh
     from urdfkit.mesh.sphere_fitting import Spheres
     from urdfkit.mesh.sphere_quality import SphereQuality
@@ -92,7 +92,7 @@ def fit_spheres(
     if not solids:
         why = _why_nothing(context, visual, left_out)
         raise UrdfkitError(f"{shown(context.source.path)}: no link has geometry to cover{why}")
-    report = progress or (lambda done, of: None)
+    report = progress or silent
     exact = {name: found for name in solids if (found := _exact(context, name, visual))}
     coverings = {}
     for number, (name, triangles) in enumerate(solids.items(), 1):
