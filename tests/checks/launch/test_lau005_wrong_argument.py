@@ -113,3 +113,15 @@ def test_few_of_many_get_a_suggestion(tmp_path: Path) -> None:
     found = check(path, select=["LAU005"]).diagnostics
     assert len(found) == 100
     assert sum("did you mean" in one.message for one in found) == 50
+
+
+def test_few_of_many_arguments_of_a_xacro_get_a_suggestion(tmp_path: Path) -> None:
+    declared = "".join(f'<xacro:arg name="speed_{n}" default="1"/>' for n in range(100))
+    (tmp_path / "r.xacro").write_text(ROBOT.replace("<xacro:include", declared + "<xacro:include"))
+    (tmp_path / "more.xacro").write_text(MORE)
+    passed = " ".join(f"spead_{n}:=1" for n in range(100))
+    path = tmp_path / "a.launch"
+    path.write_text(XML.replace("{}:=x", passed))
+    found = check(path, select=["LAU005"]).diagnostics
+    assert len(found) == 100
+    assert sum("did you mean" in one.message for one in found) == 50

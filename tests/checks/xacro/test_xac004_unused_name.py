@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.growth import executed_lines
 from tests.xacros import codes, marked, reported, told_of, write
 
 WIDTH = '<xacro:property name="width" value="0.3"/>\n'
@@ -125,3 +126,15 @@ def test_of_a_library_and_of_an_included_file(definition: str, tmp_path: Path) -
     assert reported("XAC004", definition) == []
     write(tmp_path, robot=f'<xacro:include filename="c.xacro"/>{BASE}', c=definition)
     assert told_of("XAC004", tmp_path / "robot.xacro") == []
+
+
+def test_the_work_grows_as_the_unused_names_do() -> None:
+    """Used names were collected for each: 20,000 took more than a minute."""
+
+    def lines(number: int) -> int:
+        names = "".join(f'<xacro:property name="p{n}" value="{n}"/>' for n in range(number))
+        return executed_lines(lambda: reported("XAC004", names + BASE))
+
+    lines(1)  # imports
+    few, many = lines(100), lines(400)
+    assert many < 5 * few

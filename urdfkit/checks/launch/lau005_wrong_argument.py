@@ -15,7 +15,7 @@ Sources:
 
 import os
 
-from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 
@@ -49,11 +49,13 @@ def check(context: Context) -> Findings:
         # A launch file for several robots passes arguments that only some of them have.
         is_for_any = os.path.basename(description.path).encode() not in call.source.data
         unused = known.difference(description.arguments)
-        for name in description.arguments:
-            if name not in known:
-                yield Finding(
-                    Location(call, description.frame.outer),
-                    f"'{description.path}': unknown argument '{name}'{did_you_mean(name, unused)}",
-                    "pass one of: " + ", ".join(sorted(known)) if known else "remove the argument",
-                    severity=Severity.INFO if is_for_any else None,
-                )
+        unknown = [name for name in description.arguments if name not in known]
+        help = "pass one of: " + ", ".join(sorted(known)) if known else "remove the argument"
+        for number, name in enumerate(unknown):
+            hint = did_you_mean(name, unused) if number < Suggester.MAX_WORDS else ""
+            yield Finding(
+                Location(call, description.frame.outer),
+                f"'{description.path}': unknown argument '{name}'{hint}",
+                help,
+                severity=Severity.INFO if is_for_any else None,
+            )

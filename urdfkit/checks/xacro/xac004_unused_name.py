@@ -11,6 +11,7 @@ Sources:
 """
 
 import re
+from collections.abc import Iterable
 
 from urdfkit.core.suggest import is_typo
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, Severity, rule
@@ -30,6 +31,8 @@ FIXED = BAD.replace('  <xacro:property name="width" value="0.3"/>\n', "")
 
 #: Numbers that are too common to compare.
 _COMMON_NUMBERS = (-1.0, 0.0, 1.0)
+#: Most names that nothing defines that are compared with each unused one.
+_MAX_UNDEFINED = 100
 _COLOUR = re.compile(rb"""\brgba\s*=\s*(["'])[^"']*\1""")
 _NUMBER = re.compile(rb"(?<![\w.])[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
 
@@ -47,6 +50,7 @@ def check(context: Context) -> Findings:
 def _unused(context: Context) -> Findings:
     """Unused definitions of the checked file; those of other files may be for other robots."""
     xacro, source = context.xacro, context.source
+    undefined = _undefined(xacro)
     written: set[float] | None = None
     for definition in xacro.properties:
         if definition.tag.source is not source:
@@ -54,7 +58,7 @@ def _unused(context: Context) -> Findings:
         name = definition.name.removeprefix("**")
         if name not in xacro.usage.names:
             written = _numbers_written(context) if written is None else written
-            misleads = _is_written_out(definition, written) or _is_misspelt(name, xacro)
+            misleads = _is_written_out(definition, written) or _is_misspelt(name, undefined)
             fix = Fix("delete the property", remove_spans([definition.tag.whole_span]))
             at = Location(definition.tag.span, definition.frame)
             yield Finding(
@@ -73,7 +77,7 @@ def _unused(context: Context) -> Findings:
                 f"argument '{name}' is never used"
                 + ("; the value that it is given changes nothing" if is_given else ""),
                 group_key="unused",
-                severity=None if is_given or _is_misspelt(name, xacro) else Severity.INFO,
+                severity=None if is_given or _is_misspelt(name, undefined) else Severity.INFO,
             )
     # XAC002 reports macros that are called without the prefix.
     called = {*xacro.usage.calls, *(element.tag for element in context.document.root.walk())}
@@ -90,10 +94,16 @@ def _is_written_out(definition: Definition, written: set[float]) -> bool:
     return _NUMBER.fullmatch(value) is not None and float(value) in written
 
 
-def _is_misspelt(name: str, xacro: Xacro) -> bool:
-    """True if a name that nothing defines differs in one letter; xacro did not evaluate its use."""
+def _undefined(xacro: Xacro) -> frozenset[str]:
+    """Names that nothing defines: xacro did not evaluate their uses; empty if they are many."""
     defined = {one.name.removeprefix("**") for one in (*xacro.properties, *xacro.arguments)}
-    return any(is_typo(name, used) for used in xacro.usage.names - defined)
+    undefined = xacro.usage.names - defined
+    return frozenset(undefined) if len(undefined) <= _MAX_UNDEFINED else frozenset()
+
+
+def _is_misspelt(name: str, undefined: Iterable[str]) -> bool:
+    """True if an undefined name differs in one letter."""
+    return any(is_typo(name, used) for used in undefined)
 
 
 def _numbers_written(context: Context) -> set[float]:
