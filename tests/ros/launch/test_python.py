@@ -1,11 +1,14 @@
 """Launch files in Python: constants are followed, nothing is run."""
 
+import ast
 from pathlib import Path
 
 import pytest
 
+from tests.growth import executed_lines
 from urdfkit.ros.launch import read_launch
 from urdfkit.ros.launch.contents import Launch
+from urdfkit.ros.launch.scopes import Scopes
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -263,3 +266,19 @@ def test_unknown_arguments(package, mappings):
     (description,) = read(package, f"xacro.process_file({path}, mappings={mappings})").descriptions
     assert not description.is_whole
     assert "side" not in description.arguments
+
+
+def test_a_name_is_compared_once_for_each_assignment() -> None:
+    """5,000 lines ``x = x + 'a'`` took more than a minute."""
+
+    def lines(number: int) -> int:
+        tree = ast.parse("x = ''\n" + "x = x + 'a'\n" * number)
+        names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+
+        def values() -> None:
+            found = Scopes(tree)
+            assert {found.value(name) for name in names} == {None}
+
+        return executed_lines(values)
+
+    assert lines(400) < 6 * lines(100)

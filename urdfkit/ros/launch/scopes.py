@@ -14,11 +14,13 @@ _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 class _Scope(Record):
     """The values of names in a function or module; None is known only at run time."""
 
-    values: dict[str, list[ast.expr | None]]
+    values: dict[str, ast.expr | None]
     outer: _Scope | None
 
     def bind(self, name: str, value: ast.expr | None) -> None:
-        self.values.setdefault(name, []).append(value)
+        first = self.values.setdefault(name, value)
+        if first is not value and not _are_equal(first, value):
+            self.values[name] = None
 
 
 class Scopes:
@@ -42,9 +44,7 @@ class Scopes:
         scope = self._scope_of.get(id(name))
         while scope is not None and name.id not in scope.values:
             scope = scope.outer
-        values = scope.values[name.id] if scope else [None]
-        first = values[0]
-        return first if all(_are_equal(first, value) for value in values[1:]) else None
+        return scope.values[name.id] if scope else None
 
     @staticmethod
     def _bound(node: ast.AST, scope: _Scope) -> _Scope:
