@@ -114,14 +114,15 @@ def standing_verdict(
     if root.is_ground:
         return StandingVerdict("fixed")
     placed = frames(tree, pose or {})
-    meshes = True
     try:
-        with_visuals = _touching(robot, placed, contacts, visuals=True, meshes=True)
+        lowest = _lowest_points(robot, placed, contacts, visuals=True, meshes=True)
     except ImportError:
-        meshes = False
-        with_visuals = _touching(robot, placed, contacts, visuals=True, meshes=False)
-    touching = _touching(robot, placed, contacts, visuals=visuals, meshes=meshes)
+        lowest = _lowest_points(robot, placed, contacts, visuals=True, meshes=False)
     by_name = tree.model.links_by_name
+    with_visuals = touching = _touching(lowest)
+    if not visuals:
+        solid = {name: points for name, points in lowest.items() if by_name[name].collisions}
+        touching = _touching(solid)
     visual_only = tuple(name for name in with_visuals if not by_name[name].collisions)
     loads = _loads(robot, placed, payload or {})
     result = _stability(loads, touching)
@@ -162,8 +163,8 @@ def stand(
         ImportError: ``meshes`` is set and the libraries are not installed.
     """
     placed = frames(robot.tree, pose or {})
-    touching = _touching(robot, placed, contacts, visuals=visuals, meshes=meshes)
-    return _stability(_loads(robot, placed, payload or {}), touching)
+    lowest = _lowest_points(robot, placed, contacts, visuals=visuals, meshes=meshes)
+    return _stability(_loads(robot, placed, payload or {}), _touching(lowest))
 
 
 def lowest_links(robot: Robot) -> tuple[str, ...]:
@@ -172,7 +173,8 @@ def lowest_links(robot: Robot) -> tuple[str, ...]:
     Raises:
         ImportError: the robot has meshes and the libraries are not installed.
     """
-    return tuple(_touching(robot, frames(robot.tree, {}), None, visuals=False, meshes=True))
+    placed = frames(robot.tree, {})
+    return tuple(_touching(_lowest_points(robot, placed, None, visuals=False, meshes=True)))
 
 
 def _loads(
@@ -267,7 +269,7 @@ def _turn(a: Point, b: Point, c: Point) -> float:
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def _touching(
+def _lowest_points(
     robot: Robot,
     placed: Mapping[str, Transform],
     contacts: Collection[str] | None,
@@ -275,20 +277,25 @@ def _touching(
     visuals: bool,
     meshes: bool,
 ) -> dict[str, list[Vector]]:
-    """The contact points of each link with the ground, in the frame of the root."""
-    reaching: dict[str, list[Vector]] = {}
+    """The lowest points of each link, in the frame of the root."""
+    lowest: dict[str, list[Vector]] = {}
     for name, link in robot.model.links_by_name.items():
         if name in placed and (contacts is None or name in contacts):
             bodies = link.collisions or (link.visuals if visuals else ())
-            reaching[name] = [
+            lowest[name] = [
                 point for body in bodies for point in _lowest(robot, body, placed[name], meshes)
             ]
-    points = [point for group in reaching.values() for point in group]
+    return lowest
+
+
+def _touching(lowest: Mapping[str, list[Vector]]) -> dict[str, list[Vector]]:
+    """The contact points of each link with the ground, of its lowest points."""
+    points = [point for group in lowest.values() for point in group]
     if not points:
         return {}
     size = max(max(values) - min(values) for values in zip(*points, strict=True))
     limit = min(z for _, _, z in points) + max(MIN_TOLERANCE, TOLERANCE * size)
-    touching = {name: [p for p in group if p[2] <= limit] for name, group in reaching.items()}
+    touching = {name: [p for p in group if p[2] <= limit] for name, group in lowest.items()}
     return {name: group for name, group in touching.items() if group}
 
 

@@ -94,13 +94,12 @@ class MeasuredMeshes:
 
     def solid(self, body: Body) -> MeshSolid | None:
         """A visual or collision as a solid; None if it is not a mesh, not measured, or flat."""
-        use = self._by_body.get(id(body))
-        return use.solid if use else None
+        return self._solids.get(id(body))
 
     @cached_property
-    def _by_body(self) -> dict[int, MeshUse]:
-        """Uses by the identity of their visual or collision."""
-        return {id(use.body): use for use in self.uses}
+    def _solids(self) -> dict[int, MeshSolid | None]:
+        """Solids by the identity of their visual or collision."""
+        return {id(use.body): use.solid for use in self.uses}
 
     @cached_property
     def defects(self) -> dict[MeshDefect, list[MeshUse]]:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.launch.contents import Launch, LaunchedFile
 
 #: Size of the cache: a check reads a launch file to plan, to check it, and for each robot.
-KEPT = 256
+KEPT = 4096
 
 
 def read_launch(
