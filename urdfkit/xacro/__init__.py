@@ -57,7 +57,7 @@ class Xacro:
         self.macros = tuple(run.defined.macros)
         self.properties = tuple(run.defined.properties)
         self.arguments = tuple(run.defined.arguments)
-        self.defaults = run.defined.argument_defaults()
+        self.defaults = run.defined.argument_defaults
         self.messages = tuple(log.messages)
         self.data_files = tuple(dict.fromkeys(run.reader.data_files))
         paths = (path for path in run.dependencies if FAILED not in path)

@@ -58,12 +58,18 @@ class Definitions:
         self.macros: list[Definition] = []
         self.properties: list[Definition] = []
         self.arguments: list[Definition] = []  # every ``xacro:arg`` of the files, evaluated or not
-        self.argument_nodes: list[Node] = []  # their elements
+        #: The defaults of the arguments as written, and the elements that define them, by name.
+        self.argument_defaults: dict[str, str] = {}
+        self.defaulting_nodes: dict[str, Node] = {}
 
     def add_arguments(self, nodes: Iterable[Node]) -> None:
         for node in nodes:
-            self.argument_nodes.append(node)
-            self.arguments.append(_definition(node))
+            argument = _definition(node)
+            self.arguments.append(argument)
+            default = argument.attributes.get("default")
+            self.argument_defaults.setdefault(argument.name, default or "")
+            if default is not None:
+                self.defaulting_nodes.setdefault(argument.name, node)
 
     def add_macro(self, node: Node) -> None:
         name = node.getAttribute("name").removeprefix("xacro:")
@@ -82,13 +88,6 @@ class Definitions:
         annotations.definers[key] = definer
         annotations.used.discard(key)
         return problem
-
-    def argument_defaults(self) -> dict[str, str]:
-        """The arguments that the files declare, with their defaults as written."""
-        defaults: dict[str, str] = {}
-        for argument in self.arguments:
-            defaults.setdefault(argument.name, argument.attributes.get("default", ""))
-        return defaults
 
 
 def _redefinition(key: str, node: Node, earlier: Node | None) -> Problem | None:

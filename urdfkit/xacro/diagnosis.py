@@ -9,6 +9,7 @@ from types import FrameType
 from urdfkit.core import disk
 from urdfkit.core.static_typing import Any
 from urdfkit.core.suggest import nearest
+from urdfkit.core.words import few
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.source import Span
@@ -24,6 +25,8 @@ from urdfkit.xacro.yaml_files import YamlTooLarge
 
 _DEPRECATED = re.compile(r"Using (\w+)\(\) directly is deprecated\. Use ([\w.]+)\(\)")
 _UNKNOWN_ATTRIBUTE = re.compile(r"unknown attribute\(s\): ([\w:.-]+)")
+#: Most other arguments that the help for a missing one names.
+_MAX_ARGUMENTS = 20
 
 
 def related(span: Span, message: str) -> tuple[Related, ...]:
@@ -189,16 +192,17 @@ def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]
 
 
 def _how_to_pass(defined: Definitions, missing: BaseException) -> str:
-    others = {name: default for name, default in defined.argument_defaults().items() if default}
+    others = {name: default for name, default in defined.argument_defaults.items() if default}
     text = _pass(defined, str(missing))
     if others:
-        text += "; other arguments: " + ", ".join(f"{n} (default {d})" for n, d in others.items())
+        named = [f"{name} (default {default})" for name, default in others.items()]
+        text += f"; other arguments: {few(named, _MAX_ARGUMENTS)}"
     return text
 
 
 def _pass(defined: Definitions, name: str) -> str:
     """How to pass an argument, and the misspelt argument that was passed instead, if any."""
-    known = defined.argument_defaults()
+    known = defined.argument_defaults
     mistake = nearest(name, [passed for passed in defined.values if passed not in known])
     return f"pass it: {name}:=VALUE" + (f", not {mistake}:=" if mistake else "")
 

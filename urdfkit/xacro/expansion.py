@@ -211,20 +211,17 @@ class ExpansionRun:
         xacro fails here, which is reported. ``<robot name="$(arg name)">`` above the declaration
         is common, and the default allows the rest of the robot to be checked.
         """
-        for node in self.defined.argument_nodes:
-            if node.getAttribute("name") != name or not node.hasAttribute("default"):
-                continue
-            if name in self._defaulting:
-                break  # its default refers to the argument itself
-            self._defaulting.add(name)
-            try:
-                from urdfkit.xacro import diagnosis
+        node = self.defined.defaulting_nodes.get(name)
+        if node is None or name in self._defaulting:  # its default refers to the argument itself
+            raise MissingArgument(name)
+        self._defaulting.add(name)
+        try:
+            from urdfkit.xacro import diagnosis
 
-                self.log.add(diagnosis.used_too_early(name, node, _caller()))
-                return str(self.xacro.eval_text(node.getAttribute("default"), symbols))
-            finally:
-                self._defaulting.discard(name)
-        raise MissingArgument(name)
+            self.log.add(diagnosis.used_too_early(name, node, _caller()))
+            return str(self.xacro.eval_text(node.getAttribute("default"), symbols))
+        finally:
+            self._defaulting.discard(name)
 
     # ------------------------------------------------------------ definitions
 
