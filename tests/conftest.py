@@ -222,6 +222,7 @@ SAMPLED = {
     "tests/output/conversion/test_own_dynamics.py::test_a_robot_with_too_many": 0,
     "tests/output/conversion/test_sdf.py::test_pieces_of_robots": 3,
     "tests/output/report/test_browser.py::test_the_width": 0,
+    "tests/output/report/test_browser.py": 2,
     "tests/output/report/test_html.py::test_the_same_robot": 0,
     "tests/physics/collision/test_against_pinocchio.py": 0,
     "tests/physics/collision/test_sampling.py::test_a_robot_that_crashes": 0,
