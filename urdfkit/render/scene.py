@@ -286,7 +286,7 @@ def _placeholder_box(
 
 
 def _extent(context: Context, body: Body) -> tuple[Floats, Floats] | None:
-    """The min_edge and the greatest coordinates of a mesh in its link; None if it is missing."""
+    """The least and the greatest coordinates of a mesh in its link; None if it is missing."""
     if body.shape is None or body.shape.kind != "mesh":
         return None
     vertices = context.meshes.vertices(body.shape)

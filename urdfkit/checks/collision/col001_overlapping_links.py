@@ -18,7 +18,7 @@
   primitives and convex meshes are reported, since their penetration depth is exact.
 
 - Overlap of convex hulls, for a target that collides the convex hulls of meshes (MuJoCo, Isaac Sim,
-  PyBullet), a warning: the hulls overlap by more than 1 mm at the initial_pose, and the simulator
+  PyBullet), a warning: the hulls overlap by more than 1 mm at the beginning, and the simulator
   pushes the links apart from the first step on; Isaac Sim and PyBullet only if self-collision is
   enabled. If the meshes themselves do not overlap, write convex pieces, each as a separate
   `<collision>`. MuJoCo welds the root link of a URDF to the world, and does not ignore the

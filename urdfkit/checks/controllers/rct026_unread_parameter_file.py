@@ -70,7 +70,7 @@ def _outside_namespace(context: Context) -> Findings:
             yield Finding(
                 lost.at,
                 f"parameters of '{_MANAGER}' are not read: the node is '/{node}'",
-                f"write /{node}, or /**/{_MANAGER}, and likewise for the controllers",
+                f"write /{node}, or /**/{_MANAGER}; the controllers need the namespace, too",
                 related=(Related(element.span, "the namespace"), named[0].note),
                 severity=Severity.WARNING,
             )

@@ -291,7 +291,8 @@ def advice(link: LinkInertia, diagnosis: Diagnosis) -> str:
         return f"give it more mass first: joint '{joint.name}' has too much effort for less inertia"
     if not from_macro(link.at):
         return str(diagnosis)
-    return f"the tensor {diagnosis.cause}; compute it in the macro" if diagnosis.cause else ""
+    where = "correct it in the macro, or in the values that it is called with"
+    return f"the tensor {diagnosis.cause}; {where}" if diagnosis.cause else ""
 
 
 def format_tensor(tensor: Tensor) -> str:
