@@ -260,7 +260,7 @@ def installed(name: str, what: str) -> Path:
     directory = ROOT / "build" / "benchmarks" / name
     python = directory / "bin" / "python"
     if not python.exists():
-        venv.create(directory, with_pip=True)
+        venv.create(directory, with_pip=True, upgrade_deps=True)
     install = ["-m", "pip", "install", "-q", f"{ROOT}{what}"]
     subprocess.run([str(python), *install], check=True)
     return python

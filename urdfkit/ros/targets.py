@@ -112,8 +112,10 @@ class TargetFacts(Record):
     #: Tags of elements that may have the same name: ``joint``, ``material``.
     repeatable_names: tuple[str, ...] = ()
     rejects_recoloured: bool = False  # True if it rejects a material with two colours
-    #: True if the type of a transmission may be an attribute, and its interfaces are not read.
-    ignores_interfaces: bool = False
+    ignores_interfaces: bool = False  # True if it does not read the interfaces of transmissions
+    reads_type_attributes: bool = False  # True if the type of a transmission may be an attribute
+    #: True if it rejects a robot with a transmission without name, type, joint or actuator.
+    requires_whole_transmissions: bool = False
     reads_drake_joints: bool = False  # True if ``<drake:joint>`` connects links
     reads_planes: bool = False  # True if it reads the shape ``<plane>``
     reads_unnamed_materials: bool = False  # True if a material needs no name

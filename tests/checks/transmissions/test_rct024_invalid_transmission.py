@@ -245,3 +245,18 @@ def test_what_drake_reads(targets: tuple[str, ...], count: int) -> None:
     assert len(reported("RCT024", ROBOT + text, targets=targets)) == count
     missing = text.replace(' type="SimpleTransmission"', "")
     assert len(reported("RCT024", ROBOT + missing, targets=targets)) == 1
+
+
+@pytest.mark.parametrize("targets", [("genesis",), ("ros2", "genesis"), ("ros1", "genesis")])
+def test_what_genesis_rejects(targets: tuple[str, ...]) -> None:
+    """Its reader needs the text of `<type>`, even of a PR2, a joint and an actuator."""
+    of_pr2 = '<transmission name="t" type="pr2_mechanism_model/SimpleTransmission">'
+    of_pr2 += '<actuator name="m"/><joint name="swing"/></transmission>'
+    (found, *_) = reported("RCT024", ROBOT + of_pr2, targets=targets)
+    assert found.severity is Severity.ERROR
+    assert "no <type>" in found.message
+
+
+def test_genesis_reads_no_interfaces() -> None:
+    whole = '<transmission name="t"><type>any</type><joint name="swing"/><actuator name="m"/>'
+    assert not reported("RCT024", ROBOT + whole + "</transmission>", targets=("genesis",))

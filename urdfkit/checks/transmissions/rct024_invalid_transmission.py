@@ -4,7 +4,8 @@ ros_control ignores an invalid transmission, so that no controller finds the joi
 resource". Reported are
 
 - a missing name, `<type>`, `<joint>`, `<actuator>` or `<hardwareInterface>`. The type is an
-  element; only the PR2 and Drake read it as an attribute, and Drake reads no interface.
+  element; only the PR2 and Drake read it as an attribute, and Drake reads no interface. Genesis
+  rejects the robot if one of the first four is missing (error), even a PR2.
   `<hardwareInterface>` must be in `<joint>`; up to ROS Indigo it was in `<actuator>`;
 - a misspelt type or a type without its package, and a wrong number of joints or actuators for the
   type;
@@ -78,23 +79,22 @@ def check(context: Context) -> Findings:
     transmissions = context.model.transmissions
     if not transmissions:
         return
+    is_required = bool(context.targets.that("requires_whole_transmissions"))
+    if is_required:
+        yield from _incomplete(transmissions, Severity.ERROR)
     if not reads_transmissions(context.targets):
         yield _unread(*transmissions)
         return
     read = [transmission for transmission in transmissions if not is_of_pr2(transmission)]
     unread = Severity.WARNING if "classic-ros1" in context.targets.names else None
-    is_of_drake = context.targets.all_are("ignores_interfaces")
+    may_be_attribute = context.targets.all_are("reads_type_attributes")
+    are_interfaces_read = not context.targets.all_are("ignores_interfaces")
     for transmission in read:
-        if is_of_drake and "type" in transmission.attributes:
+        if may_be_attribute and "type" in transmission.attributes:
             continue
-        if missing := _missing(transmission):
-            yield Finding(
-                transmission,
-                f"{called(transmission)} has no {' and no '.join(missing)}",
-                "add a name, <type>transmission_interface/SimpleTransmission</type>, <joint> and "
-                "<actuator>",
-            )
-        if is_of_drake:
+        if not is_required:
+            yield from _incomplete([transmission], None)
+        if not are_interfaces_read:
             continue
         yield from _interfaces(transmission)
         yield from _type(transmission, unread)
@@ -114,6 +114,18 @@ def _unread(first: Element, *others: Element) -> Finding:
         related=tuple(Related(other.span, called(other)) for other in others[:_MAX_RELATED]),
         severity=Severity.INFO,
     )
+
+
+def _incomplete(transmissions: Iterable[Element], severity: Severity | None) -> Findings:
+    for transmission in transmissions:
+        if missing := _missing(transmission):
+            yield Finding(
+                transmission,
+                f"{called(transmission)} has no {' and no '.join(missing)}",
+                "add a name, <type>transmission_interface/SimpleTransmission</type>, <joint> and "
+                "<actuator>",
+                severity=severity,
+            )
 
 
 def _missing(transmission: Element) -> list[str]:
