@@ -76,3 +76,25 @@ def test_pre_commit_is_configured(prefix: Path, monkeypatch: pytest.MonkeyPatch)
     assert install_command("lsp") == (
         'additional_dependencies: [".[lsp]"] in .pre-commit-config.yaml'
     )
+
+
+@pytest.mark.parametrize(
+    ("extra", "name", "value"),
+    [
+        ("dynamics", "platform", "win32"),
+        ("simulate", "version_info", (3, 10, 13)),
+        ("usd", "version_info", (3, 14, 0)),
+        ("lsp", "platform", "emscripten"),
+    ],
+)
+def test_an_extra_without_wheels_is_not_to_be_installed(
+    extra: str, name: str, value: object, prefix: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, name, value)
+    assert install_command(extra).startswith("not possible ")
+
+
+def test_extras_that_have_wheels(prefix: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "version_info", (3, 11, 0))
+    monkeypatch.setattr(sys, "platform", "linux")
+    assert not any("not possible" in install_command(name) for name in ("simulate", "usd", "all"))

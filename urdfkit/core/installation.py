@@ -20,18 +20,33 @@ _HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__
 def install_command(extra: str) -> str:
     """A command that installs an extra; for pre-commit, a line of its configuration.
 
+    If it cannot be installed, ``not possible`` and the reason.
+
     Args:
         extra: its name; empty for the dependencies of urdfkit itself.
     """
+    if obstacle := _obstacle(extra):
+        return f"not possible {obstacle}"
     extras = extra and f"[{extra}]"
-    if sys.platform == "emscripten":
-        return "not possible in a browser"
     if os.path.basename(sys.prefix).startswith("py_env-"):  # pre-commit's
         return f'additional_dependencies: [".{extras}"] in .pre-commit-config.yaml'
     requirement = _requirement(extras)
     if "archive-v" in sys.prefix or "environments-v" in sys.prefix:  # of uv's cache
         return f"uvx --from {requirement} urdfkit"
     return f"{_program()} {requirement}"
+
+
+def _obstacle(extra: str) -> str:
+    """Why the markers in pyproject.toml exclude an extra here; empty if they do not."""
+    if sys.platform == "emscripten":
+        return "in a browser"
+    if extra == "dynamics" and sys.platform == "win32":
+        return "on Windows, for which Pinocchio and coal have no wheels"
+    if extra == "simulate" and sys.version_info < (3, 11):
+        return "with Python 3.10: MuJoCo needs 3.11 or newer"
+    if extra == "usd" and sys.version_info >= (3, 14):
+        return "with Python 3.14: USD has wheels up to 3.13"
+    return ""
 
 
 @contextmanager
