@@ -384,7 +384,8 @@ def rough_meshes(monkeypatch: pytest.MonkeyPatch) -> None:
         "sphere_fitting": (
             *("_COLUMNS", "_SURFACE", "_MEDIAL", "_ELSEWHERE", "_MAX_ROUGH", "_MAX_POINTS"),
         ),
-        "sphere_quality": ("_COLUMNS", "_SURFACE"),
+        "capsule_fitting": ("_COLUMNS", "_MAX_POINTS", "_SURFACE"),
+        "cover_quality": ("_COLUMNS", "_SURFACE"),
     }
     for name, constants in numbers.items():
         module = importlib.import_module(f"urdfkit.mesh.{name}")

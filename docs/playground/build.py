@@ -33,7 +33,7 @@ LEFT_OUT = {
     for name in (
         *("cli", "lsp", "pytest_plugin", "render", "scan", "testing", "viewer"),
         *("output/bundle", "output/comparison", "output/conversion", "output/diagrams"),
-        *("output/package_templates", "output/report", "output/simulation", "output/spheres"),
+        *("output/package_templates", "output/report", "output/simulation", "output/covers"),
     )
 }
 

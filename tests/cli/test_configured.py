@@ -42,6 +42,7 @@ COMMANDS = [
     "info FILE",
     "kinematics FILE",
     "mass FILE",
+    "mesh capsules FILE --most 2",
     "mesh collision FILE --link SIDE_base --most 1",
     "mesh spheres FILE --format urdf --most 2",
     "migrate FILE --to gz-harmonic",

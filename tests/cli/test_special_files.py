@@ -87,6 +87,7 @@ COMMANDS = {
         "doctor {}",
         "mesh collision {}",
         "mesh spheres {}",
+        "mesh capsules {}",
         "mesh generate --model {}",
     ],
     ".urdf.xacro": ["check {}", "expand {}"],

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 pytest.importorskip("trimesh", reason="meshes need the extra meshes")
 
 from urdfkit.mesh import solids
+from urdfkit.mesh.cover_quality import measure, total
 from urdfkit.mesh.geometry import Floats, Mesh, MeshPart
 from urdfkit.mesh.inside import are_inside, closed, points_inside
 from urdfkit.mesh.sphere_fitting import Covering, Spheres, fit
-from urdfkit.mesh.sphere_quality import measure, total
 
 
 def triangles(mesh: Mesh) -> Floats:
@@ -67,7 +67,7 @@ def test_a_rod_is_a_row_of_spheres() -> None:
 
 def test_fewer_spheres_stick_out_by_more() -> None:
     few, many = (measure(ROD, spheres_of(of_rod(), most=most)) for most in (4, 100))
-    assert few.spheres <= 4 < many.spheres
+    assert few.number <= 4 < many.number
     assert few.protrusion_p95 > many.protrusion_p95
 
 
@@ -75,7 +75,7 @@ def test_a_budget_is_used_as_well_as_an_even_row() -> None:
     """Nine spheres in a row that cover the rod to its edges stick out by 16 mm."""
     quality = measure(ROD, spheres_of(of_rod(), margin=0.001, most=9))
     even = np.sqrt(2 * 0.02**2 + (0.4 / 18) ** 2) - 0.02
-    assert quality.spheres == 9
+    assert quality.number == 9
     assert quality.protrusion_max < even
     assert quality.coverage > 0.985
 
@@ -105,7 +105,7 @@ def test_a_measure_of_known_spheres() -> None:
     assert (large.coverage, large.surface_coverage, large.max_uncovered_gap) == (1, 1, 0)
     assert large.protrusion_mean == pytest.approx(0.1, abs=0.001)
     both = total([small, large])
-    assert both.spheres == 2
+    assert both.number == 2
     assert both.coverage == pytest.approx((small.coverage + 1) / 2)
 
 

@@ -12,6 +12,8 @@ from urdfkit.mesh.health import examine_mesh
 _MAX_COORDINATE = 1e5
 #: Points on each line.
 _POINTS_PER_LINE = 10
+#: A solid with fewer points inside is thin.
+_MIN_INSIDE = 200
 #: Lines that are processed together.
 _GROUP = 32
 
@@ -78,6 +80,18 @@ def points_inside(triangles: Floats, columns: int, seed: int) -> tuple[Floats, f
     inside = columns_inside(triangles, places, heights)
     points = np.column_stack([places[np.nonzero(inside)[0]], heights[inside]])
     return points, float(inside.mean() * np.prod(high - low))
+
+
+def solid_points(triangles: Floats, columns: int, seed: int, surface: Floats) -> Floats:
+    """Points that are to be covered: those inside; of a thin part, which has few, surface, too.
+
+    Args:
+        triangles: as for `columns_inside`.
+        columns: as for `points_inside`.
+        surface: (n, 3), points of the surface.
+    """
+    inside, _ = points_inside(triangles, columns, seed)
+    return inside if len(inside) > _MIN_INSIDE else np.concatenate([inside, surface])
 
 
 def _cross(a: Floats, b: Floats) -> Floats:

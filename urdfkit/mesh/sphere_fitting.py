@@ -20,7 +20,7 @@ from scipy.spatial.distance import cdist
 from urdfkit.core.record import Record
 from urdfkit.mesh.distance import sample_surface
 from urdfkit.mesh.geometry import Flags, Floats, Integers, scaled_normals
-from urdfkit.mesh.inside import are_inside, points_inside
+from urdfkit.mesh.inside import are_inside, solid_points
 
 #: Lines on which points inside are sampled, which are to be covered.
 _COLUMNS = 8000
@@ -29,8 +29,8 @@ _MEDIAL, _ELSEWHERE = 1200, 800
 #: Points of the surface for computing depths; with fewer, centres move away from all of them, and
 #: their depths become too large.
 _SURFACE = 20_000
-#: A solid with fewer points inside is thin; numbers of points for choosing and moving candidates.
-_MIN_INSIDE, _MAX_ROUGH, _MAX_POINTS = 200, 10_000, 24_000
+#: Numbers of points for choosing and moving candidates.
+_MAX_ROUGH, _MAX_POINTS = 10_000, 24_000
 #: Part of the points to cover, those nearest to the surface, and its least ratio to the part that
 #: may stay uncovered. Spheres that cover these points cover the others too, and too few of all
 #: points are near the surface.
@@ -54,6 +54,8 @@ _MAX_SWAPS = 60
 _MAX_MOVE = 0.9
 #: Part of the uncovered points that is covered in reserve, as coverage is less at other points.
 _RESERVE = 0.11
+#: Points on each sphere, to measure how far it protrudes.
+_ON_SPHERE = 100
 #: Below the area of any triangle that matters.
 _TINY = 1e-300
 #: Unit of stored lengths, as a part of the size; their largest value; rows at a time.
@@ -66,6 +68,16 @@ class Spheres(Record):
 
     centers: Floats  # (n, 3)
     radii: Floats  # (n,)
+
+    def distances(self, points: Floats) -> Floats:
+        """(n,), distances of points from the nearest sphere; negative inside."""
+        return np.asarray((cdist(points, self.centers) - self.radii).min(axis=1))
+
+    def on_surfaces(self, random: np.random.Generator) -> Floats:
+        """(k, n, 3), points spread evenly over each sphere."""
+        directions = random.normal(size=(len(self.radii), _ON_SPHERE, 3))
+        directions /= np.linalg.norm(directions, axis=2, keepdims=True)
+        return np.asarray(self.centers[:, None] + self.radii[:, None, None] * directions)
 
 
 class Covering:
@@ -81,7 +93,7 @@ class Covering:
         self._triangles, self._coverage = triangles, coverage
         self._tree = cKDTree(surface)
         # The centers fit their own points better than others, so the radii use separate points.
-        points = self._sample(triangles, _COLUMNS, surface)
+        points = solid_points(triangles, _COLUMNS, _SEED + _COLUMNS, surface[:_MEDIAL])
         share = min(1.0, max(_SHALLOW, _OUTER * (1 - coverage)))
         below, _ = self._tree.query(points)
         shallow = points[np.argsort(below)[: round(share * len(points))]]
@@ -90,7 +102,9 @@ class Covering:
         self._allowed = int((1 - coverage) / share * len(self._points))
         rough = self._points[:_MAX_ROUGH]
         self._roughly_allowed = int((1 - coverage) / share * len(rough))
-        self._others = self._sample(triangles, _COLUMNS + 1, surface[_MEDIAL:])
+        self._others = solid_points(
+            triangles, _COLUMNS + 1, _SEED + _COLUMNS + 1, surface[_MEDIAL : 2 * _MEDIAL]
+        )
         normals = scaled_normals(triangles)
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), _TINY)
         size = float(np.ptp(surface, axis=0).max())
@@ -105,11 +119,6 @@ class Covering:
         for start in range(0, len(rough), _BLOCK):
             needed = cdist(rough[start : start + _BLOCK], self._centers) - self._depths
             self._protrusions[start : start + _BLOCK] = needed / (size * _UNIT)
-
-    def _sample(self, triangles: Floats, columns: int, surface: Floats) -> Floats:
-        """Points inside; for a thin part, which has few, also points of its surface."""
-        inside, _ = points_inside(triangles, columns, _SEED + columns)
-        return inside if len(inside) > _MIN_INSIDE else np.concatenate([inside, surface[:_MEDIAL]])
 
     def _medial(self, points: Floats, normals: Floats, size: float) -> Floats:
         """Centres of the balls that touch the surface at the points and at a second point.

@@ -80,7 +80,7 @@ def test_json_and_omitted_geometry(tmp_path: Path, capsys: pytest.CaptureFixture
     assert main(["mesh", "spheres", str(file), "--format", "json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert found["left_out"] == ["collision 1 of link 'tip' is left out: the file is missing"]
-    assert found["total"]["spheres"] == 2
+    assert found["total"]["number"] == 2
     assert found["links"][0]["radii"] == [0.1]
     assert found["links"][0]["coverage"] == 1
 
@@ -89,7 +89,7 @@ def test_visual_geometry(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     file = tmp_path / "seen.urdf"
     file.write_text(BALLS.replace("collision", "visual"))
     assert main(["mesh", "spheres", str(file), "--visual", "--format", "json"]) == 0
-    assert json.loads(capsys.readouterr().out)["total"]["spheres"] == 2
+    assert json.loads(capsys.readouterr().out)["total"]["number"] == 2
 
 
 def test_without_geometry(balls: str, capsys: pytest.CaptureFixture[str]) -> None:

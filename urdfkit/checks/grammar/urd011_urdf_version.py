@@ -7,8 +7,8 @@ Version 1.1 brought capsules and quaternions, 1.2 more joint limits. urdfdom 6 r
 3.0.1, the version in Debian 12, rejects the robot: a warning. In a robot of version 1.0 a
 `<capsule>` is not a shape, and urdfdom drops every visual and collision of the link; `quat_xyzw` is
 ignored, and the part is not rotated. Build the capsule from a cylinder and two spheres and write
-`rpy`, which every parser reads, or declare the version. MuJoCo and Drake read a `<capsule>` in any
-version; if they are the only targets, it is not reported.
+`rpy`, which every parser reads, or declare the version. MuJoCo, Drake and PyBullet read a
+`<capsule>` in any version; if they are the only targets, it is not reported.
 
 In version 1.1 and later, urdfdom rejects an `<origin>` with both `rpy` and `quat_xyzw`. MuJoCo,
 Drake, PyBullet, Newton and yourdfpy ignore `quat_xyzw` in any version: an error for these targets.

@@ -6,7 +6,7 @@ from urdfkit.cli.lazy import LazyGroup
 
 SECTIONS = {
     "Any mesh file": ("info", "convert", "repair", "simplify", "hull", "decompose"),
-    "The meshes of a robot": ("collision", "spheres", "generate"),
+    "The meshes of a robot": ("collision", "spheres", "capsules", "generate"),
 }
 
 

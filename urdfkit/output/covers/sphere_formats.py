@@ -2,25 +2,23 @@
 
 from collections.abc import Sequence
 from typing import Any
-from xml.etree import ElementTree
 
 import yaml
 
+from urdfkit.core.spatial import IDENTITY, Transform, vector
 from urdfkit.lint.context import Context
-from urdfkit.output.exchange import element_tree
-from urdfkit.output.spheres import LinkSpheres, RobotSpheres
+from urdfkit.output.covers import LinkCover, RobotCover
+from urdfkit.output.covers.urdf import DECIMALS, collision, replaced
 from urdfkit.physics.collision.matrix import Matrix, PairVerdict
 
 #: Number of configurations in which links are compared.
 _SAMPLES = 10_000
-#: Decimals of a length in m: a micrometre.
-_DECIMALS = 6
 #: Limits that Isaac Sim's editor writes into an XRDF, as a URDF has none: in rad/s^2 and
 #: rad/s^3, or m/s^2 and m/s^3.
 _ACCELERATION, _JERK = 10.0, 10_000.0
 
 
-def curobo(robot: Context, found: RobotSpheres) -> str:
+def curobo(robot: Context, found: RobotCover) -> str:
     """The collision part of cuRobo's robot configuration.
 
     Source: https://curobo.org/tutorials/1_robot_configuration.html
@@ -40,7 +38,7 @@ def curobo(robot: Context, found: RobotSpheres) -> str:
     return _yaml({"robot_cfg": {"kinematics": kinematics}})
 
 
-def xrdf(robot: Context, found: RobotSpheres) -> str:
+def xrdf(robot: Context, found: RobotCover) -> str:
     """An XRDF 1.0 file, for Isaac Sim and cuMotion.
 
     Source: https://nvidia-isaac-ros.github.io/concepts/manipulation/xrdf.html
@@ -73,37 +71,31 @@ def xrdf(robot: Context, found: RobotSpheres) -> str:
     return _yaml(document)
 
 
-def urdf(robot: Context, found: RobotSpheres) -> str:
+def urdf(robot: Context, found: RobotCover) -> str:
     """The robot without xacro, with spheres as collisions, as for VAMP and foam."""
-    root = element_tree(robot.document.root)
-    spheres = {one.link: one for one in found.links}
-    for link in root.iter("link"):
-        for collision in link.findall("collision"):
-            link.remove(collision)
-        for one in _plain(spheres.get(link.get("name", ""))):
-            collision = ElementTree.SubElement(link, "collision")
-            xyz = " ".join(map(str, one["center"]))
-            ElementTree.SubElement(collision, "origin", {"xyz": xyz, "rpy": "0 0 0"})
-            geometry = ElementTree.SubElement(collision, "geometry")
-            ElementTree.SubElement(geometry, "sphere", {"radius": str(one["radius"])})
-    ElementTree.indent(root)
-    return ElementTree.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+    shapes = {
+        one.link: [
+            collision("sphere", Transform(IDENTITY, vector(at["center"])), radius=at["radius"])
+            for at in _plain(one)
+        ]
+        for one in found.links
+    }
+    return replaced(robot, shapes)
 
 
 #: The function of each format, by its name.
 FORMATS = {"curobo": curobo, "xrdf": xrdf, "urdf": urdf}
 
 
-def _spheres(found: RobotSpheres) -> dict[str, list[dict[str, Any]]]:
+def _spheres(found: RobotCover) -> dict[str, list[dict[str, Any]]]:
     return {one.link: _plain(one) for one in found.links}
 
 
-def _plain(one: LinkSpheres | None) -> list[dict[str, Any]]:
-    if one is None:
-        return []
-    centers, radii = one.spheres.centers.tolist(), one.spheres.radii.tolist()
+def _plain(one: LinkCover) -> list[dict[str, Any]]:
+    shapes = one.shapes._asdict()
+    centers, radii = shapes["centers"].tolist(), shapes["radii"].tolist()
     return [
-        {"center": [round(x, _DECIMALS) + 0.0 for x in center], "radius": round(r, _DECIMALS)}
+        {"center": [round(x, DECIMALS) + 0.0 for x in center], "radius": round(r, DECIMALS)}
         for center, r in zip(centers, radii, strict=True)
     ]
 

@@ -1,36 +1,49 @@
-"""Quality of spheres that approximate a solid, by independent samples and exact triangles."""
+"""Quality of spheres or capsules that cover a solid, by independent samples and exact triangles."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
-from scipy.spatial.distance import cdist
 
 from urdfkit.core.record import Record
 from urdfkit.mesh.distance import sample_surface, to_surface
 from urdfkit.mesh.geometry import Floats, areas
 from urdfkit.mesh.inside import are_inside, points_inside
-from urdfkit.mesh.sphere_fitting import Spheres
 
-#: Lines through the inside, points on the surface, points on each sphere.
-_COLUMNS, _SURFACE, _ON_SPHERE = 1200, 3000, 100
+#: Lines through the inside, points on the surface.
+_COLUMNS, _SURFACE = 1200, 3000
 _SEED = 23
 
 
-class SphereQuality(Record):
-    """Quality of the spheres of a link or a robot; the names are cuRobo's.
+class Cover(Protocol):
+    """Spheres or capsules."""
+
+    @property
+    def radii(self) -> Floats:
+        """(n,), one for each shape."""
+
+    def distances(self, points: Floats) -> Floats:
+        """(n,), distances of points from the nearest shape; negative inside."""
+
+    def on_surfaces(self, random: np.random.Generator) -> Floats:
+        """(k, n, 3), points spread evenly over the surface of each shape."""
+
+
+class CoverQuality(Record):
+    """Quality of the spheres or capsules of a link or a robot; the names are cuRobo's.
 
     Source of the definitions: https://nvlabs.github.io/curobo/latest/reference/sphere_fitting.html
     """
 
-    spheres: int
+    number: int  # of spheres or capsules
     volume: float  # of the solid, in m^3
     area: float  # of its surface, in m^2
-    coverage: float  # part of the inside that lies in a sphere, from 0 to 1
-    surface_coverage: float  # part of the surface that lies in a sphere
-    max_uncovered_gap: float  # greatest distance from the surface to the spheres, in m
-    #: Distances from the solid of points on the spheres that are outside of it, in m.
+    coverage: float  # part of the inside that lies in a shape, from 0 to 1
+    surface_coverage: float  # part of the surface that lies in a shape
+    max_uncovered_gap: float  # greatest distance from the surface to the shapes, in m
+    #: Distances from the solid of points on the shapes that are outside of it, in m.
     protrusion_mean: float
     protrusion_p95: float
     protrusion_max: float
@@ -41,8 +54,8 @@ class SphereQuality(Record):
         return {name: value for name, value in self._asdict().items() if name != "protrusions"}
 
 
-def measure(triangles: Floats, spheres: Spheres) -> SphereQuality:
-    """Compare spheres with the solid that they approximate.
+def measure(triangles: Floats, cover: Cover) -> CoverQuality:
+    """Compare spheres or capsules with the solid that they cover.
 
     Args:
         triangles: (m, 3, 3), of closed surfaces in m.
@@ -51,30 +64,27 @@ def measure(triangles: Floats, spheres: Spheres) -> SphereQuality:
     inside, volume = points_inside(turned, _COLUMNS, _SEED)
     surface, _ = sample_surface(triangles, _SURFACE)
     inner = inside[:, [2, 0, 1]] if len(inside) else surface
-    gaps = _to_spheres(surface, spheres)
-    random = np.random.default_rng(_SEED)
-    directions = random.normal(size=(len(spheres.radii), _ON_SPHERE, 3))
-    directions /= np.linalg.norm(directions, axis=2, keepdims=True)
-    on = (spheres.centers[:, None] + spheres.radii[:, None, None] * directions).reshape(-1, 3)
+    gaps = cover.distances(surface)
+    on = cover.on_surfaces(np.random.default_rng(_SEED)).reshape(-1, 3)
     outside = on[~are_inside(turned, on[:, [1, 2, 0]])]
     faces = np.arange(3 * len(triangles)).reshape(-1, 3)
     beyond = to_surface(outside, triangles.reshape(-1, 3), faces)
-    return SphereQuality(
-        len(spheres.radii),
+    return CoverQuality(
+        len(cover.radii),
         volume,
         float(areas(triangles.reshape(-1, 3), faces).sum()),
-        float((_to_spheres(inner, spheres) <= 0).mean()),
+        float((cover.distances(inner) <= 0).mean()),
         float((gaps <= 0).mean()),
         max(0.0, float(gaps.max())),
         *_protrusions(beyond),
     )
 
 
-def total(parts: Sequence[SphereQuality]) -> SphereQuality:
+def total(parts: Sequence[CoverQuality]) -> CoverQuality:
     """The quality for all links: coverage by volume and by area, protrusion over all points."""
     volumes, surfaces = np.array([(part.volume, part.area) for part in parts]).T
-    return SphereQuality(
-        sum(part.spheres for part in parts),
+    return CoverQuality(
+        sum(part.number for part in parts),
         float(volumes.sum()),
         float(surfaces.sum()),
         float(np.average([part.coverage for part in parts], weights=volumes)),
@@ -88,8 +98,3 @@ def _protrusions(beyond: Floats) -> tuple[float, float, float, Floats]:
     """Mean, 95th percentile and greatest of some distances, and the distances."""
     values = beyond if len(beyond) else np.zeros(1)
     return float(values.mean()), float(np.quantile(values, 0.95)), float(values.max()), beyond
-
-
-def _to_spheres(points: Floats, spheres: Spheres) -> Floats:
-    """(n,), distances of points from the nearest sphere; negative inside."""
-    return np.asarray((cdist(points, spheres.centers) - spheres.radii).min(axis=1))
