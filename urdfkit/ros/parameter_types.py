@@ -9,6 +9,17 @@ import re
 
 from urdfkit.text.located_yaml import Node, Value
 
+#: The types in the words of messages.
+TYPES = {
+    "bool": "true or false",
+    "int": "an integer",
+    "double": "a number with a decimal point",
+    "string": "a string",
+    "bool_array": "a list of booleans",
+    "int_array": "a list of integers",
+    "double_array": "a list of numbers with a decimal point",
+    "string_array": "a list of strings",
+}
 _BOOLS = frozenset(
     "y Y yes Yes YES n N no No NO true True TRUE false False FALSE on On ON off Off OFF".split()
 )
@@ -49,3 +60,18 @@ def is_not_positive(value: Value) -> bool:
     if _of_scalar(value) not in ("int", "double") or value.text.lower().startswith("0x"):
         return False
     return float(value.text.lower().replace(".inf", "inf").replace(".nan", "nan")) <= 0
+
+
+def correction(node: Node, expected: str) -> str:
+    """A help text for a value that must have another type."""
+    if isinstance(node, Value) and expected in ("double", "int"):
+        try:
+            number = float(node.text.replace(",", "."))
+        except ValueError:
+            pass
+        else:
+            if expected == "double":
+                return f"write {number}"
+            if number.is_integer():
+                return f"write {int(number)}"
+    return f"write {TYPES[expected]}"

@@ -137,13 +137,17 @@ def test_a_costmap_is_its_own_namespace(tmp_path: Path, key: str, count: int) ->
 @pytest.mark.parametrize(
     ("value", "message"),
     [
-        ("controller_frequency: 20", "20 is an integer"),
-        ("controller_frequency: -20", "-20 is an integer"),
+        ("controller_frequency: 20", "controller_frequency is an integer"),
+        ("controller_frequency: -20", "controller_frequency is an integer"),
         ("controller_frequency: 20.0", ""),
-        ("controller_frequency: '20'", ""),
+        ("controller_frequency: '20'", "controller_frequency is a string"),
+        ("controller_frequency: $(var rate)", ""),
+        ("publish_zero_velocity: 1", "publish_zero_velocity is an integer"),
+        ("a: {plugin: own::Controller, yaw_goal_tolerance: 1}", ""),
+        ("a: {plugin: nav2_controller::SimpleGoalChecker, yaw_goal_tolerance: 1}", "an integer"),
         ("min_particles: 20", ""),
         ("frequency: 20", ""),  # of a filter alone
-        ("frequency: 20\n    odom0_config: []", "20 is an integer"),
+        ("frequency: 20\n    odom0_config: []", "frequency is an integer"),
         ("a: [[1, 2], [3, 4]]", "a is a list of lists"),
         ("a: [[1, 2]]", ""),  # read as a flat list
     ],
@@ -153,6 +157,23 @@ def test_types(tmp_path: Path, value: str, message: str) -> None:
     found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
     found = [one for one in found if "values, not 15" not in one]
     assert [message in one for one in found] == [True] * bool(message)
+
+
+@pytest.mark.parametrize(
+    ("values", "suggested"),
+    [
+        ("controler_frequency: 20.0", "controller_frequency"),
+        ("controler_frequency: 20.0, controller_frequency: 10.0", ""),
+        ("frequency: 20.0", ""),
+        ("a: {plugin: nav2_controller::SimpleGoalChecker, xy_goal_tolerence: 0.2}", "xy_goal_tol"),
+        ("a: {plugin: own::Checker, xy_goal_tolerence: 0.2}", ""),
+        ("a: {plugin: nav2_mppi_controller::MPPIController, az_min: 0.2}", ""),  # not ay_min
+    ],
+)
+def test_misspelt_names(tmp_path: Path, values: str, suggested: str) -> None:
+    yaml = f"controller_server:\n  ros__parameters: {{{values}}}\n"
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    assert [f"did you mean '{suggested}" in one for one in found] == [True] * bool(suggested)
 
 
 @pytest.mark.parametrize(
@@ -181,9 +202,10 @@ def test_how_often_the_state_is_published(tmp_path: Path, value: str, count: int
     )
     found = messages(tmp_path, node, "", "")
     assert [one.endswith("and 30 is an integer") for one in found] == [True] * count
-    yaml = f"robot_state_publisher:\n  ros__parameters:\n    publish_frequency: {value}\n"
+    yaml = f"robot_state_publisher:\n  ros__parameters: {{publish_frequency: {value}}}\n"
     node = node.partition("parameters")[0] + 'parameters=["../a.yaml"]'
-    assert len(messages(tmp_path, node, "", yaml)) == count
+    found = messages(tmp_path, node, "", yaml)
+    assert ["must be a number" in one for one in found] == [True] * (value != "30.0")
 
 
 BUILDER = """from moveit_configs_utils import MoveItConfigsBuilder

@@ -46,8 +46,8 @@ from urdfkit.ros.catalog.controllers import (
 from urdfkit.ros.catalog.ros_control import controller_types, parameters
 from urdfkit.ros.controllers import Controller, Section, by_file, managers, named_sections
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
-from urdfkit.ros.parameter_types import is_not_positive, type_of
-from urdfkit.text.located_yaml import Node, Value
+from urdfkit.ros.parameter_types import TYPES, correction, is_not_positive, type_of
+from urdfkit.text.located_yaml import Value
 from urdfkit.text.source import Span
 
 BAD = ARM + CONTROL
@@ -61,16 +61,6 @@ _YAML = controller_yaml(
 )
 FILES = {"config/bad.yaml": _YAML.replace(b"20.0", b"20"), "config/good.yaml": _YAML}
 
-_TYPES = {
-    "bool": "true or false",
-    "int": "an integer",
-    "double": "a number with a decimal point",
-    "string": "a string",
-    "bool_array": "a list of booleans",
-    "int_array": "a list of integers",
-    "double_array": "a list of numbers with a decimal point",
-    "string_array": "a list of strings",
-}
 #: Joints per axle of a steering controller, by the first word of its package.
 _OF_AXLE = {"ackermann": 2, "bicycle": 1}
 
@@ -188,8 +178,8 @@ def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_
         expected, actual = known.type_of(name), type_of(node)
         span = section.places[name] if isinstance(node, list) else node.span
         if expected and actual and actual != expected:
-            message = f"{name} is {_TYPES[actual]}, must be {_TYPES[expected]}"
-            yield span, message, _correction(node, expected)
+            message = f"{name} is {TYPES[actual]}, must be {TYPES[expected]}"
+            yield span, message, correction(node, expected)
         elif name in known.positive and isinstance(node, Value) and is_not_positive(node):
             yield span, f"{name} is {node.text}, must be > 0", "write a positive number"
         elif isinstance(node, list) and len(node) != lengths.get(name, len(node)):
@@ -206,17 +196,3 @@ def _wrong_axles(controller: Controller) -> Iterator[_Problem]:
         if len(joints) not in (0, count):
             message = f"{name} has {len(joints)} joints, must have {count}"
             yield controller.section.places[name], message, "name the joints of one axle only"
-
-
-def _correction(node: Node, expected: str) -> str:
-    if isinstance(node, Value) and expected in ("double", "int"):
-        try:
-            number = float(node.text.replace(",", "."))
-        except ValueError:
-            pass
-        else:
-            if expected == "double":
-                return f"write {number}"
-            if number.is_integer():
-                return f"write {int(number)}"
-    return f"write {_TYPES[expected]}"

@@ -1,4 +1,4 @@
-"""Parameters of Nav2's costmaps: plugins, plugin classes and observation sources.
+"""Plugins in the parameters of Nav2, and classes and observation sources of its costmaps.
 
 Sources: ``costmap_plugins.xml`` and ``obstacle_layer.cpp`` of nav2_costmap_2d (humble to rolling).
 """
@@ -8,8 +8,9 @@ import re
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.known_parameters import has_parameter
 from urdfkit.ros.launch.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Node, Value, mapping, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
 
 COSTMAPS = ("local_costmap", "global_costmap")
 _PACKAGE = "nav2_costmap_2d"
@@ -21,13 +22,15 @@ _DATA = ("LaserScan", "PointCloud2")
 
 def plugins(node: NodeParameters) -> Findings:
     """Listed plugins without parameters, unknown classes and unknown observation sources."""
+    sections = {name for name, value in node.values.items() if isinstance(value, dict)}
     for key, defaults in data("nodes")["lists"].items():
         if key in ("plugins", "filters") and node.name not in COSTMAPS:
             continue
         plugin_names = scalars(node.values.get(key))
-        if [plugin.text for plugin in plugin_names] == defaults:
+        is_default = key not in node.values and has_parameter(node, key)
+        if is_default or [plugin.text for plugin in plugin_names] == defaults:
+            yield from _unread_plugin(node, key, defaults)
             continue
-        sections = {name for name, value in node.values.items() if isinstance(value, dict)}
         for plugin in plugin_names:
             if plugin.text not in sections and f"{plugin.text}.plugin" not in node.values:
                 yield Finding(
@@ -41,6 +44,29 @@ def plugins(node: NodeParameters) -> Findings:
             yield from _sources(layer)
             if node.name in COSTMAPS:
                 yield from _layer(layer)
+
+
+def _unread_plugin(node: NodeParameters, key: str, defaults: list[str]) -> Findings:
+    """The parameters of a default plugin below another name: the node runs with its defaults."""
+    listed = {item.text for value in node.values.values() for item in scalars(value)}
+    listed.update(value.text for value in node.values.values() if isinstance(value, Value))
+    missing = [
+        name for name in defaults if not any(_belongs_to(given, name) for given in node.values)
+    ]
+    for name, value in node.values.items() if len(missing) == len(defaults) == 1 else ():
+        is_unread = name not in listed and isinstance(name, Key) and "plugin" in mapping(value)
+        if is_unread and isinstance(name, Key) and nearest(name, missing):
+            yield Finding(
+                name.span,
+                f"'{node.name}': the parameters of '{name}' are not read: {key} has '{missing[0]}'",
+                f"write {missing[0]}, or write {name} in {key}",
+                severity=Severity.WARNING,
+            )
+
+
+def _belongs_to(given: str, name: str) -> bool:
+    """True for the section of a plugin, and for a parameter of it with dots."""
+    return given == name or given.startswith(f"{name}.")
 
 
 def misspelt_servers(node: NodeParameters) -> Findings:

@@ -6,11 +6,15 @@
 - `odom0_config` or a similar parameter does not have 15 values, five rows of three, as
   robot_localization requires.
 - A plugin in `plugins` or `filters` of a costmap has no parameters: "Can not get 'plugin' param
-  value for voxel_layer". The same holds for `controller_plugins` and `planner_plugins`.
+  value for voxel_layer". The same holds for `controller_plugins` and the other lists of Nav2. Or
+  the parameters of a plugin are below another name than the list has (warning).
+- A parameter of a node or plugin of Nav2, or of slam_toolbox, is misspelt (warning), or a
+  required one is missing (warning): "parameter 'polygons' is not initialized".
 - A costmap layer has an unknown class or an unsupported `data_type`.
 - The parameters of a costmap are not below its name twice: `local_costmap: local_costmap:`.
-- An integer is written where a double is declared, or the reverse: "expected [double] got
-  [integer]". A list contains lists. A planner or controller of Nav2 is misspelt (warning).
+- A value has another type than the declared one, such as an integer for a double: "expected
+  [double] got [integer]". A list contains lists. A planner or controller of Nav2 is misspelt
+  (warning).
 - A source in `observation_sources` has no parameters (warning): the layer subscribes to a topic of
   that name.
 - A lifecycle manager waits for a node that nothing starts, or no lifecycle manager activates a node
@@ -40,7 +44,7 @@ Sources:
 
 from itertools import chain
 
-from urdfkit.checks.launch import costmap_parameters, parameter_types
+from urdfkit.checks.launch import costmap_parameters, parameter_names, parameter_types
 from urdfkit.checks.launch.lifecycle import not_activated
 from urdfkit.checks.launch.rviz_displays import meshes_without_uri, unknown_classes
 from urdfkit.checks.launch.unread_remappings import unread_remappings
@@ -100,9 +104,11 @@ def check(context: Context) -> Findings:
         yield from parameter_types.wrong_types(section)
         yield from parameter_types.outdated_motion_model(section)
         yield from parameter_types.wrong_sizes(section)
+        yield from parameter_names.misspelt(section)
         yield from costmap_parameters.misspelt_servers(section)
         if names.count(section.name) == 1:  # otherwise another section may complete it
             yield from costmap_parameters.plugins(section)
+            yield from parameter_names.missing(section)
             yield from costmap_parameters.misplaced(section)
     yield from _other_nodes(context, files)
     yield from not_activated(context)
@@ -162,7 +168,7 @@ def _other_nodes(context: Context, files: dict[str, list[NodeParameters]]) -> Fi
             node = unserved[0]
             likely = node.executable if node.executable in names else nearest(node.name, names)
             section = next((each for each in sections if each.name == likely), sections[0])
-            if _is_read_elsewhere(section, path, context):
+            if _is_read_elsewhere(section, path, node, context):
                 continue
             help = f"write {node.name}, or name the node {section.name}"
             yield _of_other_name(section, node, node.name, help)
@@ -174,13 +180,20 @@ def _has_section(node: StartedProgram, files: dict[str, list[NodeParameters]]) -
     return any(section.name == node.name for section in sections)
 
 
-def _is_read_elsewhere(section: NodeParameters, path: str, context: Context) -> bool:
-    """True if another launch file loads a parameter file for the node of a section."""
+def _is_read_elsewhere(
+    section: NodeParameters, path: str, node: StartedProgram, context: Context
+) -> bool:
+    """True if another launch file loads a parameter file for the node of a section.
+
+    If it starts the same program with the right name, the name of this node is wrong.
+    """
     programs = chain.from_iterable(
         launch.programs for launch in launches_of_workspace(path, context.resolver)
     )
     return any(
-        path in program.parameters.files and _node_name(program).removesuffix(".py") == section.name
+        path in program.parameters.files
+        and _node_name(program).removesuffix(".py") == section.name
+        and (program.package, program.executable) != (node.package, node.executable)
         for program in programs
     )
 

@@ -10,19 +10,19 @@ from collections.abc import Iterator
 from urdfkit.lint.rules import Finding, Findings, Location, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.known_parameters import given_values
 from urdfkit.ros.launch.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Node, Value
+from urdfkit.ros.parameter_types import TYPES, correction, type_of
+from urdfkit.text.located_yaml import Key, Node, Value, scalars
 
+_SIZES = ("width", "height")
 PUBLISHER, FREQUENCY = "robot_state_publisher", "publish_frequency"
 #: What a node of robot_localization reads of its inputs.
 CONFIGURATION = re.compile(r"(odom|imu|pose|twist)\d+_config")
 
 
 def wrong_types(node: NodeParameters) -> Findings:
-    """Integers for doubles, which stop the node, and lists of lists."""
-    fractions = data("nodes")["doubles"].get(node.name, "").split()
-    if any(map(CONFIGURATION.fullmatch, node.values)):
-        fractions += data("nodes")["filter_doubles"].split()
+    """Values of another type than the declared one, which stop the node, and lists of lists."""
     for key, value in _nested_parameters(node.values):
         # The end of an inner list ends the outer list: a single inner list is read as flat.
         if isinstance(value, list) and sum(isinstance(item, list) for item in value) > 1:
@@ -31,18 +31,27 @@ def wrong_types(node: NodeParameters) -> Findings:
                 f"'{node.name}': {key} is a list of lists, which ROS 2 does not read",
                 'write one list, or for a footprint a text: "[[x, y], ...]"',
             )
-        elif isinstance(value, Value) and key in fractions and _is_whole(value):
-            yield Finding(
-                value.span,
-                f"'{node.name}' stops: {key} is declared as a double, and {value.text} is an "
-                "integer",
-                f"write {value.text}.0",
-            )
+    for given in given_values(node):
+        if given.at not in _SIZES:
+            yield from _wrong_type(node, given.at, given.value, given.type)
+    if any(map(CONFIGURATION.fullmatch, node.values)):
+        for name in data("nodes")["filter_doubles"].split():
+            value = node.values.get(name)
+            if isinstance(value, Value) and type_of(value) == "int":
+                yield from _wrong_type(node, name, value, "double")
+
+
+def _wrong_type(node: NodeParameters, name: str, value: Node, expected: str | None) -> Findings:
+    actual = type_of(value) if isinstance(value, Value | list) else None
+    if expected and actual and actual != expected and value:
+        at = value.span if isinstance(value, Value) else scalars(value)[0].span
+        message = f"'{node.name}' stops: {name} is {TYPES[actual]}, must be {TYPES[expected]}"
+        yield Finding(at, message, correction(value, expected))
 
 
 def wrong_sizes(node: NodeParameters) -> Findings:
     """Doubles for the sizes of a costmap, which are integers in m."""
-    for key in ("width", "height") if node.name.endswith("_costmap") else ():
+    for key in _SIZES if node.name.endswith("_costmap") else ():
         value = node.values.get(key)
         if isinstance(value, Value) and re.fullmatch(r"[-+]?\d+\.\d*", value.text):
             message = f"'{node.name}' stops: {key} is declared as an integer, not {value.text}"
@@ -80,9 +89,3 @@ def _nested_parameters(values: dict[str, Node]) -> Iterator[tuple[Key, Node]]:
             yield key, value
         if isinstance(value, dict):
             yield from _nested_parameters(value)
-
-
-def _is_whole(value: Value) -> bool:
-    """True for an integer that is not in quotes."""
-    start, end = value.span.start, value.span.end
-    return end - start == len(value.text) and re.fullmatch(r"[-+]?\d+", value.text) is not None

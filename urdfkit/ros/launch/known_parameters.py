@@ -1,0 +1,66 @@
+"""Parameters of nodes and plugins of Nav2 and slam_toolbox: ``catalog/node_parameters.json``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from urdfkit.core.record import Record
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.node_parameters import NodeParameters
+from urdfkit.text.located_yaml import Key, Node, Value, mapping
+
+#: The node of a costmap has the name of the costmap.
+_COSTMAP = "_costmap"
+
+
+class GivenValue(Record):
+    """A parameter in a file, of a node or plugin whose parameters are known."""
+
+    name: str  # with the sections that it is in, below the node or the plugin
+    at: Key  # its last part
+    value: Node
+    known: Mapping[str, str]  # the types of the parameters by name; ``any`` if they differ
+    siblings: frozenset[str]  # the names next to it
+
+    @property
+    def type(self) -> str | None:
+        """The declared type; None if it is unknown, or differs between versions."""
+        declared = self.known.get(self.name) or self.known.get(self.at)
+        return None if declared == "any" else declared
+
+
+def given_values(node: NodeParameters) -> Iterator[GivenValue]:
+    """The parameters of a node, and those of its plugins."""
+    if known := _of_node(node):
+        yield from _in_section(node.values, known, "")
+
+
+def has_parameter(node: NodeParameters, name: str) -> bool:
+    """True if a node declares a parameter, whether it is given or not."""
+    return name in _of_node(node)
+
+
+def _in_section(
+    section: Mapping[str, Node], known: Mapping[str, str], prefix: str
+) -> Iterator[GivenValue]:
+    siblings = frozenset(section)
+    for key, value in section.items():
+        plugin = mapping(value).get("plugin")
+        if isinstance(value, dict):
+            name = plugin.text.replace("/", "::") if isinstance(plugin, Value) else ""
+            # The parameters of an unknown class are not known, but those of a section are: the
+            # position of initial_pose, an observation source, a critic.
+            inner = _types("plugins", name) if plugin is not None else known
+            yield from _in_section(value, inner, "" if plugin is not None else f"{prefix}{key}.")
+        elif isinstance(key, Key) and known and key != "plugin":
+            yield GivenValue(f"{prefix}{key}", key, value, known, siblings)
+
+
+def _of_node(node: NodeParameters) -> dict[str, str]:
+    return _types("nodes", "costmap" if node.name.endswith(_COSTMAP) else node.name)
+
+
+def _types(kind: str, name: str) -> dict[str, str]:
+    """The types of the parameters of a node or plugin by name; empty if it is unknown."""
+    by_type: dict[str, str] = data("node_parameters")[kind].get(name, {})
+    return {name: kind for kind, names in by_type.items() for name in names.split()}
