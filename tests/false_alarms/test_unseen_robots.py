@@ -1,5 +1,6 @@
 """What was wrong on small robots of laboratories and students, for which nobody had tuned."""
 
+from math import tau
 from pathlib import Path
 
 import pytest
@@ -7,8 +8,11 @@ import pytest
 from tests.checks.worlds.started import INCLUDE, systems
 from tests.checks.worlds.started import findings as of_world
 from tests.gazebos import BASE, block, child, plugin, sensor
+from tests.jointed import joint, limit
+from tests.jointed import robot as jointed
 from tests.launched import reported as of_launch
-from tests.physics.collision.robots import box, joint, link, revolute, sphere
+from tests.physics.collision.robots import box, link, revolute, sphere
+from tests.physics.collision.robots import joint as colliding_joint
 from tests.reported import messages, reported
 from tests.workspaces import add_file
 from urdfkit import check
@@ -38,8 +42,8 @@ def test_gz_sim_does_not_read_self_collide_of_a_link(
             link("base", box(0.2, 0.2, 0.2)),
             link("upper", f"{sphere(0.02)}@0 0 0.2"),
             link("tool", sphere(0.1)),
-            joint("base", "upper", "revolute", "0 0 0.15", revolute(-1, 1, "0 0 1")),
-            joint("upper", "tool", "revolute", "0 0 0", revolute(-1, 1, "0 0 1")),
+            colliding_joint("base", "upper", "revolute", "0 0 0.15", revolute(-1, 1, "0 0 1")),
+            colliding_joint("upper", "tool", "revolute", "0 0 0", revolute(-1, 1, "0 0 1")),
         )
     ).replace("</link>", f"{inertial}</link>")
     flag = block.format("<self_collide>true</self_collide>")
@@ -176,3 +180,88 @@ def test_a_world_that_one_of_several_launch_files_starts_in_the_other_gazebo(
     mixed = systems("physics") + '<plugin name="p" filename="libgazebo_ros_state.so"/>'
     (found,) = of_world(tmp_path, "WLD002", world=mixed, launch=classic)
     assert found.help == "remove it"
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "count"),
+    [
+        (limit("1.5708", "3.66519"), limit("2.61799", "4.71239"), 0),  # a mirror image about pi
+        (limit("1.5708", "3.66519"), limit("2.61799", "4.2"), 1),
+        (limit("-1", "0.5"), limit("-0.5", "1"), 0),
+        (limit("-1", "0.5"), limit("5.7832", "7.2832"), 0),
+    ],
+)
+def test_limits_of_a_servo_whose_zero_is_at_half_a_turn(left: str, right: str, count: int) -> None:
+    arms = joint("left_arm", "revolute", left), joint("right_arm", "revolute", right)
+    assert len(messages("JNT025", jointed(*arms))) == count
+
+
+def test_a_slide_has_no_full_turns() -> None:
+    left = joint("left_arm", "prismatic", limit("0", "1"))
+    right = joint("right_arm", "prismatic", limit(str(tau - 1), str(tau)))
+    assert len(messages("JNT025", jointed(left, right))) == 1
+
+
+def test_an_axis_without_direction_is_not_the_wrong_axis_of_a_wheel() -> None:
+    wheel = '<collision><geometry><cylinder radius="0.1" length="0.04"/></geometry></collision>'
+    robot = jointed(joint("wheel", "continuous", '<axis xyz="0 0 0"/>'))
+    robot = robot.replace('<link name="wheel_link"/>', f'<link name="wheel_link">{wheel}</link>')
+    assert messages("JNT033", robot) == []
+    assert len(messages("JNT006", robot)) == 1
+
+
+def test_two_parents_of_a_link_whose_name_is_there_twice() -> None:
+    """An exporter named two shins alike: each has its joint, and NAM001 says what is wrong."""
+    shins = [joint("shin", "revolute", limit("-1", "1")) for _ in range(2)]
+    robot = jointed(shins[0], shins[1].replace('joint name="shin"', 'joint name="other_shin"'))
+    assert messages("TRE004", robot) == []
+    assert messages("NAM001", robot) == ["duplicate link 'shin_link'"]
+
+
+@pytest.mark.parametrize(("root", "is_world"), [("world", True), ("base_footprint", False)])
+def test_a_world_is_no_frame_of_a_drive(root: str, is_world: bool) -> None:
+    """Pepper is fixed to a link `world`, which does not drive."""
+    robot = BASE.replace("base", root) + child("base_link", "fixed", parent=root)
+    drive = "<robotBaseFrame>base_link</robotBaseFrame>"
+    (found,) = reported("RCT029", robot + plugin("libgazebo_ros_planar_move.so", drive))
+    assert found.help.startswith("remove the links") is is_world
+    assert (found.fix is None) is is_world
+
+
+def test_the_only_attribute_of_an_element_under_another_name() -> None:
+    (found,) = reported("URD003", '<joint name="j" type="fixed"><parent value="a"/></joint>')
+    assert found.help == "rename value to link"
+    assert messages("URD002", '<joint name="j" type="fixed"><parent value="a"/></joint>') == []
+
+
+def test_a_colour_of_three_numbers_in_an_element() -> None:
+    color = "<material name='m'><color>1.0 0.5 0</color></material>"
+    assert [one.help for one in reported("URD003", color)] == [
+        'write <color rgba="1.0 0.5 0 1"/>, an attribute'
+    ]
+
+
+@pytest.mark.parametrize("level", ["info", "Debug", "verbose"])
+def test_a_log_level_in_small_letters(level: str) -> None:
+    """gazebo_ros_utils compares it regardless of case, and ignores another."""
+    drive = f"<rosDebugLevel>{level}</rosDebugLevel>"
+    assert messages("GAZ004", BASE + plugin("libgazebo_ros_diff_drive.so", drive)) == []
+
+
+@pytest.mark.parametrize(("option", "count"), [("--shutdown-time 1", 0), ("--stopped 1", 1)])
+def test_the_first_letters_of_an_option_of_the_spawner(
+    tmp_path: Path, option: str, count: int
+) -> None:
+    """argparse accepts `--shutdown-time`: the number is its value, not a controller."""
+    spawner = '<node name="s" pkg="controller_manager" type="spawner" args="{} arm_controller"/>'
+    text = '<rosparam file="$(find arm)/c.yaml"/>' + spawner.format(option)
+    files = {"c.yaml": "arm_controller:\n  type: position_controllers/JointPositionController\n"}
+    assert len(of_launch(tmp_path / "arm", "LAU013", "a.launch", text, files)) == count
+
+
+def test_a_launch_file_is_not_suggested_to_include_itself(tmp_path: Path) -> None:
+    text = '<include file="$(find arm)/launch/run_robot_spawner.launch"/>'
+    (found,) = of_launch(tmp_path / "arm", "LAU003", "run_robot.launch", text)
+    assert "did you mean" not in found.help
+    (found,) = of_launch(tmp_path / "arm", "LAU003", "other.launch", text)
+    assert found.help == "did you mean 'run_robot.launch'?"

@@ -23,6 +23,8 @@ from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from urdfkit.lint.context import Context
     from urdfkit.ros.controllers import Controller
     from urdfkit.ros.gazebo.plugins import PluginUse
@@ -76,12 +78,13 @@ def _check_plugin(use: PluginUse, context: Context) -> Findings:
         return
     roots = context.tree.roots
     root = roots[0].name if len(roots) == 1 else parent
+    moves, remove = root not in _WORLDS, f"remove the links above '{name}'"
     yield Finding(
         values[0].at if values else use.at,
         f"{use.title} publishes the transform {frame} -> {name}, and robot_state_publisher "
         f"{parent} -> {name}: a frame has one parent",
-        f"name the root link '{root}', or remove the links above '{name}'",
-        fix_value(values[0].at, root) if values and len(roots) == 1 else None,
+        f"name the root link '{root}', or {remove}" if moves else remove,
+        fix_value(values[0].at, root) if values and len(roots) == 1 and moves else None,
     )
 
 
@@ -109,8 +112,15 @@ def _check_controller(controller: Controller, frame: Value, context: Context) ->
     yield Finding(
         frame.span,
         f"controller '{controller.name}' publishes the transform to '{name}': {message}",
-        f"name the root link '{root}'",
+        _help(name, root, links),
     )
+
+
+def _help(name: str, root: str, links: Collection[str]) -> str:
+    """What to do about the frame of a controller; a world does not move with the robot."""
+    if root not in _WORLDS:
+        return f"name the root link '{root}'"
+    return f"remove the links above '{name}'" if name in links else "name a link of the robot"
 
 
 def _moving_odometry(controller: Controller, context: Context) -> Findings:

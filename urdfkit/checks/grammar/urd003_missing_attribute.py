@@ -81,6 +81,8 @@ def _as_attribute(element: Element, missing: str) -> str:
     """Help for a value in the element, as in SDF; empty if there is none."""
     child = element.child(missing)
     value = (child.text if child is not None else element.text).strip()
+    if missing == "rgba" and len(value.split()) == 3:
+        value += " 1"  # SDF has colours without alpha
     return f'write <{element.tag} {missing}="{value[:40]}"/>, an attribute' if value else ""
 
 

@@ -62,8 +62,8 @@ _PURPOSES = (b"stabilis", b"stabiliz")
 #: Ratio of the mass that the joints of a link carry to its own, above which no fix is offered.
 _CARRIED = 300.0
 
-#: Share in the inertia of the rigid body, above which the message contains it.
-_SHARE = 0.1
+#: Shares in the inertia of the rigid body that the message contains.
+_MIN_SHARE, _MAX_SHARE = 0.1, 0.99
 
 
 @rule(
@@ -130,8 +130,9 @@ def _share(inertia: LinkInertia, masses: Masses) -> str:
     if sum(link.mass > 0 for link, _ in inertia.body.links) < 2:
         return ""
     share = inertia.moments[2] / masses.moments_of(inertia.body)[2]
-    top = inertia.body.top.name
-    return f"; it is {share:.0%} of what a simulator merges into '{top}'" if share > _SHARE else ""
+    if not _MIN_SHARE < share < _MAX_SHARE:
+        return ""
+    return f"; it is {share:.0%} of what a simulator merges into '{inertia.body.top.name}'"
 
 
 def _too_small(inertia: LinkInertia, masses: Masses) -> Finding:

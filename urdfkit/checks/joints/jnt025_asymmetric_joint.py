@@ -22,6 +22,7 @@ Sources:
 """
 
 from collections.abc import Iterator
+from math import tau
 
 from urdfkit.checks.joints.mirrored import misplaced
 from urdfkit.core.spatial import Transform, Vector, dot, rotate
@@ -93,7 +94,8 @@ def _differences(first: Joint, second: Joint) -> Iterator[str]:
     ours, theirs = bounds(first), bounds(second)
     if ours is None or theirs is None or ours[0] >= ours[1] or theirs[0] >= theirs[1]:
         return
-    if not (_same(ours, theirs) or _same((-ours[1], -ours[0]), theirs)):
+    mirrored = _near(theirs, (-ours[1], -ours[0])) if first.is_rotational else (-ours[1], -ours[0])
+    if not (_same(ours, theirs) or _same(mirrored, theirs)):
         yield (
             f"limits [{theirs[0]:g}, {theirs[1]:g}], not [{ours[0]:g}, {ours[1]:g}] {first.unit}"
         )
@@ -119,6 +121,16 @@ def _differ(a: Placed[float], b: Placed[float]) -> bool:
 def _same(ours: tuple[float, float], theirs: tuple[float, float]) -> bool:
     allowed = _RANGE_TOLERANCE * max(ours[1] - ours[0], theirs[1] - theirs[0])
     return abs(ours[0] - theirs[0]) <= allowed and abs(ours[1] - theirs[1]) <= allowed
+
+
+def _near(theirs: tuple[float, float], ours: tuple[float, float]) -> tuple[float, float]:
+    """Limits of the same angles as ours, by full turns nearest to theirs.
+
+    A servo whose zero is at half a turn has [90, 210] degrees on one side and [150, 270] on the
+    other.
+    """
+    turns = round((sum(theirs) - sum(ours)) / 2 / tau) * tau
+    return ours[0] + turns, ours[1] + turns
 
 
 def _axes(context: Context) -> Findings:

@@ -56,6 +56,8 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
     """A wheel whose joint turns about another axis than its shape."""
     if joint.kind != "continuous" or not _is_wheel(joint, link):
         return
+    if joint.axis and not any(joint.axis.value):
+        return  # JNT006: it has no direction
     wheel = _wheel_shape(link, mesh_solid)
     if wheel is None:
         return

@@ -73,7 +73,8 @@ def _missing_image(context: Context, file: FileUse) -> Findings:
 
 def _not_found(what: str, path: str, span: Span) -> Finding:
     suggested = nearest_file(path)
-    help = f"did you mean '{suggested}'?" if suggested else ""
+    is_own = suggested == os.path.basename(span.source.path)  # a file that includes itself
+    help = f"did you mean '{suggested}'?" if suggested and not is_own else ""
     return Finding(span, f"{what} not found: {path}", help)
 
 

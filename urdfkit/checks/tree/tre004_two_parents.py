@@ -10,6 +10,8 @@ Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
+from collections import Counter
+
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 
@@ -30,11 +32,12 @@ GOOD = BAD[: BAD.index('\n<joint name="mount"')]
     "explain TRE003",
 )
 def check(context: Context) -> Findings:
+    count = Counter(link.name for link in context.model.links)
     for name, joints in context.tree.parents.items():
         for joint in joints[1:]:
             first = joints[0]
-            if joint.name == first.name:
-                continue  # NAM001 reports duplicate joints
+            if joint.name == first.name or count[name] > 1:
+                continue  # NAM001 reports duplicate joints and links
             yield Finding(
                 joint.child or joint.at,
                 f"link '{name}' is the child of joint '{joint.name}' and of joint '{first.name}'",

@@ -38,7 +38,14 @@ def controllers(started: StartedProgram) -> Iterator[Word]:
             return
         if not is_value and word.text and not text.startswith("-"):
             yield word
-        is_value = text in _VALUED and "=" not in (word.text or "")
+        is_value = _has_value(text) and "=" not in (word.text or "")
+
+
+def _has_value(option: str) -> bool:
+    """True for an option with a value; argparse also accepts its first letters."""
+    if option.startswith("--") and len(option) > 2:
+        return any(valued.startswith(option) for valued in _VALUED)
+    return option in _VALUED
 
 
 def manager(started: StartedProgram) -> Word | None:
