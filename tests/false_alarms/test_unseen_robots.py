@@ -232,6 +232,9 @@ def test_the_only_attribute_of_an_element_under_another_name() -> None:
     (found,) = reported("URD003", '<joint name="j" type="fixed"><parent value="a"/></joint>')
     assert found.help == "rename value to link"
     assert messages("URD002", '<joint name="j" type="fixed"><parent value="a"/></joint>') == []
+    assert (
+        len(messages("URD002", '<link name="a"><visual><geometry shape="a"/></visual></link>')) == 1
+    )
 
 
 def test_a_colour_of_three_numbers_in_an_element() -> None:

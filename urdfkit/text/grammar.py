@@ -209,7 +209,7 @@ class _Walk:
                 break
             free = [key for key in grammar.attributes if element.get(key) is None]
             suggested = nearest(name, free) or nearest(name, foreign, CLOSE_TYPO) or ""
-            if not suggested and missing == list(grammar.attributes):
+            if not suggested and missing and missing == list(grammar.attributes):
                 suggested = missing[0]  # <parent value="base"/>: it has one attribute
             if suggested in missing:
                 missing = [key for key in missing if key != suggested]
