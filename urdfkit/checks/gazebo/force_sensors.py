@@ -1,7 +1,6 @@
 """Force-torque sensors and ``<provideFeedback>`` on joints that Gazebo merges."""
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity
-from urdfkit.robot.model import RobotModel
 from urdfkit.ros.gazebo.measured_joints import measured_joints
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_before
@@ -21,17 +20,18 @@ def merged_force_sensors(context: Context) -> Findings:
                 f"add {_KEEP} to the <gazebo reference> of the joint",
                 Fix("keep the joint in Gazebo", insert_before(at, (_KEEP,))),
                 group_key="merged",
-                severity=Severity.ERROR if _is_read(context.model, name, at) else None,
+                severity=Severity.ERROR if _is_read(context, name, at) else None,
             )
 
 
-def _is_read(model: RobotModel, name: str, at: Element) -> bool:
+def _is_read(context: Context, name: str, at: Element) -> bool:
     """True if the sensor has a topic or a plugin, or something else reads the forces."""
     if at.tag == "sensor" and (at.child("topic") or at.child("plugin")):
         return True
-    plugins = [plugin for block in model.gazebo for plugin in block.all("plugin")]
-    if any(value.text.strip() == name for plugin in plugins for value in plugin.children):
+    # One that moves the joint, as for a mimic, does not read its forces.
+    readers = [one.at for one in context.plugins if not (one.plugin and one.plugin.moves)]
+    if any(value.text.strip() == name for plugin in readers for value in plugin.children):
         return True
-    sensors_of_control = [one for block in model.ros2_controls for one in block.all("sensor")]
+    sensors_of_control = [one for block in context.model.ros2_controls for one in block.all("sensor")]
     interfaces = [state for one in sensors_of_control for state in one.all("state_interface")]
     return any((one.get("name") or "").startswith(("force", "torque")) for one in interfaces)
