@@ -226,3 +226,21 @@ def test_a_root_with_an_inertial_of_no_mass_is_not_to_be_given_one() -> None:
     robot = part("base", 0, tensor, BALL) + part("arm", 1, tensor, BALL)
     found = reported("INE004", robot + joint("base", "arm", "revolute"), targets=("classic-ros1",))
     assert [one.help[:20] for one in found] == ["write its mass in kg"]
+
+
+def test_a_plant_of_one_kilogram_is_in_millimetres() -> None:
+    """A program scales it as it loads it: its tensor is not the mistake."""
+    wall = shape("collision", '<box size="300 300 300"/>')
+    plant = link("plant", wall, inertial(1, (1, 1, 1.5)))
+    robot = link("base") + plant + joint("base", "plant", "revolute")
+    (found,) = reported("INE010", robot)
+    assert "in mm" in found.help
+    assert messages("INE006", robot) == []
+
+
+def test_a_torque_of_a_displaced_mass() -> None:
+    """Masses of an arm in the frame of its base: more effort is not the cure."""
+    ball, mass = shape("collision", BALL), inertial(2, (0.01, 0.01, 0.01), "0 0 0.7")
+    swinging = joint("base", "arm", "revolute").replace("<limit", '<axis xyz="0 1 0"/><limit')
+    (found,) = reported("DYN003", link("base") + link("arm", ball, mass) + swinging)
+    assert found.help.startswith("first correct the centre of mass of 'arm'")

@@ -16,8 +16,10 @@ Sources:
 from __future__ import annotations
 
 from urdfkit.core.static_typing import TYPE_CHECKING
+from urdfkit.core.words import listed
 from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.robot.inertials.defects import InertiaDefect
 from urdfkit.robot.joint_loads import overloadable_joints
 from urdfkit.robot.joints import driven
 from urdfkit.robot.model import Joint
@@ -37,6 +39,9 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace('effort="10"', 'effort="30"')
 
+#: Most links that the help names.
+_MAX_NAMED = 3
+_DISPLACED = "first correct the centre of mass of {}, which is outside its shapes (INE011)"
 _PASSIVE = "nothing drives it: raise the effort if it has a motor"
 
 
@@ -53,8 +58,14 @@ def check(context: Context) -> Findings:
     from urdfkit.physics.overloads import overloads
 
     motors = driven(context.model)
+    displaced = context.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ())
+    outside = {inertia.link.name for inertia in displaced}
     for load in overloads(context.tree):
-        finding = _finding(context.model.joints_by_name[load.joint], load)
+        joint = context.model.joints_by_name[load.joint]
+        finding = _finding(joint, load)
+        if wrong := [link for link in context.tree.below(joint.child_name) if link in outside]:
+            names = listed([f"'{link}'" for link in wrong], _MAX_NAMED)
+            finding = finding._replace(help=_DISPLACED.format(names))
         if motors and load.joint not in motors:
             finding = finding._replace(severity=Severity.INFO, help=_PASSIVE)
         yield finding

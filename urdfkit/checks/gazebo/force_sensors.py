@@ -32,6 +32,8 @@ def _is_read(context: Context, name: str, at: Element) -> bool:
     readers = [one.at for one in context.plugins if not (one.plugin and one.plugin.moves)]
     if any(value.text.strip() == name for plugin in readers for value in plugin.children):
         return True
-    sensors_of_control = [one for block in context.model.ros2_controls for one in block.all("sensor")]
+    sensors_of_control = [
+        one for block in context.model.ros2_controls for one in block.all("sensor")
+    ]
     interfaces = [state for one in sensors_of_control for state in one.all("state_interface")]
     return any((one.get("name") or "").startswith(("force", "torque")) for one in interfaces)

@@ -38,6 +38,9 @@ FAR_FROM_MARKER = 0.1
 #: A density within this factor of the range may result from a shape drawn too small.
 DENSITY_TOLERANCE = 1.2
 
+#: A longer link in m is a building, or in millimetres; and the least mass of a building in kg.
+LARGEST_LINK, LEAST_BUILDING = 100.0, 1000.0
+
 #: Range of most densities; a correction of the unit must lead into it.
 USUAL_DENSITIES = (100.0, 8000.0)
 
@@ -141,8 +144,11 @@ def unit_mistake(link: LinkInertia) -> str:
     if low > MAX_PART_DENSITY and USUAL_DENSITIES[0] <= low / 1000 <= USUAL_DENSITIES[1]:
         consistent = link.fits(link.expected, 3)
         return "g" if consistent or link.fits(scaled(link.expected, 1e-3), 3) else ""
+    longest = max(link.solid.bounds.edges)
     plausible = USUAL_DENSITIES[0] <= high * 1e9 <= USUAL_DENSITIES[1]
-    return "mm" if plausible and max(link.solid.bounds.edges) > LARGEST_PART else ""
+    is_no_building = longest > LARGEST_LINK and link.mass < LEAST_BUILDING
+    is_light = high < MIN_PART_DENSITY
+    return "mm" if longest > LARGEST_PART and (plausible or (is_light and is_no_building)) else ""
 
 
 def center_is_outside(link: LinkInertia) -> float | None:
