@@ -24,9 +24,7 @@ from urdfkit.text.source import shown
 @OUT
 @choice("--base", of=BASES, help="Weld the root to the world, or let it float.")
 @choice(
-    "--fixed",
-    of=FIXED,
-    help="Give links of fixed joints bodies, or merge them into their parents.",
+    "--fixed", of=FIXED, help="Give links of fixed joints bodies, or merge them into their parents."
 )
 @choice("--collision", of=COLLISIONS, help="Replacement of collision meshes.")
 @choice(

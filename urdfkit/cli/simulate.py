@@ -35,11 +35,7 @@ COLORS = {r"(?<=^  )FAILS\b": RED, r"(?<=^  )warns\b": YELLOW, r"(?<=^  )passes\
 @in_formats("text", "json", "junit")
 @limited
 def command(
-    inputs: dict[str, Any],
-    base: str,
-    srdf: str | None,
-    images: tuple[str, ...],
-    format: str,
+    inputs: dict[str, Any], base: str, srdf: str | None, images: tuple[str, ...], format: str
 ) -> int:
     """Simulate a robot in MuJoCo; report faulty behaviour.
 

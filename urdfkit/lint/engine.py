@@ -9,13 +9,7 @@ from urdfkit.core import disk, limits
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.argument_sets import as_launched
-from urdfkit.lint.check_job import (
-    check_context,
-    check_job,
-    check_one_of_many,
-    check_sets,
-    reader,
-)
+from urdfkit.lint.check_job import check_context, check_job, check_one_of_many, check_sets, reader
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
 from urdfkit.lint.findings import diagnose

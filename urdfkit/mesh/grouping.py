@@ -25,9 +25,7 @@ def distinct(rows: Integers) -> tuple[Integers, Integers, Integers]:
     return equal_numbers(keys)
 
 
-def equal_numbers(
-    numbers: Integers | NDArray[np.uint64],
-) -> tuple[Integers, Integers, Integers]:
+def equal_numbers(numbers: Integers | NDArray[np.uint64]) -> tuple[Integers, Integers, Integers]:
     """Equal numbers, in ascending order.
 
     As ``np.unique``, which sorts stably to find the first of each group: several times as slow.

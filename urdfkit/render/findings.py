@@ -57,9 +57,7 @@ def marked(scene: Scene, context: Context, diagnostics: Sequence[Diagnostic]) ->
         for link in links
     )
     return scene._replace(
-        items=(*items, *balls),
-        labels=(*scene.labels, *labels),
-        legend=(*scene.legend, *_LEGEND),
+        items=(*items, *balls), labels=(*scene.labels, *labels), legend=(*scene.legend, *_LEGEND)
     )
 
 

@@ -13,12 +13,7 @@ from urdfkit.core import disk
 from urdfkit.core.paths import upwards
 from urdfkit.text.comments import without_comments
 from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.installs import (
-    MAX_BYTES,
-    known_variables,
-    read_built,
-    read_rules,
-)
+from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_built, read_rules
 
 #: Commands with unknown results that may install files: other CMake files, functions of packages.
 _UNCLEAR = (

@@ -54,11 +54,7 @@ class ExpansionRun:
     """
 
     def __init__(
-        self,
-        request: ExpansionRequest,
-        log: ExpansionLog,
-        reader: FileReader,
-        deadline: float,
+        self, request: ExpansionRequest, log: ExpansionLog, reader: FileReader, deadline: float
     ) -> None:
         self.request = request
         self.budget = Budget(deadline)

@@ -95,10 +95,7 @@ def _is_default(child: Element, extension: Extension | None) -> bool:
 
 
 def _without_reference(
-    model: RobotModel,
-    block: Element,
-    owners: Mapping[str, str],
-    handled: Mapping[str, Extension],
+    model: RobotModel, block: Element, owners: Mapping[str, str], handled: Mapping[str, Extension]
 ) -> Findings:
     """At the misspelt attribute, at the tag, or at the block if it holds several."""
     for attribute in block.attributes.values():

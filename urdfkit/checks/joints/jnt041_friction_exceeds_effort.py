@@ -47,10 +47,7 @@ def _excessive(joint: Joint, dynamics: Element, limit: float) -> Findings:
     if friction > limit:
         message = f"{who}: friction {friction:g} {of} exceeds the effort limit of {limit:g} {of}"
         yield Finding(
-            dynamics.attributes["friction"],
-            message,
-            weight=friction / limit,
-            group_key="friction",
+            dynamics.attributes["friction"], message, weight=friction / limit, group_key="friction"
         )
     speed = joint.limit.velocity.value if joint.limit and joint.limit.velocity else 0.0
     reached = limit / damping if damping > 0 else speed

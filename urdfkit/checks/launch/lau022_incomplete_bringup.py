@@ -43,11 +43,7 @@ Sources:
 from urdfkit.checks.launch import mismatched_names, simulation
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
-from urdfkit.checks.launch.unread_commands import (
-    is_part_of_ros,
-    mistyped_commands,
-    unread_commands,
-)
+from urdfkit.checks.launch.unread_commands import is_part_of_ros, mistyped_commands, unread_commands
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN

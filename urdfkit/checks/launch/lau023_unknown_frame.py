@@ -84,10 +84,7 @@ _MAX_NAMED = 4
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     launch = context.launch
-    frames = [
-        *named_frames(launch, context.resolver),
-        *default_frames(launch, context.resolver),
-    ]
+    frames = [*named_frames(launch, context.resolver), *default_frames(launch, context.resolver)]
     if not frames and not any(True for _ in _transforms(launch)):
         return
     known = _published_frames(context)

@@ -65,10 +65,7 @@ def _taken(leading: tuple[float, float], multiplier: float, offset: float) -> tu
 
 
 def _advice(
-    mimic: Mimic,
-    leading: tuple[float, float],
-    taken: tuple[float, float],
-    own: tuple[float, float],
+    mimic: Mimic, leading: tuple[float, float], taken: tuple[float, float], own: tuple[float, float]
 ) -> str:
     """Where a sign is wrong, the limits may have it as well as the multiplier."""
     turned = _taken(leading, -mimic.multiplier, mimic.offset)

@@ -47,10 +47,7 @@ def _value(state: str, element: Element, joint: Joint) -> Findings:
     who, value = f"{state}: joint '{joint.name}'", number(element.get("value"))
     if joint.kind == "fixed":
         yield Finding(
-            element,
-            f"{who} is fixed",
-            "remove the joint from the state",
-            severity=Severity.WARNING,
+            element, f"{who} is fixed", "remove the joint from the state", severity=Severity.WARNING
         )
     limit = joint.limit if joint.kind in ("revolute", "prismatic") else None
     if value is None or limit is None or limit.lower is None or limit.upper is None:

@@ -16,9 +16,7 @@ from urdfkit.workspace.resolve import Resolver
 #: Number of boolean arguments whose other value is tried.
 _MAX_ARGUMENTS = 8
 _OTHER = {"true": "false", "false": "true"}
-_TAG = re.compile(
-    rb"""<(/?)xacro:(if|unless)\b((?:[^<>"']|"[^"]*"|'[^']*')*?)(/?)>""",
-)
+_TAG = re.compile(rb"""<(/?)xacro:(if|unless)\b((?:[^<>"']|"[^"]*"|'[^']*')*?)(/?)>""")
 _VALUE = re.compile(rb"""\bvalue\s*=\s*(["'])(.*?)\1""", re.DOTALL)
 #: Conditions that depend on the environment of a robot, not on its parts.
 _OF_SIMULATION = re.compile(r"gazebo|gz|ign|sim|^if true$", re.IGNORECASE)

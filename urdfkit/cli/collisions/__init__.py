@@ -27,11 +27,7 @@ if TYPE_CHECKING:
 @option("--samples N", "Sampled configurations.", type=click.IntRange(0), default=10_000)
 @SEED
 @option("--jobs N", "Processes. [default: one per processor]", type=click.IntRange(1))
-@option(
-    "-o, --output FILE",
-    "SRDF to write, or to update; '-' prints only the SRDF.",
-    to="srdf",
-)
+@option("-o, --output FILE", "SRDF to write, or to update; '-' prints only the SRDF.", to="srdf")
 @option("--compare FILE", "Compare with the matrix of this SRDF.")
 @click.option(
     "--units",

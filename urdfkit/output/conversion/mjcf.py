@@ -17,11 +17,7 @@ from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats,
 from urdfkit.output.conversion.mjcf_inputs import add_options
 from urdfkit.output.conversion.mjcf_proof import prove
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
-from urdfkit.output.conversion.mjcf_srdf import (
-    add_keyframes,
-    exclude_computed,
-    exclude_neighbours,
-)
+from urdfkit.output.conversion.mjcf_srdf import add_keyframes, exclude_computed, exclude_neighbours
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.result import REPORT, Conversion, proven
 

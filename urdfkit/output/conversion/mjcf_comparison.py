@@ -124,10 +124,7 @@ def residual(data: Any) -> float:
 
 
 def shapes(
-    data: Any,
-    robot: Context,
-    placed: Mapping[str, Floats],
-    written: Mapping[int, WrittenShape],
+    data: Any, robot: Context, placed: Mapping[str, Floats], written: Mapping[int, WrittenShape]
 ) -> Iterator[tuple[float, str]]:
     """Differences of visuals and collisions in kind, pose and size, relative to their size.
 

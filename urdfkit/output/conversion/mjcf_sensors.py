@@ -67,11 +67,7 @@ def _add(mjcf: MjcfRobot, robot: Context, sensor: Sensor) -> None:
 
 
 def _pose(
-    mjcf: MjcfRobot,
-    robot: Context,
-    parent: Element,
-    link: str,
-    outer: Transform | None = None,
+    mjcf: MjcfRobot, robot: Context, parent: Element, link: str, outer: Transform | None = None
 ) -> Transform:
     """The pose of a sensor, or of the camera in it, in the frame of a link.
 

@@ -4,12 +4,7 @@ from urdfkit.core.spatial import Transform, from_rpy
 from urdfkit.output.bundle import Bundle
 from urdfkit.output.bundle.robot import mesh_references
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.sdf_extensions import (
-    POSED,
-    RECEIVERS,
-    GazeboBlock,
-    is_read_as_rpy,
-)
+from urdfkit.output.conversion.sdf_extensions import POSED, RECEIVERS, GazeboBlock, is_read_as_rpy
 from urdfkit.output.conversion.sdf_model import SdfModel, is_hinge
 from urdfkit.output.conversion.sdf_proof import difference
 from urdfkit.output.conversion.sdf_values import snapped_rpy

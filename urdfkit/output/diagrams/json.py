@@ -49,11 +49,7 @@ def _joint(joint: Joint, parent: str, child: str) -> dict[str, Any]:
         "limits": bounds(joint),
         "effort": limit.effort.value if limit and limit.effort else None,
         "velocity": limit.velocity.value if limit and limit.velocity else None,
-        "mimic": {
-            "joint": joint.leader,
-            "multiplier": mimic.multiplier,
-            "offset": mimic.offset,
-        }
+        "mimic": {"joint": joint.leader, "multiplier": mimic.multiplier, "offset": mimic.offset}
         if mimic and joint.leader
         else None,
     }

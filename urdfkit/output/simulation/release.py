@@ -8,11 +8,7 @@ import mujoco
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
-from urdfkit.output.simulation.simulated_robot import (
-    FINE_STEP,
-    SimulatedRobot,
-    diverged,
-)
+from urdfkit.output.simulation.simulated_robot import FINE_STEP, SimulatedRobot, diverged
 from urdfkit.output.simulation.timestep import light_link
 from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.robot.joint_loads import STEP

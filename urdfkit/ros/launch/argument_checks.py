@@ -102,13 +102,7 @@ def misspelt(name: str, declared: Collection[str], source: Source) -> str:
 
 
 def undeclared(
-    name: str,
-    suggested: str,
-    span: Span,
-    frame: CallFrame | None,
-    *,
-    is_lost: bool,
-    ros: int,
+    name: str, suggested: str, span: Span, frame: CallFrame | None, *, is_lost: bool, ros: int
 ) -> Problem:
     """The problem of an argument that is used but not declared.
 

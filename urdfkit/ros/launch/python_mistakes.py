@@ -32,11 +32,7 @@ _SOURCES = {
     "YAMLLaunchDescriptionSource": (".yaml", ".yml"),
 }
 #: Names of Node's arguments until Foxy.
-_FORMER = {
-    "node_executable": "executable",
-    "node_name": "name",
-    "node_namespace": "namespace",
-}
+_FORMER = {"node_executable": "executable", "node_name": "name", "node_namespace": "namespace"}
 #: Substitutions, whose text is known only at run time.
 _SUBSTITUTIONS = ("Command", "FindPackageShare", "LaunchConfiguration", "PathJoinSubstitution")
 #: Functions of xacro that return a document, whose text is required.
