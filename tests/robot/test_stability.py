@@ -12,7 +12,7 @@ from tests.massive import inertial, joint, link, shape
 from tests.output.test_overview import of
 from urdfkit.lint.loading import read
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.robot.stability import hull, stand
+from urdfkit.robot.stability import hull, stand, standing_verdict
 
 TALL = shape("collision", '<box size="0.4 0.2 1"/>')
 
@@ -62,7 +62,7 @@ def test_a_payload_moves_the_centre() -> None:
         + link("tray")
         + joint("box", "tray", xyz="0 0.4 0")
     )
-    light, heavy = (stand(box, payload={"tray": mass}) for mass in (0.5, 3.0))
+    light, heavy = (standing_verdict(box, payload={"tray": mass}).stability for mass in (0.5, 3.0))
     assert light is not None
     assert heavy is not None
     assert light.center[1] == pytest.approx(0.5 * 0.4 / 3.5)
@@ -141,7 +141,7 @@ def test_named_contacts() -> None:
 def test_the_lowest_vertices_of_a_mesh_are_contacts() -> None:
     pytest.importorskip("numpy")
     arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
-    found = stand(arm, {"shoulder": 1.2})
+    found = standing_verdict(arm, {"shoulder": 1.2}).stability
     assert found is not None
     assert found.links == ("base",)
 

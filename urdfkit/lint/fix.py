@@ -151,6 +151,9 @@ def _generated_meshes(
         generated, not_generated = placeholder_meshes.generate_missing(robot)
         results |= {disk.real(failure.path): failure for failure in not_generated}
         for mesh in generated:
-            may_write = force or ownership.owns(mesh.path)
-            results[disk.real(mesh.path)] = mesh if may_write else mesh.not_written(OUTSIDE)
+            if force or ownership.owns(mesh.path):
+                results[disk.real(mesh.path)] = mesh
+            else:
+                failure = placeholder_meshes.NotGenerated(mesh.path, mesh.defect, OUTSIDE)
+                results[disk.real(mesh.path)] = failure
     return placeholder_meshes.GeneratedMeshes.of(list(results.values()))

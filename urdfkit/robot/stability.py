@@ -139,20 +139,16 @@ def standing_verdict(
 
 def stand(
     robot: Robot,
-    pose: Mapping[str, float] | None = None,
     contacts: Collection[str] | None = None,
     *,
-    payload: Mapping[str, float] | None = None,
     meshes: bool = True,
     visuals: bool = False,
 ) -> Stability | None:
-    """The stability of a robot at a pose.
+    """The stability of a robot with all joints at 0.
 
     Args:
         robot: the robot.
-        pose: positions of joints in rad or m; the others are at 0.
         contacts: names of the links it stands on; those that reach the lowest point if None.
-        payload: masses in kg that links carry at their origin.
         meshes: include meshes, which requires numpy and the mesh readers.
         visuals: a link without collision stands on its visual.
 
@@ -162,9 +158,9 @@ def stand(
     Raises:
         ImportError: ``meshes`` is set and the libraries are not installed.
     """
-    placed = frames(robot.tree, pose or {})
+    placed = frames(robot.tree, {})
     lowest = _lowest_points(robot, placed, contacts, visuals=visuals, meshes=meshes)
-    return _stability(_loads(robot, placed, payload or {}), _touching(lowest))
+    return _stability(_loads(robot, placed, {}), _touching(lowest))
 
 
 def lowest_links(robot: Robot) -> tuple[str, ...]:

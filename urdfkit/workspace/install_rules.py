@@ -13,7 +13,7 @@ from urdfkit.core import disk
 from urdfkit.core.paths import upwards
 from urdfkit.text.comments import without_comments
 from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.installs import MAX_BYTES, known_variables, read_built, read_rules
+from urdfkit.workspace.installs import MAX_BYTES, built_targets, known_variables, read_rules
 
 #: Commands with unknown results that may install files: other CMake files, functions of packages.
 _UNCLEAR = (
@@ -161,8 +161,7 @@ def is_built(path: str) -> bool:
     if not directory:
         return False
     relative = os.path.relpath(path, directory).replace(os.sep, "/")
-    # Below share/<package>, whose name only the manifest states.
-    targets = ("/".join(rule.target.split("/")[2:]) for rule in read_built(directory, "package"))
+    targets = built_targets(directory)
     return any(relative == target or relative.startswith(f"{target}/") for target in targets)
 
 

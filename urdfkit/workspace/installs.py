@@ -81,11 +81,12 @@ def read_rules(
     return reader.rules
 
 
-def read_built(directory: str, package: str) -> list[Installed]:
-    """Install rules of files that the build creates: their sources begin with ``BUILT``."""
+def built_targets(directory: str) -> list[str]:
+    """Paths of files that the build creates, below ``share/<package>`` where they are installed."""
     built = dict.fromkeys(_BUILD_DIRECTORIES, BUILT)
-    rules = read_rules(directory, package, built)
-    return [rule for rule in rules if rule.source.startswith(f"{BUILT}/")]
+    rules = read_rules(directory, "package", built)
+    targets = (rule.target for rule in rules if rule.source.startswith(f"{BUILT}/"))
+    return ["/".join(target.split("/")[2:]) for target in targets]
 
 
 def known_variables(package: str) -> dict[str, str]:

@@ -19,7 +19,7 @@ from urdfkit.physics.poses import PoseError, pose
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.model import UnknownLink
 from urdfkit.robot.reach import reach
-from urdfkit.robot.stability import stand
+from urdfkit.robot.stability import standing_verdict
 
 plain = st.floats(-10, 10).map(str)
 odd = st.sampled_from("0 1 -1 0.5 1e-300 1e9 1e29 -1e29 nan inf 1,5 x".split())
@@ -65,7 +65,7 @@ def test_odd_numbers(text: str, position: float) -> None:
     assert set(frames(robot.tree, given_pose)) == set(robot.model.links_by_name)
     summarise(robot, given_pose)
     mass_properties(robot, given_pose)
-    stand(robot, given_pose)
+    standing_verdict(robot, given_pose)
     reach(robot.tree)
     try:
         dynamics = robot.dynamics

@@ -141,7 +141,7 @@ def test_other_files_are_reported(tmp_path, text, words):
 def test_substitutions_known_only_at_run_time_are_unknown(package):
     unknown = "$(eval env(1))", "$(env HOME)/a", "$(arg x"
     text = "".join(f'<rosparam file="{file}"/>' for file in unknown)
-    assert [file.text for file in read(package, text).files] == ["$(arg x"]
+    assert [file.span.text for file in read(package, text).files] == ["$(arg x"]
 
 
 def test_the_mission_launch_file():

@@ -22,6 +22,7 @@ from urdfkit.robot import Robot
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.assets.placeholder_shapes import placeholder_shape
 from urdfkit.robot.assets.target_bounds import BUILDABLE, is_buildable
+from urdfkit.workspace.references import ResolvedReference
 from urdfkit.workspace.resolve import OUTSIDE
 
 #: A broken file is salvaged if this part of its triangles is readable.
@@ -48,16 +49,11 @@ class GeneratedMesh(Record):
         """
         return write(self.mesh, self.path)
 
-    def not_written(self, reason: str) -> NotGenerated:
-        """The result if the file may not be written."""
-        return NotGenerated(self.path, self.references, self.defect, reason)
-
 
 class NotGenerated(Record):
     """A file for which no mesh can be generated, and the reason."""
 
     path: str
-    references: tuple[MeshReference, ...]
     defect: str
     reason: str
 
@@ -188,21 +184,8 @@ def _make(
     part: RealPart | None = None,
     size: Vector | None = None,
 ) -> GeneratedMesh | NotGenerated:
-    located = references[0].located
-    if located.package is not None and located.directory is None:
-        reason = f"package '{located.package}' not found; pass its directory with --package"
-        return NotGenerated(path, references, defect, reason)
-    if located.scheme not in ("package", "model", "absolute", "relative"):
-        return NotGenerated(path, references, defect, f"'{located.scheme}://' is not a file URI")
-    if not robot.files.resolver.admits(path):
-        return NotGenerated(path, references, defect, f"{OUTSIDE}: not written")
-    if "Git LFS" in defect:
-        return NotGenerated(
-            path, references, defect, "run 'git lfs pull', which fetches the mesh itself"
-        )
-    if os.path.splitext(path)[1].lower() not in SUFFIXES:
-        supported = ", ".join(SUFFIXES)
-        return NotGenerated(path, references, defect, f"only {supported} can be written")
+    if reason := _why_unwritable(robot, path, references[0].located, defect):
+        return NotGenerated(path, defect, reason)
     facts = references[0].facts
     if part is None and size is None and facts is not None and facts.defect:
         from urdfkit.mesh.io.salvage import salvage
@@ -215,6 +198,20 @@ def _make(
     shape = placeholder_shape(robot, references[0], part, size)
     if shape is None:
         reason = "its name and its link define neither a type nor a size"
-        return NotGenerated(path, references, defect, reason)
-    mesh, reason = shape
-    return GeneratedMesh(path, references, defect, mesh, reason)
+        return NotGenerated(path, defect, reason)
+    return GeneratedMesh(path, references, defect, *shape)
+
+
+def _why_unwritable(robot: Robot, path: str, located: ResolvedReference, defect: str) -> str:
+    """Why no mesh can be written for a file; empty if one can."""
+    if located.package is not None and located.directory is None:
+        return f"package '{located.package}' not found; pass its directory with --package"
+    if located.scheme not in ("package", "model", "absolute", "relative"):
+        return f"'{located.scheme}://' is not a file URI"
+    if not robot.files.resolver.admits(path):
+        return f"{OUTSIDE}: not written"
+    if "Git LFS" in defect:
+        return "run 'git lfs pull', which fetches the mesh itself"
+    if os.path.splitext(path)[1].lower() not in SUFFIXES:
+        return f"only {', '.join(SUFFIXES)} can be written"
+    return ""

@@ -87,7 +87,7 @@ class Collector:
         location = path if disk.exists(path) else self.resolver.installed(path)
         is_outside = location is not None and not self.resolver.admits(location)
         exists = location is not None and not is_outside
-        self.files.append(FileUse(span.text, path, exists, span, purpose, is_outside))
+        self.files.append(FileUse(path, exists, span, purpose, is_outside))
         return exists
 
     def start(self, node: StartedProgram) -> None:
@@ -116,7 +116,7 @@ class Collector:
         package = self.resolver.packages.enclosing(path.partition(f"{os.sep}{os.pardir}")[0])
         path, written_path = os.path.normpath(path), path
         if package and not _leaves(written_path, package[1]) and disk.exists(path):
-            self.files.append(FileUse(span.text, path, True, span, "file"))
+            self.files.append(FileUse(path, True, span, "file"))
 
     def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
         """Read a shell command whose output is the robot description, or its YAML.

@@ -57,7 +57,6 @@ class LaunchedDescription(Record):
 class FileUse(Record):
     """A file that a launch file references."""
 
-    text: str  # as written
     path: str  # with its expressions resolved; absolute
     exists: bool  # False if it is missing, or must not be read
     span: Span  # location of the reference
