@@ -8,7 +8,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from urdfkit.core.spatial import Transform, rotate
+from urdfkit.core.spatial import Transform, cross, rotate
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.conversion.body_inertia import homogeneous
 from urdfkit.robot.kinematics import direction, frames, laws
@@ -26,12 +26,18 @@ class OwnDynamics:
 
     def __init__(self, tree: KinematicTree) -> None:
         self._tree = tree
-        self._laws = laws(tree.model.joints_by_name)
-        moving = (joint for joint in tree.model.joints if joint.is_single_dof)
-        self._moving = {joint.name: joint for joint in moving}
-        self.columns = tuple(name for name, joint in self._moving.items() if not joint.mimic)
-        self._numbers = {name: number for number, name in enumerate(self.columns)}
-        self._order = tree.below(tree.roots[0].name)
+        self._joints = [joint for joint in tree.model.joints if joint.is_single_dof]
+        self.columns = tuple(joint.name for joint in self._joints if not joint.mimic)
+        known = laws(tree.model.joints_by_name)
+        followed = [known[joint.name] for joint in self._joints]
+        factors = [[law.factor * (law.leader == name) for name in self.columns] for law in followed]
+        #: (n, nv), maps velocities of ``columns`` to velocities of the moving joints.
+        self._selection = np.reshape(factors, (len(self._joints), len(self.columns)))
+        paths = [{above.name for above in tree.path(joint.child_name)} for joint in self._joints]
+        #: (n, n), True if the second joint is above the first, or the same.
+        self._is_above = np.array(
+            [[joint.name in path for joint in self._joints] for path in paths]
+        )
 
     def placements(self, pose: Mapping[str, float]) -> dict[str, Floats]:
         """Homogeneous matrices (4, 4) of the links in the frame of the root."""
@@ -39,68 +45,43 @@ class OwnDynamics:
 
     def mass_matrix(self, pose: Mapping[str, float]) -> Floats:
         """The joint-space mass matrix, the root fixed, (nv, nv)."""
-        axes, inertias = self._axes(pose), self._composites(pose)
-        matrix = np.zeros((len(self.columns), len(self.columns)))
-        for name, axis in axes.items():
-            child = self._moving[name].child_name
-            force = inertias[child] @ axis
-            for ancestor in self._tree.path(child):
-                if ancestor.name in axes:
-                    entry = float(axes[ancestor.name] @ force)
-                    self._add(matrix, name, ancestor.name, entry)
-                    if ancestor.name != name:
-                        self._add(matrix, ancestor.name, name, entry)
-        return matrix
+        axes = self._axes(pose)
+        momenta = np.einsum("nij,nj->ni", self._carried_inertias(pose), axes)
+        lower = np.where(self._is_above, momenta @ axes.T, 0.0)
+        full = lower + lower.T - np.diag(np.diag(lower))
+        return np.asarray(self._selection.T @ full @ self._selection)
 
     def gravity(self, pose: Mapping[str, float]) -> Floats:
         """Gravity torque or force of each coordinate, (nv,)."""
-        inertias = self._composites(pose)
-        torques = np.zeros(len(self.columns))
-        for name, axis in self._axes(pose).items():
-            child, (leader, factor, _) = self._moving[name].child_name, self._laws[name]
-            if leader in self._numbers:
-                torque = float(axis @ inertias[child] @ _GRAVITY)
-                torques[self._numbers[leader]] += factor * torque
-        return torques
+        forces = self._carried_inertias(pose) @ _GRAVITY
+        return np.asarray(self._selection.T @ (self._axes(pose) * forces).sum(axis=1))
 
-    def _add(self, matrix: Floats, row: str, column: str, entry: float) -> None:
-        """Add an entry of two joints to the entry of their coordinates."""
-        (first, left, _), (second, right, _) = self._laws[row], self._laws[column]
-        if first in self._numbers and second in self._numbers:
-            matrix[self._numbers[first], self._numbers[second]] += left * right * entry
-
-    def _axes(self, pose: Mapping[str, float]) -> dict[str, Floats]:
-        """Spatial axis of each joint, (6,)."""
-        placed, axes = frames(self._tree, pose), {}
-        for name, joint in self._moving.items():
+    def _axes(self, pose: Mapping[str, float]) -> Floats:
+        """Spatial axis of each moving joint, (n, 6)."""
+        placed, axes = frames(self._tree, pose), np.zeros((len(self._joints), 6))
+        for row, joint in zip(axes, self._joints, strict=True):
             frame = placed[joint.child_name]
-            axis = np.array(rotate(frame.rotation, direction(joint)))
-            turning = np.concatenate([axis, np.cross(frame.position, axis)])
-            sliding = np.concatenate([np.zeros(3), axis])
-            axes[name] = turning if joint.is_rotational else sliding
+            axis = rotate(frame.rotation, direction(joint))
+            if joint.is_rotational:
+                row[:3], row[3:] = axis, cross(frame.position, axis)
+            else:
+                row[3:] = axis
         return axes
 
-    def _composites(self, pose: Mapping[str, float]) -> dict[str, Floats]:
-        """Composite inertia of each link and its descendants, (6, 6)."""
-        placed = frames(self._tree, pose)
-        inertias = {}
-        for name in self._order:
-            inertias[name] = _spatial_inertia(self._tree, name, placed[name])
-        for name in reversed(self._order[1:]):
-            parent = self._tree.parents[name][0].parent_name
-            inertias[parent] = inertias[parent] + inertias[name]
-        return inertias
+    def _carried_inertias(self, pose: Mapping[str, float]) -> Floats:
+        """Composite inertia of all that each moving joint carries, (n, 6, 6)."""
+        placed, tree = frames(self._tree, pose), self._tree
+        inertias = {name: _spatial_inertia(tree, name, frame) for name, frame in placed.items()}
+        for name in reversed(tree.below(tree.roots[0].name)[1:]):
+            inertias[tree.parents[name][0].parent_name] += inertias[name]
+        carried = [inertias[joint.child_name] for joint in self._joints]
+        return np.reshape(carried, (len(carried), 6, 6))
 
 
 def _spatial_inertia(tree: KinematicTree, link: str, frame: Transform) -> Floats:
     """Spatial inertia of a link, (6, 6)."""
     mass, center, moments = properties_of(tree.model.links_by_name[link], frame)
     x, y, z = center
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    tensor = np.array(moments.rows)
-    return np.block(
-        [
-            [tensor + mass * cross @ cross.T, mass * cross],
-            [mass * cross.T, mass * np.eye(3)],
-        ]
-    )
+    skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    tensor = np.array(moments.rows) + mass * skew @ skew.T
+    return np.block([[tensor, mass * skew], [mass * skew.T, mass * np.eye(3)]])
