@@ -12,7 +12,7 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.options import BASES
 from urdfkit.output.simulation import motion, simulate
-from urdfkit.output.simulation.verdicts import Simulation
+from urdfkit.physics.verdicts import Simulation
 from urdfkit.text.source import shown
 from urdfkit.text.terminal import GREEN, RED, YELLOW
 

@@ -22,8 +22,8 @@ import pytest
 
 if TYPE_CHECKING:
     from urdfkit.lint.report import Report
-    from urdfkit.output.simulation.verdicts import Simulation
     from urdfkit.physics.dynamics.robot import Dynamics
+    from urdfkit.physics.verdicts import Simulation
     from urdfkit.robot.assets.mesh_uses import MeshUse
     from urdfkit.robot.model import RobotModel
     from urdfkit.testing import Description

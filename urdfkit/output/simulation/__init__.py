@@ -7,7 +7,7 @@ from urdfkit.core.progress import Progress
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
-from urdfkit.output.simulation.verdicts import Simulation
+from urdfkit.physics.verdicts import Simulation
 
 
 def simulate(

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import mujoco
 
 from urdfkit.output.simulation.simulated_robot import SimulatedRobot, diverged
-from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.physics.verdicts import Verdict
 from urdfkit.robot.joint_loads import FASTEST, ROTOR, STEP
 from urdfkit.robot.model import Joint
 
@@ -74,5 +74,5 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
 def _verdict(
     joint: Joint, reason: str, value: float, bound: float, *, warns: bool = False
 ) -> Verdict:
-    text, place = f"joint '{joint.name}': {reason}", joint.limit.at.span if joint.limit else None
+    text, place = f"joint '{joint.name}': {reason}", joint.limit.at if joint.limit else None
     return Verdict("drive", warns, text, value, bound, (joint.name,), place, warns)

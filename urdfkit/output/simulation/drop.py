@@ -8,9 +8,9 @@ import mujoco
 import numpy as np
 
 from urdfkit.output.simulation.simulated_robot import SimulatedRobot, diverged
-from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.physics.verdicts import Verdict
 from urdfkit.robot.joint_loads import STEP
-from urdfkit.robot.stability import is_freestanding, lowest_links
+from urdfkit.robot.stability import is_freestanding, lowest_links, stand
 
 #: Height of the drop in m, and time in s after which the robot must be still; a robot that falls
 #: over late has more time.
@@ -74,7 +74,9 @@ def _dropped(robot: SimulatedRobot, dropped: str) -> Verdict:
         return Verdict("drop", False, text, jitter, JITTER)
     if tilt > TILT and _is_to_stand(robot):
         text = f"{dropped}, it tips over by {tilt:.0f} degrees"
-        return Verdict("drop", False, text, tilt, TILT)
+        standing = stand(robot.robot)
+        rule = "DYN004" if standing and standing.tips else ""
+        return Verdict("drop", False, text, tilt, TILT, rule=rule)
     fallen = f", tilted by {tilt:.0f} degrees" if tilt > TILT else ""
     text = f"{dropped}, it lies on the floor after {DROPPED:g} s{fallen}"
     return Verdict("drop", True, text, jitter, JITTER)

@@ -8,8 +8,8 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.simulation.simulated_robot import FINE_STEP, SimulatedRobot
-from urdfkit.output.simulation.verdicts import Verdict
 from urdfkit.physics.overloads import overloads, worst_pose
+from urdfkit.physics.verdicts import Verdict
 
 #: Most deviation of a joint that holds, in rad or m.
 SAG = 0.02
@@ -17,6 +17,8 @@ SAG = 0.02
 DURATION = 1.0
 #: Natural frequency of the position control in rad/s, as of a stiff drive.
 _STIFFNESS = 30.0
+#: The rule about joints whose effort is below their gravity load.
+_OVERLOAD = "DYN003"
 
 
 def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
@@ -27,7 +29,9 @@ def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
     """
     sagging, overloaded = list(_sags(robot)), list(_overloads(robot))
     failing = {name for verdict in sagging for name in verdict.names}
-    yield from sagging
+    weak = {name for verdict in overloaded for name in verdict.names}
+    for verdict in sagging:
+        yield verdict if weak.isdisjoint(verdict.names) else verdict._replace(rule=_OVERLOAD)
     yield from (verdict for verdict in overloaded if failing.isdisjoint(verdict.names))
     if not sagging and not overloaded and np.isfinite(_efforts(robot)).any():
         text = "the efforts of its joints hold it at its start and in their worst poses"
@@ -53,7 +57,9 @@ def _overloads(robot: SimulatedRobot) -> Iterator[Verdict]:
         )
         warns = bool(needed[robot.dof(joint.name)] <= effort.value)
         names = (joint.name,)
-        yield Verdict("hold", warns, text, load.worst, effort.value, names, effort.span, warns)
+        yield Verdict(
+            "hold", warns, text, load.worst, effort.value, names, effort.at, warns, _OVERLOAD
+        )
 
 
 def _sags(robot: SimulatedRobot) -> Iterator[Verdict]:

@@ -4,7 +4,7 @@ from xml.etree.ElementTree import Element, SubElement
 
 from urdfkit.output.formats._paths import posix
 from urdfkit.output.formats._xml import document, xml_text
-from urdfkit.output.simulation.verdicts import Simulation, Verdict
+from urdfkit.physics.verdicts import Simulation, Verdict
 
 
 def render(simulation: Simulation, file: str) -> str:

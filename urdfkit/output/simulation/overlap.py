@@ -3,7 +3,10 @@
 from collections.abc import Iterator
 
 from urdfkit.output.simulation.simulated_robot import OVERLAP, SimulatedRobot
-from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.physics.verdicts import Verdict
+
+#: The rule about overlapping links and convex hulls.
+OVERLAPPING = "COL001"
 
 
 def overlap(robot: SimulatedRobot) -> Iterator[Verdict]:
@@ -21,6 +24,6 @@ def overlap(robot: SimulatedRobot) -> Iterator[Verdict]:
         if frozenset(names) in robot.neighbours:  # which MuJoCo otherwise excludes
             text += "; MuJoCo collides them, since the parent is welded to the world"
         place = robot.collision(names[0])
-        yield Verdict("overlap", True, text, depth, OVERLAP, names, place, warns=True)
+        yield Verdict("overlap", True, text, depth, OVERLAP, names, place, True, OVERLAPPING)
     if not depths:
         yield Verdict("overlap", True, "no links overlap at the start", 0.0, OVERLAP)

@@ -8,12 +8,13 @@ import mujoco
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
+from urdfkit.output.simulation.overlap import OVERLAPPING
 from urdfkit.output.simulation.simulated_robot import FINE_STEP, SimulatedRobot, diverged
 from urdfkit.output.simulation.timestep import light_link
-from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.physics.verdicts import Verdict
 from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.values import number
-from urdfkit.text.source import Span
+from urdfkit.text.document import Element
 
 #: Bound of energy gain: the energy to lift the robot by this height in m, plus this part of its
 #: largest kinetic energy.
@@ -61,17 +62,20 @@ def release(robot: SimulatedRobot) -> Iterator[Verdict]:
         text += f", but not with steps of {FINE_STEP * 1e3:g} ms instead of {STEP * 1e3:g}"
         yield Verdict("energy", True, text, result.gain, result.bound)
         return
-    why, names, span = _cause(robot)
+    why, names, at = _cause(robot)
     if result.bad is None:
         thrown = THROWN * robot.extent() * result.weight
         is_of_overlap = len(names) == 2
         warns = is_of_overlap and result.gain <= thrown
-        yield Verdict("energy", warns, text + why, result.gain, result.bound, names, span, warns)
+        rule = OVERLAPPING if warns else ""
+        yield Verdict(
+            "energy", warns, text + why, result.gain, result.bound, names, at, warns, rule
+        )
         return
     model = robot.model
     joint = model.joint(model.dof_jntid[result.bad]).name if result.bad < model.nv else ""
     text = f"released, its simulation diverges at joint '{joint}'{why}"
-    place = span or robot.joint(joint)
+    place = at or robot.joint(joint)
     yield Verdict("stability", False, text, result.gain, result.bound, names or (joint,), place)
 
 
@@ -86,10 +90,10 @@ def _driven_by_damping(robot: SimulatedRobot) -> Iterator[Verdict]:
                 f"joint '{joint.name}' is driven by its damping of {damping:g} "
                 f"{joint.effort_unit}·s/{joint.unit}"
             )
-            yield Verdict("energy", False, text, damping, 0.0, (joint.name,), written.span)
+            yield Verdict("energy", False, text, damping, 0.0, (joint.name,), written)
 
 
-def _cause(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Span | None]:
+def _cause(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Element | None]:
     """Why a robot gains energy, and the links or joints that cause it."""
     is_of_contacts = _released(robot, STEP, contacts=False).is_calm
     robot.set_up()
@@ -102,10 +106,10 @@ def _cause(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Span | None]:
         return f", but not with steps of {FINE_STEP * 1e3:g} ms", (), None
     if is_of_contacts:
         return ", but not without contacts", (), None
-    text, names, span = light_link(robot)
+    text, names, at = light_link(robot)
     half = _released(robot, STEP / 2)
     result = f"gains {half.gain:.2g} J" if half.bad is None else "diverges, too"
-    return f", and with steps of {STEP / 2 * 1e3:g} ms it {result}{text}", names, span
+    return f", and with steps of {STEP / 2 * 1e3:g} ms it {result}{text}", names, at
 
 
 def _released(robot: SimulatedRobot, step: float, *, contacts: bool = True) -> _Release:

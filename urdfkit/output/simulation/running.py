@@ -14,7 +14,7 @@ from urdfkit.output.simulation.simulated_robot import SimulatedRobot
 from urdfkit.output.simulation.size import size
 from urdfkit.output.simulation.sweep import follow, sweep
 from urdfkit.output.simulation.timestep import timestep
-from urdfkit.output.simulation.verdicts import Simulation, Verdict
+from urdfkit.physics.verdicts import Simulation, Verdict
 
 _ALL = (size, overlap, release, timestep, drive, sweep, follow)
 

@@ -20,7 +20,7 @@ from urdfkit.robot.joint_loads import GRAVITY, STEP
 from urdfkit.robot.kinematics import laws
 from urdfkit.robot.model import Joint
 from urdfkit.ros.moveit.srdf import Srdf, read_named
-from urdfkit.text.source import Span
+from urdfkit.text.document import Element
 
 #: A finer step than `STEP`, in s: a robot that is calm with it shows an integration error.
 FINE_STEP = 0.0005
@@ -200,15 +200,15 @@ class SimulatedRobot:
             for body in element.collisions
         )
 
-    def collision(self, link: str) -> Span | None:
-        """Source location of the first collision of a link."""
+    def collision(self, link: str) -> Element | None:
+        """The first collision of a link."""
         element = self.robot.model.links_by_name.get(link)
-        return element.collisions[0].at.span if element and element.collisions else None
+        return element.collisions[0].at if element and element.collisions else None
 
-    def joint(self, name: str) -> Span | None:
-        """Source location of a joint."""
+    def joint(self, name: str) -> Element | None:
+        """The element of a joint."""
         joint = self.robot.model.joints_by_name.get(name)
-        return joint.at.span if joint else None
+        return joint.at if joint else None
 
 
 def diverged(data: Any) -> int | None:

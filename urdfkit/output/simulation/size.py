@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from urdfkit.output.simulation.simulated_robot import SimulatedRobot
-from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.physics.verdicts import Verdict
 
 #: Largest mass per cube of the size, in kg/m³. Osmium has 22,590, and no robot fills the cube: the
 #: densest robots have 1,000.

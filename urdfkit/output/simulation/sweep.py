@@ -10,7 +10,7 @@ import numpy as np
 
 from urdfkit.output.simulation.hold import SAG, torques
 from urdfkit.output.simulation.simulated_robot import OVERLAP, SimulatedRobot
-from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.physics.verdicts import Verdict
 from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.joints import overshoot, span
 from urdfkit.robot.kinematics import MimicLaw, laws, positions
@@ -161,8 +161,8 @@ def _stopped(robot: SimulatedRobot) -> Iterator[Verdict]:
                 f"{high:.3g}] {joint.unit}, its own range is [{own[0]:.3g}, {own[1]:.3g}]: "
                 f"{_blocked(joints[leader], law, leading, own)}"
             )
-            place = joint.mimic.at.span if joint.mimic else None
-            yield Verdict("mimic", False, text, beyond, 0.0, (name,), place)
+            at = joint.mimic.at if joint.mimic else None
+            yield Verdict("mimic", False, text, beyond, 0.0, (name,), at, rule="JNT016")
 
 
 def _blocked(
@@ -186,7 +186,7 @@ def _lag(
         f"joint '{name}' does not follow '{robot.followers[name]}': it is at {is_at:.3g} "
         f"{joint.unit} where <mimic> takes it to {should:.3g} {joint.unit}"
     )
-    place = joint.mimic.at.span if joint.mimic else None
+    place = joint.mimic.at if joint.mimic else None
     return Verdict("mimic", False, text, deviation, SAG, (name,), place)
 
 

@@ -6,9 +6,9 @@ from math import inf
 import mujoco
 
 from urdfkit.output.simulation.simulated_robot import SimulatedRobot, diverged
-from urdfkit.output.simulation.verdicts import Verdict
+from urdfkit.physics.verdicts import Verdict
 from urdfkit.robot.joint_loads import LIGHT, STEP, light_joints
-from urdfkit.text.source import Span
+from urdfkit.text.document import Element
 
 #: Largest energy error. With steps of 2 ms a UR5 has 0.01, an SO-100 0.28, a Panda 0.38.
 MAX_ERROR = 1.0
@@ -32,22 +32,23 @@ def timestep(robot: SimulatedRobot) -> Iterator[Verdict]:
     if error <= MAX_ERROR:
         yield Verdict("timestep", True, text, error, MAX_ERROR)
         return
-    cause, names, span = light_link(robot)
+    cause, names, at = light_link(robot)
     text += cause or f" (bound {MAX_ERROR * 100:g} %): simulate it with shorter steps"
-    yield Verdict("timestep", True, text, error, MAX_ERROR, names, span, warns=True)
+    rule = "DYN005" if names else ""
+    yield Verdict("timestep", True, text, error, MAX_ERROR, names, at, True, rule)
 
 
 def _percent(error: float) -> str:
     return "without bound" if error == inf else f"{error * 100:.2g} %"
 
 
-def light_link(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Span | None]:
+def light_link(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Element | None]:
     """The first link that is too light for what it carries (DYN005), as a cause of an error."""
     for joint in light_joints(robot.robot.tree):
         link = robot.robot.model.links_by_name[joint.child_name]
         place = link.inertial.at if link.inertial else link.at
         text = f": link '{link.name}' has less than {LIGHT:g} of the mass that it carries"
-        return text, (link.name,), place.span
+        return text, (link.name,), place
     return "", (), None
 
 

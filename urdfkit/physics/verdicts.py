@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from urdfkit.core.record import Record
+from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.text.source import Span, shown
+
+if TYPE_CHECKING:
+    from urdfkit.text.document import Attribute, Element
 
 
 class Verdict(Record):
@@ -19,8 +21,14 @@ class Verdict(Record):
     value: float  # measured value, in the unit of the message
     bound: float  # of the value
     names: tuple[str, ...] = ()  # the links or joints concerned
-    span: Span | None = None  # source location of the cause; None if unknown
+    at: Element | Attribute | None = None  # the cause; None if unknown
     warns: bool = False  # passes, but with something to look at
+    rule: str = ""  # code of the rule that finds the same cause without a simulation; may be empty
+
+    @property
+    def span(self) -> Span | None:
+        """Source location of the cause; None if unknown."""
+        return self.at.span if self.at else None
 
     def __str__(self) -> str:
         where = f" ({self.span})" if self.span else ""
@@ -55,6 +63,7 @@ class Simulation(Record):
                     "value": verdict.value,
                     "bound": verdict.bound,
                     "names": list(verdict.names),
+                    "rule": verdict.rule or None,
                     "file": shown(verdict.span.source.path) if verdict.span else None,
                     "line": verdict.span.line if verdict.span else None,
                 }
