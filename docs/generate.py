@@ -11,6 +11,7 @@ from html import escape
 from itertools import groupby
 from pathlib import Path
 
+from urdfkit import simulate
 from urdfkit.cli.explain import severities
 from urdfkit.lint.rule_examples import DIRECTORY as DIRECTORY_OF_EXAMPLES
 from urdfkit.lint.rule_examples import diagnose_example
@@ -76,7 +77,7 @@ def page(rule: Rule) -> str:
     if bad := rule.example("BAD"):
         said = [
             _SCRATCH.sub(DIRECTORY_OF_EXAMPLES, found.message)
-            for found in diagnose_example(rule, bad)
+            for found in diagnose_example(rule, bad, simulate=simulate)
         ]
         parts += ["## Reported", block("xml", bad), block("text", "\n".join(said))]
     good, fixed = rule.example("GOOD"), rule.example("FIXED")
@@ -105,7 +106,7 @@ def remedy(rule: Rule) -> str:
     bad = rule.example("BAD")
     if not rule.fixable or not bad:
         return ""
-    fixes = [found.fix for found in diagnose_example(rule, bad) if found.fix]
+    fixes = [found.fix for found in diagnose_example(rule, bad, simulate=simulate) if found.fix]
     option = "" if all(fix.safe for fix in fixes) else " with `--unsafe-fixes`"
     return f" Comes with a fix, which [`urdfkit fix`](../commands/fix.md) applies{option}."
 

@@ -9,9 +9,12 @@ from typing import Any, NoReturn
 
 import pytest
 
+import urdfkit
 from urdfkit.core.libraries import missing_for_meshes
 from urdfkit.lint import engine, rule_examples, rule_index
 from urdfkit.lint.context import Context
+from urdfkit.lint.options import Options
+from urdfkit.lint.report import Report
 from urdfkit.lint.rules import Need, Rule
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
@@ -29,6 +32,7 @@ PARTS = {
     Need.SRDF: {"srdf"},
     Need.DYNAMICS: {"dynamics"},
     Need.COLLISIONS: {"collisions", "measured", "meshes", "files"},
+    Need.SIMULATION: {"simulation"},
 }
 
 #: What rules of a family, or a rule, look at where it is to be had, and do without otherwise.
@@ -38,7 +42,7 @@ OPTIONAL |= {"XAC024": {"other_robot"}}
 #: Of a name that is misspelt, everything else that may have it.
 OPTIONAL |= {code: {"plugins", "srdf"} for code in ("REF001", "GAZ001", "SRD001", "RCT001")}
 #: The pairs that the SRDF, if there is one, disables.
-OPTIONAL |= {"COL001": {"srdf"}}
+OPTIONAL |= {"COL001": {"srdf"}, "SIM": {"files", "meshes", "srdf"}}
 #: Of the robots that a launch file starts.
 OPTIONAL |= {"LAU023": {"document", "model"}, "WLD": {"document", "model", "plugins", "tree"}}
 
@@ -58,6 +62,26 @@ def _what_it_needs(code: str) -> None:
         pytest.skip(f"{missing} is not installed")
     if Need.COLLISIONS in needs:
         pytest.importorskip("coal")
+    if Need.SIMULATION in needs:
+        pytest.importorskip("mujoco")
+
+
+def simulation(rule: Rule) -> Any:
+    """What simulates the robot for a rule that needs it."""
+    return urdfkit.simulate if Need.SIMULATION in rule.needs else None
+
+
+def checked(rule: Rule, which: str) -> Report:
+    """One of its examples, checked with all rules."""
+    with rule_examples.laid_out(rule, example(rule, which)) as source:
+        settings = Options(simulate=simulation(rule))
+        return engine.check(source, targets=rule_examples.targets_of(rule), options=settings)
+
+
+def alone(rule: Rule, which: str) -> list[Diagnostic]:
+    """One of its examples, checked with this rule alone."""
+    text = example(rule, which)
+    return rule_examples.diagnose_example(rule, text, simulate=simulation(rule))
 
 
 def example(rule: Rule, which: str) -> str:
@@ -69,8 +93,7 @@ def example(rule: Rule, which: str) -> str:
 @cache
 def of_bad(code: str) -> tuple[Diagnostic, ...]:
     """What a rule says about its BAD; three tests look at it."""
-    rule = rule_index.get(code)
-    return tuple(rule_examples.diagnose_example(rule, example(rule, "BAD")))
+    return tuple(alone(rule_index.get(code), "BAD"))
 
 
 def test_the_file_is_named_after_the_rule_and_has_tests(code: str) -> None:
@@ -97,22 +120,20 @@ def test_the_explanation_begins_with_one_sentence_and_names_its_sources(code: st
 
 def test_bad_is_found(code: str) -> None:
     """By the rule alone, and among all others."""
-    rule, alone = rule_index.get(code), of_bad(code)
-    assert alone
-    assert {(one.code, one.name) for one in alone} == {(code, rule.name)}
-    assert all(one.message and one.help for one in alone), "a message and what to do"
-    with rule_examples.laid_out(rule, example(rule, "BAD")) as source:
-        report = engine.check(source, targets=rule_examples.targets_of(rule))
-    among_others = [found for found in report.diagnostics if found.code == code]
-    assert places(among_others) == sorted(places(alone))
+    rule, found = rule_index.get(code), of_bad(code)
+    assert found
+    assert {(one.code, one.name) for one in found} == {(code, rule.name)}
+    assert all(one.message and one.help for one in found), "a message and what to do"
+    report = checked(rule, "BAD")
+    among_others = [one for one in report.diagnostics if one.code == code]
+    assert places(among_others) == sorted(places(found))
     assert report.crashed == ()
 
 
 def test_good_is_good(code: str) -> None:
     rule = rule_index.get(code)
-    assert rule_examples.diagnose_example(rule, example(rule, "GOOD")) == []
-    with rule_examples.laid_out(rule, example(rule, "GOOD")) as source:
-        report = engine.check(source, targets=rule_examples.targets_of(rule))
+    assert alone(rule, "GOOD") == []
+    report = checked(rule, "GOOD")
     assert [found for found in report.diagnostics if found.severity is Severity.ERROR] == []
     assert report.crashed == ()
 
@@ -142,7 +163,7 @@ def test_the_rule_needs_no_more_than_it_declares(
     allowed |= OPTIONAL.get(code, OPTIONAL.get(code[:3], set()))
     for part in {part for parts in PARTS.values() for part in parts} - allowed:
         monkeypatch.setattr(Context, part, property(refuse(code, part)))
-    assert places(rule_examples.diagnose_example(rule, example(rule, "BAD"))) == honest
+    assert places(alone(rule, "BAD")) == honest
 
 
 def places(diagnostics: Iterable[Diagnostic]) -> list[tuple[int, int]]:

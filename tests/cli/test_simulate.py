@@ -37,7 +37,7 @@ def test_a_robot_without_faults(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["simulate", str(ARM)]) == 0
     assert capsys.readouterr().out.splitlines()[:2] == [
         "its root is welded to the world",
-        "  passes size: it weighs 5.2 kg and measures 0.774 m",
+        "  passes size: the robot weighs 5.2 kg and measures 0.774 m",
     ]
 
 

@@ -116,6 +116,16 @@ def _replay_or_run(words: list[str]) -> int:
     code = result_cache.replay(words)
     if code is not None:
         return code
+    if "--simulate" in words and hasattr(os, "fork"):
+        from urdfkit.cli.own_process import run_forked
+
+        return run_forked(lambda: guarded(_record_and_run, words), _leave)
+    return _record_and_run(words)
+
+
+def _record_and_run(words: list[str]) -> int:
+    from urdfkit.cli import result_cache
+
     if key := result_cache.cache_key(words):
         from urdfkit.cli import result_recording
 

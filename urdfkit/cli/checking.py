@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 from urdfkit.cli import options, output
 from urdfkit.core.static_typing import TYPE_CHECKING, Any
+from urdfkit.lint import rule_index
 from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.check_job import reader
 from urdfkit.lint.engine import check_with
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 
     from urdfkit.core.progress import Progress
     from urdfkit.lint.baseline import Fingerprint
+    from urdfkit.lint.context import Simulate
     from urdfkit.lint.fix_session import Fixes
 
 #: Formats that state how many findings can be fixed.
@@ -40,6 +42,7 @@ def run_check(values: Mapping[str, Any]) -> int:
 
         return watch(run_check, values)
     settings = check_settings(values)
+    settings = settings._replace(simulate=_simulate(values, settings.select))
     if values["show_files"]:
         from urdfkit.cli.progress import working
 
@@ -160,6 +163,22 @@ def check_settings(values: Mapping[str, Any]) -> Options:
     )
 
 
+def _simulate(values: Mapping[str, Any], select: Collection[str]) -> Simulate | None:
+    """What simulates the robots; None without ``--simulate``."""
+    if values["simulate"]:
+        from urdfkit.cli.simulating import simulator
+
+        return simulator(values)
+    for key in ("timeout", "memory"):
+        if values[key] is not None:
+            raise options.UsageError(f"--{key} needs --simulate")
+    for word in select:
+        codes = rule_index.codes_of(word)
+        if codes and rule_index.simulating().issuperset(codes):
+            raise options.UsageError(f"--select {word} needs --simulate")
+    return None
+
+
 def _files(values: Mapping[str, Any], settings: Options) -> str:
     """The descriptions that would be checked, with their arguments, and the skipped files."""
     from urdfkit.lint.unchecked import unread_files
@@ -229,7 +248,9 @@ def _with_fixable(report: Report, values: Mapping[str, Any], settings: Options) 
     from urdfkit.lint.fixable import fixable
 
     files = options.files(values)
-    return report if "-" in files else report._replace(fixable=fixable(report, settings, files))
+    if "-" in files:
+        return report
+    return report._replace(fixable=fixable(report, settings._replace(simulate=None), files))
 
 
 def apply_fixes(

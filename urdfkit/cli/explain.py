@@ -22,6 +22,7 @@ _NEEDS = {
     Need.SRDF: "an SRDF of the robot",
     Need.DYNAMICS: "Pinocchio (extra 'dynamics')",
     Need.COLLISIONS: "coal (extra 'dynamics')",
+    Need.SIMULATION: "--simulate, and MuJoCo (extra 'simulate')",
 }
 
 

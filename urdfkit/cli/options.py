@@ -67,6 +67,9 @@ CHECK = (
         many=True,
     ),
     Option("--preview", "Run preview rules, too."),
+    Option("--simulate", "Also simulate each robot in MuJoCo, for the rules SIM*."),
+    Option("--timeout", "Limit of time of one simulation. [default: 300]", "SECONDS"),
+    Option("--memory", "Limit of memory with --simulate. [default: 8]", "GIB"),
     Option(
         "--min-confidence",
         "Report only findings of at least this confidence. [default: guessed]",

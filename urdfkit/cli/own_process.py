@@ -106,13 +106,13 @@ def _code(status: int, messages: str) -> int:
     """The exit code of a process that has ended; prints the reason if it ended abnormally."""
     from urdfkit.cli import fail
 
+    if os.WIFEXITED(status) and messages.endswith(_END.decode()):
+        return os.WEXITSTATUS(status)
     where = _where(messages)
     if "Timeout (" in messages:
         limit = re.findall(r"^limit (.*)$", messages, re.MULTILINE)[-1]
         return fail(2, f"not finished after {limit}{where}; --timeout raises the limit")
     if os.WIFEXITED(status):
-        if messages.endswith(_END.decode()):
-            return os.WEXITSTATUS(status)
         return fail(2, f"a library ended the process{where}; perhaps memory ran out")
     number = os.WTERMSIG(status)
     name = signal.Signals(number).name

@@ -133,11 +133,12 @@ def processors() -> int:
 
 
 def _limit_processor_time(seconds: float) -> None:
-    """Limit CPU time; child processes inherit the limit, so that orphans end."""
+    """Limit CPU time from now on; child processes inherit the limit, so that orphans end."""
     import resource
 
     most = resource.getrlimit(resource.RLIMIT_CPU)[1]
-    allowed = int(seconds + 2) * processors()
+    used = resource.getrusage(resource.RUSAGE_SELF)
+    allowed = int(used.ru_utime + used.ru_stime) + int(seconds + 2) * processors()
     if most == resource.RLIM_INFINITY or allowed < most:
         resource.setrlimit(resource.RLIMIT_CPU, (allowed, most))
 

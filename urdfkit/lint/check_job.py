@@ -44,6 +44,7 @@ def reader(options: Options, resolver: Resolver) -> Callable[[Job], Context]:
             parameters=job.parameters,
             cache=options.cache,
             progress=options.progress,
+            simulate=options.simulate,
         )
 
     return read

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property, lru_cache
 
 from urdfkit.core import libraries
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import TYPE_CHECKING
-from urdfkit.errors import NotApplicable, Unavailable
+from urdfkit.errors import NotApplicable, Unavailable, UrdfkitError
 from urdfkit.lint.description_file import DescriptionFile, Reading
 from urdfkit.lint.requirements import dynamics_of, need_coal, need_few_bodies
 from urdfkit.text.document import CallFrame, Document
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from urdfkit.mesh.measures import Measures
     from urdfkit.physics.collision.robot import Collisions
     from urdfkit.physics.dynamics.robot import Dynamics
+    from urdfkit.physics.verdicts import Simulation
     from urdfkit.robot.assets.measured_meshes import MeasuredMeshes
     from urdfkit.robot.assets.mesh_files import MeshFiles
     from urdfkit.robot.assets.triangles import Meshes
@@ -40,6 +41,9 @@ if TYPE_CHECKING:
     from urdfkit.text.diagnostic import Diagnostic
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
+
+    #: Simulates a robot, as `urdfkit.simulate` does. It is passed in, as it is above this package.
+    Simulate = Callable[["Context"], Simulation]
 
 __all__ = ["Context", "NotApplicable", "Reading", "RunState", "Unavailable"]
 
@@ -66,6 +70,7 @@ class Context(DescriptionFile):
     Args:
         cache: True if measures of meshes may be cached for the next run.
         progress: called with the number of mesh files read and the number of all mesh files.
+        simulate: simulates the robot, for the rules about simulations; None if they do not run.
     """
 
     def __init__(
@@ -80,11 +85,13 @@ class Context(DescriptionFile):
         parameters: tuple[FileUse, ...] = (),
         cache: bool = False,
         progress: Progress | None = None,
+        simulate: Simulate | None = None,
     ) -> None:
         super().__init__(source, resolver, arguments, trust=trust, frame=frame)
         self.parameters = parameters
         self._cache = cache
         self._progress = progress
+        self._simulate = simulate
         self._given_targets = targets
         self.run = RunState()
         self.launched: tuple[Launched, ...] = ()
@@ -326,6 +333,26 @@ class Context(DescriptionFile):
             Unavailable: Pinocchio is not installed, or cannot represent the robot.
         """
         return dynamics_of(self.tree)
+
+    @property
+    def simulates(self) -> bool:
+        """True if the check simulates the robot."""
+        return self._simulate is not None
+
+    @cached_property
+    def simulation(self) -> Simulation | None:
+        """The results of simulations of the robot; None if the check does not simulate.
+
+        Raises:
+            Unavailable: the robot cannot be simulated.
+        """
+        if self._simulate is None:
+            return None
+        try:
+            return self._simulate(self)
+        except UrdfkitError as error:
+            reason = str(error).partition("; see 'urdfkit check ")[0]
+            raise Unavailable(f"not simulated: {reason}") from error
 
     @cached_property
     def collisions(self) -> Collisions:

@@ -12,6 +12,7 @@ from urdfkit.text.diagnostic import Confidence
 
 if TYPE_CHECKING:
     from urdfkit.core.progress import Progress
+    from urdfkit.lint.context import Simulate
     from urdfkit.lint.rules import Need
 
 
@@ -37,6 +38,7 @@ class Options(Record):
         jobs: number of processes; 0 to choose it by the number of robots.
         as_launched: also check robots with the arguments that launch files pass.
         cache: cache the measures of mesh files for the next run.
+        simulate: `urdfkit.simulate`, to also run the rules about simulations; None not to.
         only_errors: needs; rules with one of them run only if they may report errors.
         texts: contents that replace files on disk, by path, such as an editor's buffers.
         progress: called with the number of descriptions done and the number of all; for a single
@@ -59,6 +61,7 @@ class Options(Record):
     jobs: int = 1
     as_launched: bool = True
     cache: bool = True
+    simulate: Simulate | None = None
     only_errors: frozenset[Need] = frozenset()
     texts: Mapping[str, bytes] = {}
     progress: Progress | None = None
@@ -98,8 +101,11 @@ class Options(Record):
 
             parse(options.targets)
         select, ignore = self.select, self.ignore
+        chosen = choose(select, ignore, self.config, external)
+        if self.simulate is None:
+            chosen = [code for code in chosen if code not in rule_index.simulating()]
         return options._replace(
-            select=tuple(choose(select, ignore, self.config, external)),
+            select=tuple(chosen),
             ignore=(),
             config=_overridden(self.config, select, ignore, self.min_confidence),
             preview=previewed(self.preview, select, self.config),

@@ -144,6 +144,7 @@ def _begin(
 
     # Ctrl-C reaches every process of the terminal; the main process handles it, and ends this one.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a main process with limits handles it, too
     rule_index.register(external)
     disk.log_to(FileLog() if is_noting else None)
     global _own  # noqa: PLW0603 - a process has one

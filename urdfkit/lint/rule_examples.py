@@ -8,6 +8,8 @@ to the robot, by relative path, ``FIXED_FILES`` those that fixes change, after t
 functions test the rules of other packages.
 """
 
+from __future__ import annotations
+
 import os
 import re
 import sys
@@ -15,6 +17,7 @@ import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.context import Context
 from urdfkit.lint.findings import diagnose
 from urdfkit.lint.rules import Rule
@@ -23,6 +26,9 @@ from urdfkit.text.diagnostic import Diagnostic, Edit
 from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
+
+if TYPE_CHECKING:
+    from urdfkit.lint.context import Simulate
 
 #: Placeholder in examples for the absolute path of the robot's directory.
 DIRECTORY = "/home/student/arm_description"
@@ -61,15 +67,22 @@ def targets_of(rule: Rule) -> tuple[str, ...]:
     return names
 
 
-def context_of(rule: Rule, source: Source) -> Context:
+def context_of(rule: Rule, source: Source, simulate: Simulate | None = None) -> Context:
     names = targets_of(rule)
-    return Context(source, Resolver(environment={}), targets=parse(names) if names else None)
+    targets = parse(names) if names else None
+    return Context(source, Resolver(environment={}), targets=targets, simulate=simulate)
 
 
-def diagnose_example(rule: Rule, text: str) -> list[Diagnostic]:
-    """The findings of a rule in one of its examples."""
+def diagnose_example(
+    rule: Rule, text: str, *, simulate: Simulate | None = None
+) -> list[Diagnostic]:
+    """The findings of a rule in one of its examples.
+
+    Args:
+        simulate: `urdfkit.simulate`, for rules about simulations.
+    """
     with laid_out(rule, text) as source:
-        return diagnose(rule, list(rule.check(context_of(rule, source))))
+        return diagnose(rule, list(rule.check(context_of(rule, source, simulate))))
 
 
 def assert_examples(rule: Rule) -> None:

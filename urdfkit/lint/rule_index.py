@@ -42,6 +42,7 @@ FAMILIES = {
     "PKG": "the ROS package",
     "RCT": "transmissions and ros2_control",
     "REF": "references",
+    "SIM": "simulation in MuJoCo",
     "SRD": "SRDF",
     "TRE": "kinematic tree",
     "URD": "URDF elements and attributes",
@@ -88,6 +89,11 @@ def family_of(code: str) -> str:
 def of_family(family: str) -> frozenset[str]:
     """The codes of the rules of a family."""
     return frozenset(code for code in codes() if family_of(code) == family)
+
+
+def simulating() -> frozenset[str]:
+    """The codes of the rules that simulate the robot, which run only if a check may do so."""
+    return frozenset(code for code in codes() if code.startswith("SIM"))
 
 
 def applicable(family: str, codes: list[str], context: Context) -> list[str]:

@@ -46,6 +46,7 @@ class Need(Enum):
     SRDF = "srdf"  # the SRDF of the model, for MoveIt
     DYNAMICS = "dynamics"  # the robot in Pinocchio, or results of Pinocchio
     COLLISIONS = "collisions"  # the links that overlap, computed by coal
+    SIMULATION = "simulation"  # simulations of the robot in MuJoCo
 
 
 class Location(Record):

@@ -346,10 +346,10 @@ def test_a_robot_that_is_dropped() -> None:
     four = [wheel(f"w{x}{y}", f"{x} {y} -0.2") for x in (-0.3, 0.3) for y in (-0.3, 0.3)]
     passes, message = dropped(link("body"), *four)
     assert passes
-    assert message.startswith("dropped from 50 mm, it lies on the floor after 3 s")
+    assert message.startswith("dropped from 50 mm, the robot lies on the floor after 3 s")
     passes, message = dropped(link("body", at="1.5 0 0.5", mass=100), *four)
     assert not passes
-    assert "it tips over by" in message
+    assert "the robot tips over by" in message
     bare = link("body").replace("collision", "visual")
     assert dropped(bare) == (False, "no link has a <collision>: it falls through every floor")
 

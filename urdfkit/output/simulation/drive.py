@@ -47,7 +47,8 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
     if effort <= friction:  # in MuJoCo it creeps
         text = f"{pushed} does not overcome its friction of {friction:g} {force}"
         warns = effort == friction > 0  # as of Talos' grippers, where both are placeholders
-        return _verdict(joint, text, effort, friction, warns=warns)
+        rule = "JNT041" if friction > 0 else "JNT008"
+        return _verdict(joint, text, effort, friction, warns=warns)._replace(rule=rule)
     for number in range(round(DRIVEN / STEP)):
         data.qfrc_applied[dof] = sign * effort
         mujoco.mj_step(model, data)
@@ -68,7 +69,9 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
         f"{pushed} takes it to {fastest:.2g} {unit}/s in {DRIVEN:g} s without gravity, its "
         f"velocity is {velocity:g} {unit}/s"
     )
-    return _verdict(joint, text, fastest, enough)
+    verdict = _verdict(joint, text, fastest, enough)
+    is_damped = effort <= float(model.dof_damping[dof]) * enough
+    return verdict._replace(rule="JNT041") if is_damped else verdict
 
 
 def _verdict(

@@ -51,7 +51,7 @@ def _dropped(robot: SimulatedRobot, dropped: str) -> Verdict:
     for number in range(round(MAX_DURATION / STEP)):
         mujoco.mj_step(robot.model, data)
         if diverged(data) is not None:
-            text = f"{dropped}, its simulation diverges after {number * STEP:.2g} s"
+            text = f"{dropped}, the robot diverges after {number * STEP:.2g} s"
             return Verdict("drop", False, text, float("inf"), JITTER)
         jitter = float(np.abs(data.qvel[:3] - before).max()) / STEP
         before = data.qvel[:3].copy()
@@ -70,15 +70,15 @@ def _dropped(robot: SimulatedRobot, dropped: str) -> Verdict:
         text = f"{dropped}, link '{link}' sinks into the floor by {depth * 1e3:.3g} mm"
         return Verdict("drop", False, text, depth, DEPTH, (link,), robot.collision(link))
     if not is_calm:
-        text = f"{dropped}, it still jitters after {MAX_DURATION:g} s, with {jitter:.2g} m/s²"
-        return Verdict("drop", False, text, jitter, JITTER)
+        text = (
+            f"{dropped}, the robot still jitters after {MAX_DURATION:g} s, with {jitter:.2g} m/s²"
+        )
+        return Verdict("drop", False, text, jitter, JITTER, rule=_tips_over(robot))
     if tilt > TILT and _is_to_stand(robot):
-        text = f"{dropped}, it tips over by {tilt:.0f} degrees"
-        standing = stand(robot.robot)
-        rule = "DYN004" if standing and standing.tips else ""
-        return Verdict("drop", False, text, tilt, TILT, rule=rule)
+        text = f"{dropped}, the robot tips over by {tilt:.0f} degrees"
+        return Verdict("drop", False, text, tilt, TILT, rule=_tips_over(robot))
     fallen = f", tilted by {tilt:.0f} degrees" if tilt > TILT else ""
-    text = f"{dropped}, it lies on the floor after {DROPPED:g} s{fallen}"
+    text = f"{dropped}, the robot lies on the floor after {DROPPED:g} s{fallen}"
     return Verdict("drop", True, text, jitter, JITTER)
 
 
@@ -90,6 +90,12 @@ def _lock(robot: SimulatedRobot, data: Any) -> None:
             at = model.jnt_qposadr[model.eq_obj1id[number]]
             model.eq_data[number, 0] = data.qpos[at] - model.qpos0[at]
             data.eq_active[number] = 1
+
+
+def _tips_over(robot: SimulatedRobot) -> str:
+    """The rule that finds that the robot tips over where it stands; empty if it does not."""
+    standing = stand(robot.robot) if _is_to_stand(robot) else None
+    return "DYN004" if standing and standing.tips else ""
 
 
 def _is_to_stand(robot: SimulatedRobot) -> bool:

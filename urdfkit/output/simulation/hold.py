@@ -29,9 +29,7 @@ def hold(robot: SimulatedRobot) -> Iterator[Verdict]:
     """
     sagging, overloaded = list(_sags(robot)), list(_overloads(robot))
     failing = {name for verdict in sagging for name in verdict.names}
-    weak = {name for verdict in overloaded for name in verdict.names}
-    for verdict in sagging:
-        yield verdict if weak.isdisjoint(verdict.names) else verdict._replace(rule=_OVERLOAD)
+    yield from sagging
     yield from (verdict for verdict in overloaded if failing.isdisjoint(verdict.names))
     if not sagging and not overloaded and np.isfinite(_efforts(robot)).any():
         text = "the efforts of its joints hold it at its start and in their worst poses"
@@ -90,8 +88,8 @@ def _sags(robot: SimulatedRobot) -> Iterator[Verdict]:
             f"to hold still it needs {abs(float(needed[dof])):.3g} {force}, its effort is "
             f"{most[dof]:g} {force}"
         )
-        place = robot.joint(joint.name)
-        yield Verdict("hold", False, text, sags[joint], SAG, (joint.name,), place)
+        names, at = (joint.name,), robot.joint(joint.name)
+        yield Verdict("hold", False, text, sags[joint], SAG, names, at, rule=_OVERLOAD)
 
 
 def torques(model: Any, data: Any, target: Floats) -> Floats:

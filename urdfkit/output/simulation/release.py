@@ -54,7 +54,10 @@ def release(robot: SimulatedRobot) -> Iterator[Verdict]:
     """Verdicts on whether a robot gains energy or diverges, with the cause."""
     yield from _driven_by_damping(robot)
     result = _released(robot, STEP)
-    text = f"released for {DURATION:g} s, it gains {result.gain:.2g} J (bound {result.bound:.2g} J)"
+    text = (
+        f"released for {DURATION:g} s, the robot gains {result.gain:.2g} J "
+        f"(bound {result.bound:.2g} J)"
+    )
     if result.is_calm:
         yield Verdict("energy", True, text, result.gain, result.bound)
         return
@@ -74,7 +77,7 @@ def release(robot: SimulatedRobot) -> Iterator[Verdict]:
         return
     model = robot.model
     joint = model.joint(model.dof_jntid[result.bad]).name if result.bad < model.nv else ""
-    text = f"released, its simulation diverges at joint '{joint}'{why}"
+    text = f"released, the robot diverges at joint '{joint}'{why}"
     place = at or robot.joint(joint)
     yield Verdict("stability", False, text, result.gain, result.bound, names or (joint,), place)
 
@@ -90,7 +93,8 @@ def _driven_by_damping(robot: SimulatedRobot) -> Iterator[Verdict]:
                 f"joint '{joint.name}' is driven by its damping of {damping:g} "
                 f"{joint.effort_unit}·s/{joint.unit}"
             )
-            yield Verdict("energy", False, text, damping, 0.0, (joint.name,), written)
+            names = (joint.name,)
+            yield Verdict("energy", False, text, damping, 0.0, names, written, rule="JNT008")
 
 
 def _cause(robot: SimulatedRobot) -> tuple[str, tuple[str, ...], Element | None]:

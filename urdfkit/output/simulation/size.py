@@ -21,7 +21,7 @@ def size(robot: SimulatedRobot) -> Iterator[Verdict]:
         return
     extent, mass = robot.extent(), float(robot.model.body_mass.sum())
     density = mass / extent**3
-    text = f"it weighs {mass:.3g} kg and measures {_length(extent)}"
+    text = f"the robot weighs {mass:.3g} kg and measures {_length(extent)}"
     if density <= MAX_DENSITY:
         yield Verdict("size", True, text, density, MAX_DENSITY)
         return
