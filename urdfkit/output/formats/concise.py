@@ -15,7 +15,7 @@ def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[
     yield summary(report, color=color, width=_WIDE)
 
 
-def findings(report: Report, *, color: bool = False) -> Iterator[str]:
+def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """The findings and crashed rules only."""
     page = TextPage(color, _WIDE)
     for finding in report.diagnostics:
