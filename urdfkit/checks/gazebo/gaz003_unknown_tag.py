@@ -33,6 +33,7 @@ _OF_ROBOT = ("ros2_control", "transmission", "gazebo")
 
 #: Replacements for tags of a sensor that belong elsewhere.
 _INSTEAD = {
+    "frame": "name the frame by <gz_frame_id> in the <sensor>",
     "frame_id": "name the frame by <gz_frame_id> in the <sensor>",
     "origin": "place it by <pose>x y z roll pitch yaw</pose>",
     "vertical_fov": "remove it: width and height of <image> give it",

@@ -4,9 +4,9 @@ Counterparts are matched by name (left and right, l and r, FL and FR, ...) or, f
 by mirrored positions on one link, and are on different branches.
 
 - Limits, type, damping, friction: if the left elbow has 80 N·m and the right one 1000, only one of
-  them was corrected, and the robot pulls to one side. Limits may be equal or mirrored; the
-  tolerance is a twentieth of the range, 1 % of effort and velocity, and a factor of two of damping
-  and friction.
+  them was corrected, and the robot pulls to one side. Limits may be equal, mirrored, or of equal
+  range about another zero; the tolerance is a twentieth of the range, 1 % of effort and velocity,
+  and a factor of two of damping and friction.
 - Origin: counterparts on one link differ in the sign of one coordinate. If they are at the same
   place, or one is further forward or higher, a sign is missing: the robot stands on three wheels.
   The other joints on that link show which counterpart is misplaced, otherwise left is +y. In the
@@ -22,7 +22,7 @@ Sources:
 """
 
 from collections.abc import Iterator
-from math import tau
+from math import isclose
 
 from urdfkit.checks.joints.mirrored import misplaced
 from urdfkit.core.spatial import Transform, Vector, dot, rotate
@@ -48,6 +48,8 @@ _MAX_OFFSET = 1e-3
 _MAX_COSINE = 0.5
 #: Allowed ratio of damping and friction, which are measured.
 _MAX_LOSS_RATIO = 2.0
+#: Relative difference of two ranges that differ by the place of zero alone.
+_MAX_DIFFERENCE_OF_WIDTH = 1e-3
 #: Tolerance as a part of the range; the legs of a NAO differ by 0.005 of it.
 _RANGE_TOLERANCE = 0.05
 
@@ -94,8 +96,8 @@ def _differences(first: Joint, second: Joint) -> Iterator[str]:
     ours, theirs = bounds(first), bounds(second)
     if ours is None or theirs is None or ours[0] >= ours[1] or theirs[0] >= theirs[1]:
         return
-    mirrored = _near(theirs, (-ours[1], -ours[0])) if first.is_rotational else (-ours[1], -ours[0])
-    if not (_same(ours, theirs) or _same(mirrored, theirs)):
+    mirrored = (-ours[1], -ours[0])
+    if not (_same(ours, theirs) or _same(mirrored, theirs) or _are_shifted(ours, theirs)):
         yield (
             f"limits [{theirs[0]:g}, {theirs[1]:g}], not [{ours[0]:g}, {ours[1]:g}] {first.unit}"
         )
@@ -123,14 +125,12 @@ def _same(ours: tuple[float, float], theirs: tuple[float, float]) -> bool:
     return abs(ours[0] - theirs[0]) <= allowed and abs(ours[1] - theirs[1]) <= allowed
 
 
-def _near(theirs: tuple[float, float], ours: tuple[float, float]) -> tuple[float, float]:
-    """Limits of the same angles as ours, by full turns nearest to theirs.
+def _are_shifted(ours: tuple[float, float], theirs: tuple[float, float]) -> bool:
+    """True for limits that differ by the place of zero alone.
 
-    A servo whose zero is at half a turn has [90, 210] degrees on one side and [150, 270] on the
-    other.
+    Exporters of assemblies put it where the parts were drawn, and servos at half a turn.
     """
-    turns = round((sum(theirs) - sum(ours)) / 2 / tau) * tau
-    return ours[0] + turns, ours[1] + turns
+    return isclose(ours[1] - ours[0], theirs[1] - theirs[0], rel_tol=_MAX_DIFFERENCE_OF_WIDTH)
 
 
 def _axes(context: Context) -> Findings:

@@ -44,11 +44,15 @@ class ArgumentUses:
         self._declared.update(dict.fromkeys(names))
 
     def use(self, element: Element, names: Iterable[str]) -> None:
-        """Record arguments that attributes of these names use before a declaration."""
+        """Record arguments that attributes of these names use before a declaration.
+
+        ``<arg name="a" default="$(arg a)"/>`` passes on what the including file gives.
+        """
+        own = element.get("name") if element.tag == "arg" else None
         for name in names:
             attribute = element.attributes.get(name)
             for used in USE.findall(attribute.value) if attribute else ():
-                if attribute and used not in self.declared:
+                if attribute and used not in self.declared and used != own:
                     self._undeclared.setdefault(used, (attribute.span, len(self.declared)))
 
     def problems(
