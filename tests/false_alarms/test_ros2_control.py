@@ -261,3 +261,26 @@ def test_parameters_of_a_node_that_the_launch_file_switches_off(
     simulation = _SIMULATION.format(here=here)
     add_file(tmp_path / "launch" / "simulation.launch.py", simulation.encode())
     assert len(check(path, select=["RCT021"]).diagnostics) == count
+
+
+@pytest.mark.parametrize(
+    ("joints", "messages"),
+    [
+        (
+            "[waist, neck, elbow, wrist]",
+            ["none of the 4 joints of the controllers is a joint of the robot"],
+        ),
+        (
+            "[waist, neck, elbow, slide]",
+            [f"unknown joint '{n}'" for n in ("waist", "neck", "elbow")],
+        ),
+        ("[waist, neck]", ["unknown joint 'waist'", "unknown joint 'neck'"]),
+    ],
+)
+def test_controllers_of_another_robot(tmp_path: Path, joints: str, messages: list[str]) -> None:
+    """Vizzy's base alone is started with the controllers of its arms: nothing is misspelt."""
+    found = reported_with_file("RCT001", tmp_path, controller("arm", joints=joints), "")
+    assert [one.message.removeprefix("controller 'arm': ") for one in found] == messages
+    if len(messages) == 1:
+        assert found[0].span.text == "waist"
+        assert "compared with this robot" in [note.message for note in found[0].related]

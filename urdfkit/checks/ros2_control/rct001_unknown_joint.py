@@ -6,7 +6,8 @@
 - A transmission of ROS 1: the whole hardware of gazebo_ros_control fails, so that no joint moves.
 - A controller in a parameter file: it cannot be activated ("not in the list of available
   interfaces"). A controller without any joint of the robot is assumed to belong to another variant
-  if other controllers fit, or if the names differ only in a prefix. A joint that an argument of the
+  if other controllers fit, or if the names differ only in a prefix. A file of many joints, none of
+  which the robot has, is one finding: it is for another robot. A joint that an argument of the
   robot disables is not reported: nothing may start the controller. A warning in ROS 1, where
   hardware may use other names, unless the hardware is a Gazebo plugin and the controller has other
   joints of the robot or a misspelt one.
@@ -23,7 +24,7 @@ Sources:
 
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.misspelt_names import corrected_definition
-from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.controllers import Controller
@@ -42,6 +43,8 @@ from urdfkit.text.located_yaml import Value
 
 #: Values of ``mimic`` since ROS 2 Iron; before, it is the name of a joint.
 _SWITCH = ("true", "false")
+#: Joints of a file, all unknown, from which it is for another robot.
+_MANY = 4
 _BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 
 BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", driven_xml("sholder")))
@@ -114,6 +117,12 @@ def _controller_joints(context: Context) -> Findings:
     joints = [(file, controller, _joints(controller)) for file, controller in context.controllers]
     fitting = {file.path for file, _, values in joints if _has_any(values, known)}
     foreign = {id(user) for _, user, values in joints if values and not _has_any(values, known)}
+    for file in {file.path: file for file, _, _ in joints if file.path not in fitting}.values():
+        of_file = [(user, values) for one, user, values in joints if one.path == file.path]
+        if found := _of_another_robot(context, of_file, known, suggester):
+            robot = Related(context.document.root.span, "compared with this robot")
+            yield found._replace(related=(file.note, robot))
+            joints = [one for one in joints if one[0].path != file.path]
     for file, controller, values in joints:
         is_broadcaster = controller.type == _BROADCASTER and foreign == {id(controller)}
         # It is in the file of the robot's other controllers; without interfaces it reads no joints.
@@ -137,6 +146,28 @@ def _controller_joints(context: Context) -> Findings:
                     group_key="" if hint else file.path,
                     severity=None if is_certain else Severity.WARNING,
                 )
+
+
+def _of_another_robot(
+    context: Context,
+    joints: list[tuple[Controller, list[Value]]],
+    known: set[str],
+    suggester: Suggester,
+) -> Finding | None:
+    """The finding about a file with many joints, all of another robot; None if some may fit."""
+    values = [value for _, of_controller in joints for value in of_controller]
+    names = {value.text for value in values}
+    misspelt = sum(bool(suggester.suggested(name)) for name in names)
+    if len(names) < _MANY or 2 * misspelt > len(names):
+        return None
+    if any(_is_prefixed(name, known) or is_switched_off(context, name) for name in names):
+        return None
+    return Finding(
+        min((value.span for value in values), key=lambda span: span.start),
+        f"none of the {len(names)} joints of the controllers is a joint of the robot",
+        "load the parameters of this robot, or start the robot that has these joints",
+        severity=Severity.WARNING if joints[0][0].ros == 1 else None,
+    )
 
 
 def _has_any(values: list[Value], names: set[str]) -> bool:
