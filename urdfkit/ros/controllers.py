@@ -17,6 +17,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.errors import UrdfkitError
 from urdfkit.ros import RosDescription
+from urdfkit.ros.catalog.controllers import parameters_of
 from urdfkit.ros.catalog.ros_control import ControllerType, controller_types, simulated_hardware
 from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
@@ -71,6 +72,12 @@ class Controller(Record):
     type_at: Span  # location of the type
     ros: int  # 1 or 2
     section: Section  # parameters as written
+
+    @property
+    def is_typed_by_itself(self) -> bool:
+        """True if its type is in its own section, where only a spawner with the file reads it."""
+        own = self.section.values("type") if self.ros == 2 else []
+        return bool(own) and own[0].span == self.type_at
 
     @property
     def kind(self) -> ControllerType | None:
@@ -164,7 +171,8 @@ def read(source: Source) -> list[Controller]:
     if not sections:
         return list(_of_ros1(root))
     types: dict[tuple[str, ...], Value] = {}
-    for path, section in sections.items():
+    # The controller manager reads the type from its own parameters.
+    for path, section in sorted(sections.items(), key=lambda item: item[0][-1] == _MANAGER):
         for owner, kind in section.types.items():
             node = (*path[:-1], owner) if path[-1] == _MANAGER else path
             if bool(owner) is (path[-1] == _MANAGER):
@@ -257,6 +265,7 @@ def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:
         inside = node.get(_PARAMETERS)
         if _node_of(key) == _MANAGER and isinstance(inside, dict):
             yield from _without_type(inside)
+            yield from _below_manager(inside, dict(sections))
             section = Section({}, {}, None)
             section.add(inside)
             declared.update(section.types)
@@ -295,6 +304,27 @@ def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
             is_class = isinstance(value, Value) and "/" in value.text
             if isinstance(key, Key) and is_class and is_typo(key, "type"):
                 yield key.span, f"controller '{name}' has '{key}' instead of type", "write type"
+
+
+def _below_manager(
+    manager: dict[str, Node], sections: dict[str, dict[str, Node]]
+) -> Iterator[tuple[Span, str, str]]:
+    """Parameters of a controller next to its type, where only the controller manager sees them.
+
+    A controller that also has them in its own section works: those of ROS 1 were left over.
+    """
+    for name, node in manager.items():
+        kind = mapping(node).get("type")
+        known = parameters_of(kind.text, 2) if isinstance(kind, Value) else None
+        own = mapping(sections.get(name), _PARAMETERS)
+        for key in mapping(node) if known else ():
+            is_own = known is not None and (known.type_of(key) or key in known.required)
+            if is_own and key not in own and isinstance(key, Key):
+                message = f"'{key}' of controller '{name}' is not read: it is a parameter of "
+                message += _MANAGER
+                help = f"write it below {name}: {_PARAMETERS}:, at the top level"
+                yield key.span, message, help
+                break
 
 
 def _node_of(key: str) -> str:

@@ -31,6 +31,9 @@ GAZEBO = (*CLASSIC, *GZ)
 #: Prefixes of the packages and plugins of each generation.
 _CLASSIC_PACKAGES = ("gazebo_ros", "gazebo_plugins")
 _GZ_PACKAGES = ("ros_gz", "ros_ign", "gz_", "ign_")
+#: Types of sensors that only one generation has.
+_CLASSIC_SENSORS = ("depth", "gps", "gpu_ray", "multicamera", "ray", "sonar")
+_GZ_SENSORS = ("depth_camera", "gpu_lidar", "lidar", "navsat", "rgbd_camera")
 _CLASSIC_PLUGINS = ("gazebo_ros_", "hector_", "rotors_")
 
 
@@ -160,7 +163,7 @@ def parse(names: Iterable[str]) -> Targets:
 def infer(model: RobotModel, manifest: Manifest | None) -> Targets:
     """The targets detected from a model and its package.xml, with the reasons."""
     evidence = list(_evidence(model, manifest))
-    excluded = _contradicted(evidence, manifest)
+    excluded = _contradicted(evidence, manifest, model)
     reasons: dict[str, str] = {}
     for line in evidence:
         if line.target not in excluded:
@@ -198,21 +201,30 @@ def _evidence(model: RobotModel, manifest: Manifest | None) -> Iterator[_Evidenc
                 yield _Evidence(target, f"plugin {name}", weight)
 
 
-def _contradicted(evidence: list[_Evidence], manifest: Manifest | None) -> tuple[str, ...]:
+def _contradicted(
+    evidence: list[_Evidence], manifest: Manifest | None, model: RobotModel
+) -> tuple[str, ...]:
     """Gazebo Classic or gz-sim, if one line implies it and more evidence implies the other.
 
-    Rules report that line as the mistake.
+    Rules report that line as the mistake. The types of sensors only tip the scales: many robots
+    with a sensor of the other Gazebo are for both.
     """
+    kinds = {part.get("type") for block in model.gazebo for part in block.walk()}
     weights = []
     lines = []
-    for family, prefixes in ((CLASSIC, _CLASSIC_PACKAGES), (GZ, _GZ_PACKAGES)):
+    for family, prefixes, types in (
+        (CLASSIC, _CLASSIC_PACKAGES, _CLASSIC_SENSORS),
+        (GZ, _GZ_PACKAGES, _GZ_SENSORS),
+    ):
         own = {line.reason: line.weight for line in evidence if line.target in family}
         names = manifest.dependencies if manifest else ()
+        of_sensors = len(kinds.intersection(types))
         lines.append(len(own))
-        weights.append(sum(own.values()) + any(name.startswith(prefixes) for name in names))
-    if lines[0] == 1 and weights[0] < weights[1] and lines[1]:
+        depends = any(name.startswith(prefixes) for name in names)
+        weights.append(sum(own.values()) + depends + of_sensors)
+    if lines[0] == 1 and weights[0] < weights[1]:
         return CLASSIC
-    return GZ if lines[1] == 1 and weights[1] < weights[0] and lines[0] else ()
+    return GZ if lines[1] == 1 and weights[1] < weights[0] else ()
 
 
 def target_of_plugin(name: str, plugin: Element, ros: str | None = None) -> str | None:

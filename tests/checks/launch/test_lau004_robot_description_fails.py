@@ -73,3 +73,13 @@ def test_a_description_without_a_type_is_read_as_yaml(
     else:
         with pytest.raises(yaml.YAMLError):
             yaml.safe_load(expanded)
+
+
+@pytest.mark.parametrize(("passed", "count"), [("", 1), (" side:=left", 0)])
+def test_an_argument_above_its_default(tmp_path: Path, passed: str, count: int) -> None:
+    argument = '<xacro:arg name="side" default="left"/>'
+    text = ROBOT.format("$(arg side)_arm").replace("</robot>", f"{argument}</robot>")
+    (tmp_path / "r.xacro").write_text(text)
+    launch = LAUNCH.replace(b"r.xacro", b"r.xacro" + passed.encode())
+    found = check(Source(str(tmp_path / "a.launch"), launch), select=["LAU004"]).diagnostics
+    assert ["above its <xacro:arg>" in one.message for one in found] == [True] * count

@@ -125,3 +125,16 @@ def test_few_of_many_arguments_of_a_xacro_get_a_suggestion(tmp_path: Path) -> No
     found = check(path, select=["LAU005"]).diagnostics
     assert len(found) == 100
     assert sum("did you mean" in one.message for one in found) == 50
+
+
+@pytest.mark.parametrize(("name", "count"), [("params_file", 1), ("slam_params_file", 0)])
+def test_arguments_of_a_launch_file_of_ros(tmp_path: Path, name: str, count: int) -> None:
+    text = (
+        '<node pkg="p" exec="e"/>\n'
+        '<include file="$(find-pkg-share slam_toolbox)/launch/online_async_launch.py">\n'
+        f'<arg name="{name}" value="x.yaml"/>\n</include>'
+    )
+    found = reported(tmp_path, "LAU005", "a.launch.xml", text)
+    assert [one.message.endswith("did you mean 'slam_params_file'?") for one in found] == [
+        True
+    ] * count

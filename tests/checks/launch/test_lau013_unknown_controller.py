@@ -107,3 +107,23 @@ def test_valid_in_ros_2(tmp_path: Path, spawn: str) -> None:
 def test_without_own_file_only_typos(tmp_path: Path, name: str, count: int) -> None:
     text = SPAWN_2.format(repr(name))
     assert len(reported(tmp_path, "LAU013", "a.launch.py", text, ROS_2)) == count
+
+
+@pytest.mark.parametrize(
+    ("manager", "more", "count"),
+    [("", "", 1), ("", ", '--param-file', CONFIG", 0), ("arm: {type: a/B}", "", 0)],
+)
+def test_a_type_that_the_manager_does_not_read(
+    tmp_path: Path, manager: str, more: str, count: int
+) -> None:
+    yaml = f"controller_manager: {{ros__parameters: {{update_rate: 100, {manager}}}}}\n"
+    yaml += "arm: {ros__parameters: {type: a/B}}\n"
+    text = HEAD_2 + LOAD_2 + SPAWN_2.format(f"'arm'{more}")
+    found = reported(tmp_path, "LAU013", "a.launch.py", text, {"config/c.yaml": yaml})
+    assert ["has no type for 'arm'" in one.message for one in found] == [True] * count
+
+
+def test_several_controllers_in_one_item(tmp_path: Path) -> None:
+    text = HEAD_2 + LOAD_2 + SPAWN_2.format("'arm_controller other'")
+    (found,) = reported(tmp_path, "LAU013", "a.launch.py", text, ROS_2)
+    assert found.help == "write one item for each controller: ['arm_controller', 'other']"

@@ -336,3 +336,31 @@ def test_hardware_of_a_second_description(tmp_path: Path, first: str, count: int
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
     words = "gz_ros2_control-system does not load acme/Driver"
     assert len([one for one in found if words in one.message]) == count
+
+
+@pytest.mark.parametrize(
+    ("is_stamped", "topic", "count"), [("true", "joy", 1), ("true", "key", 0), ("false", "joy", 0)]
+)
+def test_type_of_the_inputs_of_a_mux(
+    tmp_path: Path, is_stamped: str, topic: str, count: int
+) -> None:
+    files = {
+        "mux.yaml": f"twist_mux: {{ros__parameters: {{use_stamped: {is_stamped}, "
+        "topics: {joystick: {topic: joy}}}}\n"
+    }
+    text = NODE.format(
+        "twist_mux", "twist_mux", f"parameters=['{tmp_path}/mux.yaml']"
+    ) + TELEOP.format(f"remappings=[('cmd_vel', '{topic}')]")
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    assert sum("where TwistStamped is read" in one.message for one in found) == count
+
+
+@pytest.mark.parametrize(("own", "count"), [("", 1), (", {'use_sim_time': True}", 0)])
+def test_move_group_without_simulation_time(tmp_path: Path, own: str, count: int) -> None:
+    text = (
+        "config = MoveItConfigsBuilder('arm', package_name='arm').to_moveit_configs()\n"
+        + NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
+        + NODE.format("moveit_ros_move_group", "move_group", f"parameters=[config.to_dict(){own}]")
+    )
+    found = messages(tmp_path, text)
+    assert ["move_group lacks use_sim_time" in one for one in found] == [True] * count

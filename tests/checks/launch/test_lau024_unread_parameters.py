@@ -381,3 +381,21 @@ def test_meshes_in_rviz(tmp_path: Path, path: str, count: int) -> None:
     )
     found = reported(directory, "LAU024", "a.launch.py", text, files)
     assert ["is not found by RViz" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("server", "durability", "count"),
+    [("map_server", "Volatile", 1), ("map_server", "Transient Local", 0), ("other", "Volatile", 0)],
+)
+def test_a_map_in_rviz(tmp_path: Path, server: str, durability: str, count: int) -> None:
+    rviz = (
+        "Visualization Manager:\n  Displays:\n  - Class: rviz_default_plugins/Map\n"
+        f"    Topic: {{Durability Policy: {durability}, Value: /map}}\n"
+    )
+    text = (
+        "from launch_ros.actions import Node\n"
+        f"nodes = [Node(package='nav2_map_server', executable='{server}'), Node(package='rviz2', "
+        "executable='rviz2', arguments=['-d', get_package_share_directory('arm') + '/a.rviz'])]\n"
+    )
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, {"a.rviz": rviz})
+    assert ["Map of RViz misses" in one.message for one in found] == [True] * count

@@ -17,6 +17,7 @@ The controller manager does not load the controller, or the controller runs with
 - A trajectory controller has a joint or an interface twice, or the state interface `velocity`
   without `position`: it is not configured. With `effort` or `velocity` as its only command
   interface, a PID computes the commands; without `gains` they are 0 and nothing moves (warning).
+  Constraints or gains of a joint that it does not have are ignored (warning).
 
 Only classes of packages that urdfkit knows are checked, unless the package is in the workspace,
 where it may have other parameters.
@@ -32,7 +33,11 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.checks.controllers.trajectory_interfaces import invalid_interfaces, without_gains
+from urdfkit.checks.controllers.trajectory_interfaces import (
+    invalid_interfaces,
+    unread_joints,
+    without_gains,
+)
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.ros.catalog import data
@@ -103,7 +108,11 @@ def _problems(
     errors += invalid_interfaces(controller)
     errors += _wrong_axles(controller)
     yield from ((None, problem) for problem in errors)
-    warnings = (*_misspelt(controller), *without_gains(controller, own))
+    warnings = (
+        *_misspelt(controller),
+        *without_gains(controller, own),
+        *unread_joints(controller),
+    )
     yield from ((Severity.WARNING, problem) for problem in warnings)
 
 

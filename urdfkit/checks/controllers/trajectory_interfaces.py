@@ -7,11 +7,15 @@ ros2_controllers, Humble to Rolling.
 from collections import Counter
 from collections.abc import Iterator
 
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.words import few
 from urdfkit.ros.controllers import Controller, Section
 from urdfkit.text.source import Span
 
 _TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 _LISTS = ("joints", "command_interfaces", "state_interfaces")
+#: Parameters with a section for each joint.
+_OF_JOINTS = ("constraints", "gains")
 #: State interfaces that require another one.
 _REQUIRED = {"velocity": "position", "acceleration": "velocity"}
 
@@ -33,6 +37,25 @@ def invalid_interfaces(controller: Controller) -> Iterator[_Problem]:
         if (required := _REQUIRED.get(state)) and required not in states:
             message = f"state_interfaces has {state} without {required}"
             yield controller.section.places["state_interfaces"], message, f"add {required}"
+
+
+def unread_joints(controller: Controller) -> Iterator[_Problem]:
+    """Tolerances and gains of joints that the controller does not have, which it ignores."""
+    joints = {value.text for value in controller.values(["joints", "command_joints"])}
+    if controller.type != _TRAJECTORY or not joints:
+        return
+    seen: set[str] = set()
+    for name, place in controller.section.places.items():
+        section, _, inner = name.partition(".")
+        joint, dot, _ = inner.partition(".")
+        if section in _OF_JOINTS and dot and joint not in joints and joint not in seen:
+            seen.add(joint)
+            message = f"{section} of '{joint}' are not read: it is not in joints"
+            yield (
+                place,
+                message + did_you_mean(joint, joints),
+                f"name one of {few(sorted(joints), 6)}",
+            )
 
 
 def without_gains(controller: Controller, own: Section) -> Iterator[_Problem]:

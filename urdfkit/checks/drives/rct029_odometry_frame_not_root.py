@@ -49,6 +49,8 @@ _ODOMETRY = ("odometryFrame", "odometry_frame")
 _WORLDS = ("world", "map", "odom")
 #: Parameters that enable the transform; the catalogue contains their defaults.
 _SWITCHES = ("publishTf", "publishOdomTF", "publish_odom_tf", "publishOdometryTf")
+#: The parameter without which a drive publishes the transform.
+_OFF = "enable_odom_tf: false"
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO), reports_missing=True)
@@ -119,12 +121,12 @@ def _check_controller(controller: Controller, frame: Value, context: Context) ->
 def _help(name: str, root: str, links: Collection[str]) -> str:
     """What to do about the frame of a controller; a world does not move with the robot."""
     if root not in _WORLDS:
-        return f"name the root link '{root}'"
+        return f"name the root link '{root}', or write {_OFF} if another node publishes it"
     return f"remove the links above '{name}'" if name in links else "name a link of the robot"
 
 
 def _moving_odometry(controller: Controller, context: Context) -> Findings:
-    """An odometry frame that is a link, which moves with the robot."""
+    """An odometry frame that is a link, which moves with the robot, and frames with a slash."""
     is_drive = "drive" in controller.type or "steering" in controller.type
     for odometry in controller.values(["odom_frame_id"]) if is_drive else ():
         name = odometry.text.strip("/")
@@ -132,6 +134,12 @@ def _moving_odometry(controller: Controller, context: Context) -> Findings:
             message = f"controller '{controller.name}': odom_frame_id '{name}' is a link of the "
             message += "robot, which moves with it"
             yield Finding(odometry.span, message, "write odom_frame_id: odom")
+    for frame in controller.values(["odom_frame_id", "base_frame_id"]) if is_drive else ():
+        if frame.text.startswith("/") and controller.ros == 2:
+            name = frame.text.lstrip("/")
+            message = f"controller '{controller.name}': tf2 rejects '{frame.text}': the name of a "
+            message += "frame has no leading slash"
+            yield Finding(frame.span, message, f"write {name}")
 
 
 def _frame(controller: Controller) -> Value | None:

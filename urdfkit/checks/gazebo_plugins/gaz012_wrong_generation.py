@@ -78,7 +78,7 @@ def _wrong_generations(context: Context) -> Findings:
         yield Finding(at, message, help, fix, severity=severity)
     is_given = len({GENERATIONS[name][0] for name in targets}) == 1 and not context.targets.evidence
     if not is_reported and not is_given:
-        yield from _mixed(context.plugins)
+        yield from _mixed(context.plugins, context.targets)
 
 
 def _is_left_over(context: Context) -> bool:
@@ -100,8 +100,11 @@ def _renamed(use: PluginUse) -> Finding:
     )
 
 
-def _mixed(plugins: tuple[PluginUse, ...]) -> Findings:
-    """The first plugin that no Gazebo loads together with those before it."""
+def _mixed(plugins: tuple[PluginUse, ...], targets: Targets) -> Findings:
+    """The first plugin that no Gazebo loads together with those before it.
+
+    If the first plugin is not for the Gazebo that the robot is for, it is the exception.
+    """
     first: PluginUse | None = None
     common: set[str] = set()
     for use in plugins:
@@ -113,11 +116,16 @@ def _mixed(plugins: tuple[PluginUse, ...]) -> Findings:
         elif common & possible:
             common = common & possible
         else:
+            is_first = _is_of_another_family(first, targets)
+            pairs = [(use, possible), (first, common)]
+            if is_first and not _is_of_another_family(use, targets):
+                pairs.reverse()
+            (wrong, its), (other, those) = pairs
             yield Finding(
-                use.at.attributes["filename"],
-                f"{use.title} is for {_named(possible)}, but {first.title} for {_named(common)}",
+                wrong.at.attributes["filename"],
+                f"{wrong.title} is for {_named(its)}, but {other.title} for {_named(those)}",
                 "keep the plugins of one, or choose between them with a xacro argument",
-                related=(Related(first.at.span, f"for {_named(common)}"),),
+                related=(Related(other.at.span, f"for {_named(those)}"),),
                 severity=Severity.WARNING,
             )
             return

@@ -1,8 +1,8 @@
 """The robot description of a launch file does not expand, or is not read as text.
 
 The launch stops, or `robot_state_publisher` starts without a robot. Only arguments that the launch
-file does not pass are reported here; other errors are reported in the xacro file, which is checked
-with the arguments of the launch file.
+file does not pass are reported here, also those that the xacro uses above their default; other
+errors are reported in the xacro file, which is checked with the arguments of the launch file.
 
 In Python, a `Command` that is passed as a parameter directly is read as YAML. A `: ` in a comment
 of the robot is enough for "Unable to parse the value of parameter robot_description as yaml";
@@ -16,7 +16,7 @@ Sources:
 """
 
 from urdfkit.core.static_typing import Any
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 
 NAME = "robot.launch"
 FILES = {
@@ -36,13 +36,15 @@ _NOT_YET = "which fails at the first ': ' in a comment"
 def check(context: Context) -> Findings:
     for description in context.launch.descriptions:
         robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is None:
-            missing = [problem for problem in robot.reading.problems if problem.code == "XAC010"]
-            if missing and description.is_whole:
-                place = Location(description.frame.call.span, description.frame.outer)
-                message = f"'{description.path}' does not expand: {missing[0].message}"
-                yield Finding(place, message, missing[0].help)
-        elif description.is_yaml:
+        is_read = robot.reading.document is not None
+        codes = ("XAC020",) if is_read else ("XAC010", "XAC020")
+        missing = [problem for problem in robot.reading.problems if problem.code in codes]
+        if missing and description.is_whole:
+            place = Location(description.frame.call.span, description.frame.outer)
+            message = f"'{description.path}' does not expand: {missing[0].message}"
+            note = Related(missing[0].span, "here")
+            yield Finding(place, message, missing[0].help, related=(note,))
+        elif is_read and description.is_yaml:
             place = Location(description.frame.call.span, description.frame.outer)
             reason = _yaml_error(robot)
             message = f"launch reads the robot description as YAML, {reason or _NOT_YET}"

@@ -28,7 +28,8 @@
 - `generate_launch_description` is misspelt or returns nothing (error).
 - An action is both in the launch description and in an event handler of it (error): launch starts
   it once and stops at the second start. An action waits for the exit of a node that does not exit,
-  such as robot_state_publisher, and never starts.
+  such as robot_state_publisher, and never starts; or for that of an included launch file, which is
+  no process (error).
 - An action is created but not added to the launch description, so it is never started (info: often
   intended).
 

@@ -1,7 +1,8 @@
 """A launch file starts a controller that no parameter file defines.
 
 The spawner waits, or stops: "The 'type' param was not defined for 'arm_controler'". The name
-differs from the name in the YAML file, or the file does not define the controller. The YAML files
+differs from the name in the YAML file, or the file does not define the controller. In ROS 2, the
+type must be in the section of the controller manager, not in the controller's own. The YAML files
 of the package and of the packages that the launch file references are searched. If one of these
 packages is not found, only typos of known names are reported. A launch file that names parameters
 itself, for example with the `ns` of a `<rosparam>`, is not checked.
@@ -16,8 +17,18 @@ from itertools import islice
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.core.suggest import Suggester, is_typo
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
-from urdfkit.ros.controllers import read
+from urdfkit.lint.rules import (
+    Context,
+    Finding,
+    Findings,
+    Location,
+    Need,
+    Related,
+    Severity,
+    rule,
+)
+from urdfkit.ros.controllers import Controller, read
+from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawned_controllers import controllers
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -34,6 +45,8 @@ FILES = {
     "config/control.yaml": b"arm_controller:\n  type: effort_controllers/JointEffortController\n",
 }
 
+#: Options of the spawner for the file that defines the controllers.
+_PARAMETER_FILES = ("-p", "--param-file")
 #: Files of a package that are read, and directories in which they are searched.
 _MAX_FILES, _MAX_DIRECTORIES = 200, 2000
 
@@ -44,23 +57,45 @@ _MAX_FILES, _MAX_DIRECTORIES = 200, 2000
     help="fix the name, or define the controller in the YAML file",
 )
 def check(context: Context) -> Findings:
-    spawned = [(word, s.frame) for s in context.launch.started for word in controllers(s)]
+    spawned = [(word, s) for s in context.launch.started for word in controllers(s)]
     if not spawned or context.launch.names_parameters:
         return
-    loaded = set(defined_controllers(context))
+    defined = defined_controllers(context)
+    yield from _typed_by_themselves(spawned, defined)
+    loaded = set(defined)
     known = loaded.union(*(_defined(context, path) for path in _package_files(context)))
     # A name with a substitution is known only when the launch file runs.
     is_whole = bool(loaded) and _is_whole(context) and not any("$" in name for name in known)
     suggester = Suggester({name for name in known if "$" not in name})
-    for word, frame in spawned:
+    for word, node in spawned:
         name = (word.text or "").strip("/").rpartition("/")[2]
         suggested = suggester.suggested(name)
         # The common ending makes ``hand_controller`` resemble ``head_controller``.
         is_misspelt = bool(suggested) and is_typo(name, suggested)
         if name not in known and (is_whole or is_misspelt):
             yield Finding(
-                Location(word.span, frame),
+                Location(word.span, node.frame),
                 f"controller '{name}' is not defined in any parameter file" + suggester.hint(name),
+                f"write one item for each controller: {name.split()}" if " " in name else "",
+            )
+
+
+def _typed_by_themselves(
+    spawned: list[tuple[Word, StartedProgram]], defined: dict[str, Controller]
+) -> Findings:
+    """Controllers whose type the controller manager does not know."""
+    for word, node in spawned:
+        controller = defined.get((word.text or "").strip("/"))
+        options = {option.text for option in node.words}
+        is_known = None not in options and options.isdisjoint(_PARAMETER_FILES)
+        if controller and controller.is_typed_by_itself and is_known:
+            yield Finding(
+                Location(word.span, node.frame),
+                f"the controller manager has no type for '{controller.name}': its type is in its "
+                "own section, which only the spawner's --param-file reads",
+                f"write {controller.name}: {{type: {controller.type}}} below controller_manager, "
+                "or pass --param-file",
+                related=(Related(controller.type_at, "the type is here"),),
             )
 
 

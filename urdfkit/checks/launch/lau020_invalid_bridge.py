@@ -15,6 +15,7 @@ Reported as a warning:
   `<topic>` publishes below `/world/NAME/model/NAME/link/...`; the `camera_info` of a camera is next
   to its images. A topic that the xacro has with other arguments is not reported.
 - The topic is bridged only in the wrong direction, such as `/clock` to Gazebo.
+- Two topics of sensors are bridged to one topic of ROS: images of two cameras alternate on it.
 - No sensor or system of the robot uses the message type, and the world contains no other model
   that may.
 
@@ -31,7 +32,16 @@ from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import (
+    Context,
+    Finding,
+    Findings,
+    Location,
+    Need,
+    Related,
+    Severity,
+    rule,
+)
 from urdfkit.ros.gazebo.topics import GazeboTopic, are_all_known, topics
 from urdfkit.ros.gazebo.worlds import read_world
 from urdfkit.ros.launch.bridges import (
@@ -46,6 +56,7 @@ from urdfkit.ros.launch.bridges import (
     gazebo_messages,
     ros_messages,
 )
+from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.worlds import worlds
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import CallFrame
@@ -70,12 +81,16 @@ _OF_ROBOTS = (
     "Twist",
 )  # fmt: skip
 
+#: Messages of a single sensor.
+_OF_SENSORS = ("CameraInfo", "Image", "Imu", "LaserScan", "PointCloud2")
 #: A topic in a tag, such as ``<odom_topic>``, or in an argument of a macro.
 _TOPIC = rb"""<\w*topic\w*>\s*([\w/.-]+)\s*<|\b\w*topic\w*\s*=\s*["']([\w/.-]+)["']"""
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
+    for started in context.launch.programs:
+        yield from _merged(started, context)
     bridged = [
         (topic, started.frame)
         for started in context.launch.programs
@@ -91,6 +106,24 @@ def check(context: Context) -> Findings:
                 at = Location(span, frame)
                 yield Finding(at, message, f"write {suggested}", severity=Severity.WARNING)
     yield from _unused(context, bridged)
+
+
+def _merged(started: StartedProgram, context: Context) -> Findings:
+    """Topics of Gazebo that a bridge publishes on one topic of ROS, of the same message."""
+    first: dict[tuple[str, str], BridgedTopic] = {}
+    for topic in bridged_topics(started, context.resolver):
+        if topic.direction != FROM_GAZEBO or topic.ros_type.rpartition("/")[2] not in _OF_SENSORS:
+            continue
+        other = first.setdefault((topic.ros_topic.strip("/"), topic.ros_type), topic)
+        if other.topic.strip("/") != topic.topic.strip("/"):
+            yield Finding(
+                Location(topic.at("ros_topic_name", "topic_name"), started.frame),
+                f"'{topic.topic}' and '{other.topic}' of Gazebo are both published on "
+                f"'{topic.ros_topic}'",
+                "give one of them another ros_topic_name",
+                related=(Related(other.span, "the other one"),),
+                severity=Severity.WARNING,
+            )
 
 
 def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:

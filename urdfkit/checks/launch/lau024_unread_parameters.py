@@ -3,6 +3,7 @@
 - The node of a parameter file has another name or namespace than the node in the launch file
   (warning). ROS 2 reads only the parameters below the name of the node or below `/**`, silently
   ignores all others, and uses the node's defaults.
+- A parameter file is a list, such as the topics of ros_gz_bridge, which belong into `config_file`.
 - `odom0_config` or a similar parameter does not have 15 values, five rows of three, as
   robot_localization requires.
 - A plugin in `plugins` or `filters` of a costmap has no parameters: "Can not get 'plugin' param
@@ -21,15 +22,17 @@
   of Nav2, which stays unconfigured (warning).
 - An RViz configuration has a display of a class that RViz 2 does not have, such as `rviz/LaserScan`
   of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes have paths, such as
-  `$(find PACKAGE)/mesh.stl`, or Gazebo's `model://`: "Could not load resource" (warning).
+  `$(find PACKAGE)/mesh.stl`, or Gazebo's `model://`: "Could not load resource" (warning). Or its
+  display of the map is volatile, and misses what map_server published before (warning).
 - A planning pipeline of MoveIt has no plugin (warning), neither in the file of MoveItConfigsBuilder
   nor in the dictionaries that the launch file passes to move_group ("Planning plugin name is empty
   or not defined in namespace 'ompl'"). Or `default_planning_pipeline` is not in
   `planning_pipelines` (warning; the builder stops). Or the solvers are not below
-  `robot_description_kinematics` (info: in Humble they may also be at the top level).
+  `robot_description_kinematics` (info: in Humble they may also be at the top level). RViz does not
+  get them (warning): "No active joints or end effectors found", and no interactive markers.
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
 - A spawner or robot_state_publisher remaps the topics of a controller (warning), whose node is the
-  controller manager.
+  controller manager. Or a remapping is the wrong way round: from another name to that of the node.
 - static_transform_publisher has an unknown option or a wrong number of arguments: a period after
   the frames belongs to ROS 1.
 
@@ -42,12 +45,17 @@ Sources:
     Nav2, lifecycle manager: https://docs.nav2.org/configuration/packages/configuring-lifecycle.html
 """
 
+import os
 from itertools import chain
 
 from urdfkit.checks.launch import costmap_parameters, parameter_names, parameter_types
 from urdfkit.checks.launch.lifecycle import not_activated
-from urdfkit.checks.launch.rviz_displays import meshes_without_uri, unknown_classes
-from urdfkit.checks.launch.unread_remappings import unread_remappings
+from urdfkit.checks.launch.rviz_displays import meshes_without_uri, unknown_classes, volatile_maps
+from urdfkit.checks.launch.unread_remappings import (
+    reversed_remappings,
+    unread_remappings,
+    unstamped_commands,
+)
 from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import (
@@ -66,7 +74,7 @@ from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import NodeParameters, node_parameters
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import mistakes
-from urdfkit.text.located_yaml import Key
+from urdfkit.text.located_yaml import Key, load
 
 NAME = "launch/filter.launch.py"
 BAD = """\
@@ -89,6 +97,8 @@ FILES = {
 
 #: Values of a row of robot_localization: position, angles, velocities, rates, accelerations.
 _STATES = 15
+_CONFIG_FILE = 'write {"config_file": PATH} in its parameters'
+_BELOW_NODE = "write the parameters below the name of the node and ros__parameters"
 _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node", "move_group")
 
 
@@ -110,17 +120,38 @@ def check(context: Context) -> Findings:
             yield from costmap_parameters.plugins(section)
             yield from parameter_names.missing(section)
             yield from costmap_parameters.misplaced(section)
+    yield from _lists(context)
     yield from _other_nodes(context, files)
     yield from not_activated(context)
     yield from unknown_classes(context)
     yield from meshes_without_uri(context)
+    yield from volatile_maps(context)
     yield from unread_remappings(context)
+    yield from reversed_remappings(context)
+    yield from unstamped_commands(context)
     yield from reported(context, "LAU024")
     for started in context.launch.started:
         yield from _unknown_pipeline(started)
         yield from parameter_types.integer_frequency(started)
         for word, message, help in mistakes(started):
             yield Finding(Location(word.span, started.frame), message, help)
+
+
+def _lists(context: Context) -> Findings:
+    """Files that are a list, such as the topics of a bridge, which ROS 2 does not read."""
+    of_ros2 = {
+        path for node in context.launch.started for path in node.parameters.files if node.is_ros_2
+    }
+    for file in context.launch.parameters:
+        source = context.resolver.readable(file.path) if file.path in of_ros2 else None
+        if source and file.span.source is context.source and isinstance(load(source), list):
+            is_bridge = b"ros_topic_name" in source.data
+            yield Finding(
+                file.span,
+                f"'{os.path.basename(file.path)}' is a list, not the parameters of a node, which "
+                "stops at it",
+                _CONFIG_FILE if is_bridge else _BELOW_NODE,
+            )
 
 
 def _unknown_pipeline(started: StartedProgram) -> Findings:

@@ -13,7 +13,7 @@ from urdfkit.ros.launch.contents import FileUse
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import DISPLAYS, displays, topic_of
 from urdfkit.ros.launch.spawned_controllers import resolve_name
-from urdfkit.text.located_yaml import Node, Value
+from urdfkit.text.located_yaml import Node, Value, mapping
 from urdfkit.text.source import Span
 
 _PLUGINS = "rviz_default_plugins"
@@ -56,6 +56,20 @@ def unknown_classes(context: Context) -> Findings:
         reported.add(name)
         message, help = f"RViz has no display '{name}'", f"write {_PLUGINS}/{suggested}"
         yield _finding(class_name.span, message, help, file)
+
+
+def volatile_maps(context: Context) -> Findings:
+    """Displays of the map that miss it: map_server publishes it once, for late subscribers, too."""
+    started = context.launch.programs  # slam_toolbox repeats the map
+    if not any(node.executable == "map_server" for node in started):
+        return
+    for file, display, name in read_by_rviz(context):
+        durability = mapping(display, "Topic").get("Durability Policy")
+        topic = topic_of(display)
+        is_map = name.endswith("/Map") and topic is not None and topic.text.strip("/") == "map"
+        if is_map and isinstance(durability, Value) and durability.text == "Volatile":
+            message = "Map of RViz misses a map that was published before it started"
+            yield _finding(durability.span, message, "write Transient Local", file)
 
 
 def unpublished_models(context: Context, published: dict[str, Span]) -> Findings:

@@ -20,6 +20,7 @@ from urdfkit.workspace.resolve import Resolver
 
 _CLOCK = "clock"
 _SIM_TIME = "use_sim_time"
+_PUBLISHER = "robot_state_publisher"
 #: Launch files of ROS that start Gazebo and no bridge.
 _GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign_gazebo.launch.py")
 #: Hardware that only Gazebo's plugin loads.
@@ -63,18 +64,18 @@ def missing_clock(context: Context, started: tuple[StartedProgram, ...]) -> Find
 
 def wall_clock_nodes(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Nodes without simulation time, while other nodes use it."""
-    if context.launch.has_scopes or not any(map(spawner_of, started)):
+    if context.launch.has_scopes:
         return
-    resolver = context.resolver
+    resolver, is_simulated = context.resolver, any(map(spawner_of, started))
     other = next((node for node in started if _sim_time(node, resolver) is True), None)
     for node in started:
         severity = data("nodes")["stamping"].get(node.package)
         own = _sim_time(node, resolver) if severity else None
         if own is None or own is True:
             continue
-        if own is False and (other is not None or node.package == "robot_state_publisher"):
+        if is_simulated and own is False and (other is not None or node.package == _PUBLISHER):
             message = f"{_SIM_TIME} of {node.executable} is false, but Gazebo is started"
-        elif other is not None:
+        elif other is not None and (is_simulated or severity == Severity.WARNING.value):
             message = f"{node.executable} lacks {_SIM_TIME}, which '{other.executable}' sets"
         else:
             continue
@@ -216,7 +217,8 @@ def _sim_time(node: StartedProgram, resolver: Resolver) -> bool | str | None:
     if _SIM_TIME in node.parameters.values:
         return {"true": True, "false": False}.get((value or "").lower())
     is_argument = any(_SIM_TIME in (word.text or _SIM_TIME) for word in node.words)
-    if is_argument or not node.parameters.is_whole or _is_in_file(node.parameters.files, resolver):
+    is_whole = node.parameters.is_whole or node.parameters.is_of_moveit
+    if is_argument or not is_whole or _is_in_file(node.parameters.files, resolver):
         return None
     return ""
 

@@ -14,6 +14,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.checks.launch.unread_remappings import remappings_of_plugins
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
@@ -23,9 +24,15 @@ from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import FROM_GAZEBO, bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
-from urdfkit.ros.launch.node_parameters import given_parameter
+from urdfkit.ros.launch.node_parameters import given_parameter, node_parameters
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
-from urdfkit.ros.launch.spawned_controllers import MANAGER, controllers, topic_name
+from urdfkit.ros.launch.spawned_controllers import (
+    MANAGER,
+    controllers,
+    resolve_name,
+    topic_name,
+)
+from urdfkit.text.located_yaml import Value, mapping
 from urdfkit.text.source import Span
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -38,9 +45,10 @@ _OTHERS = re.compile(
 _SMOOTHERS = ("nav2_velocity_smoother", "nav2_collision_monitor")
 #: Topics of the smoothers: defaults, and those of Nav2's launch files.
 _SMOOTHED = ("/cmd_vel", "/cmd_vel_nav", "/cmd_vel_smoothed", "/cmd_vel_raw")
-_DRIVE = re.compile(r"\w*(DiffDrive|Mecanum|OmniWheel|Tricycle|Steering)\w*Controller")
+DRIVE = re.compile(r"\w*(DiffDrive|Mecanum|OmniWheel|Tricycle|Steering)\w*Controller")
 #: The parameter of a drive for stamped commands, and the suffix of the topic without stamps.
 _STAMPED, _PLAIN = "use_stamped_vel", "_unstamped"
+_MUX, _MUX_STAMPED = "twist_mux", "use_stamped"
 _COMMAND = re.compile(r"cmd_vel|reference")
 _TWIST, _TWIST_STAMPED = "Twist", "TwistStamped"
 
@@ -146,6 +154,10 @@ def _is_known(started: StartedProgram) -> bool:
 def _readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[_Reader]:
     """Topics on which the bridge and wheel controllers read velocity commands."""
     defined = defined_controllers(context)
+    renamed = {
+        resolve_name(old, ""): resolve_name(new, "")
+        for old, new, _ in remappings_of_plugins(context)
+    }
     for node in programs:
         for topic in bridged_topics(node, context.resolver):
             message = topic.ros_type.rpartition("/")[2]
@@ -156,12 +168,28 @@ def _readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[_
         for word in controllers(node):
             controller = defined.get((word.text or "").strip("/"))
             kind = controller.type.rpartition("/")[2] if controller and controller.ros == 2 else ""
-            if controller and _DRIVE.fullmatch(kind):
+            if controller and DRIVE.fullmatch(kind):
                 name = "reference" if "Steering" in kind or "Mecanum" in kind else "cmd_vel"
                 stamped = [value.text.lower() for value in controller.section.values(_STAMPED)]
                 is_plain = "false" in stamped
                 topic_of_drive = f"/{controller.name}/{name}{_PLAIN * is_plain}"
+                topic_of_drive = renamed.get(topic_of_drive, topic_of_drive)
                 yield _Reader(topic_of_drive, _TWIST if is_plain else _TWIST_STAMPED, word.span)
+        yield from _read_by_mux(node, context)
+
+
+def _read_by_mux(node: StartedProgram, context: Context) -> Iterator[_Reader]:
+    """The inputs of twist_mux, if its parameters tell their type."""
+    is_stamped = given_parameter(node, _MUX_STAMPED, context.resolver) or ""
+    if node.package != _MUX or is_stamped.lower() not in ("true", "false"):
+        return
+    message = _TWIST_STAMPED if is_stamped.lower() == "true" else _TWIST
+    for source in filter(None, map(context.resolver.readable, node.parameters.files)):
+        for section in node_parameters(source):
+            for entry in mapping(section.values.get("topics")).values():
+                topic = mapping(entry).get("topic")
+                if isinstance(topic, Value):
+                    yield _Reader(resolve_name(topic.text, node.namespace), message, topic.span)
 
 
 def _is_named(topic: str, launches: Iterable[Launch], context: Context) -> bool:

@@ -1,4 +1,4 @@
-"""Remappings of topics that a node does not have, because a controller has them.
+"""Remappings of topics that a node does not have: a controller has them, or they are reversed.
 
 A controller runs in the controller manager: in ros2_control_node, or in Gazebo.
 
@@ -6,10 +6,19 @@ Sources: ros-controls/ros2_controllers#262 and #1246, ros-controls/ros2_control_
 ``spawner.py`` of ros2_control (humble to rolling).
 """
 
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
-from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.spawned_controllers import MANAGER, controllers
+from collections.abc import Iterator
 
+from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.spawned_controllers import MANAGER, controllers, resolve_name
+from urdfkit.ros.ros_control import control_plugins
+from urdfkit.text.document import Element
+
+#: The topic of a drive without stamps, and the parameter for it, up to Iron.
+_UNSTAMPED, _STAMPED = "cmd_vel_unstamped", "use_stamped_vel"
+_SPAWNERS = ("spawner", "spawner.py")
 _HELP = (
     'pass --controller-ros-args "-r OLD:=NEW" to the spawner, or remap in ros2_control_node or in '
     "<ros> of Gazebo's plugin"
@@ -35,6 +44,64 @@ def unread_remappings(context: Context) -> Findings:
                     _HELP,
                     severity=Severity.WARNING,
                 )
+
+
+def remappings_of_plugins(context: Context) -> Iterator[tuple[str, str, Element]]:
+    """The remappings in ``<ros>`` of the control plugins of the robots in Gazebo."""
+    for _, robot in context.described_robots:
+        for plugin in control_plugins(robot.model):
+            for ros in plugin.at.all("ros"):
+                for element in ros.all("remapping"):
+                    old, _, new = element.text.strip().partition(":=")
+                    yield old, new, element
+
+
+def unstamped_commands(context: Context) -> Findings:
+    """Remappings of a topic that a drive has only without stamps, up to Iron."""
+    defined = defined_controllers(context)
+    renamed: list[tuple[str, Location | Element]] = [
+        (old, element) for old, _, element in remappings_of_plugins(context)
+    ]
+    for node in context.launch.started:
+        if node.package == MANAGER and node.executable not in _SPAWNERS:
+            renamed += ((old, Location(node.span, node.frame)) for old in node.remappings or ())
+    for old, at in renamed:
+        name, _, topic = old.strip("/~").rpartition("/")
+        controller = defined.get(name)
+        if topic != _UNSTAMPED or controller is None or controller.ros != 2:
+            continue
+        stamped = {value.text.lower() for value in controller.section.values(_STAMPED)}
+        if "false" not in stamped and "Drive" in controller.type:
+            yield Finding(
+                at,
+                f"remapping of '{old}' has no effect: without {_STAMPED}: false, '{name}' reads "
+                "TwistStamped on 'cmd_vel'",
+                f"remap /{name}/cmd_vel, and publish TwistStamped; up to Iron, or set "
+                f"{_STAMPED}: false",
+                severity=Severity.WARNING,
+            )
+
+
+def reversed_remappings(context: Context) -> Findings:
+    """Remappings that rename another topic to the one that the node has."""
+    topics: dict[str, str] = data("nodes")["topics"]
+    for node in context.launch.started:
+        own = {resolve_name(name, "") for name in _topics(node, topics)}
+        pairs = {resolve_name(old, ""): new for old, new in (node.remappings or {}).items()}
+        for old, new in pairs.items() if node.is_ros_2 and node.namespace == "" else ():
+            name = resolve_name(new, "")
+            if name in own and name not in pairs and old not in own:
+                yield Finding(
+                    Location(node.span, node.frame),
+                    f"remapping of '{old}' has no effect: the topic of '{node.executable}' is "
+                    f"'{new}'",
+                    f"write it the other way round: from {new} to {old}",
+                    severity=Severity.WARNING,
+                )
+
+
+def _topics(started: StartedProgram, topics: dict[str, str]) -> list[str]:
+    return topics.get(f"{started.package}/{started.executable}", "").split()
 
 
 def _is_spawner(started: StartedProgram) -> bool:

@@ -22,15 +22,18 @@ import re
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.ros_control import simulated_hardware
+from urdfkit.ros.catalog.ros_control import control_plugin_libraries, simulated_hardware
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, ControlPlugin, called, components, control_plugins
+from urdfkit.ros.targets import CLASSIC, GZ, Targets
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 
 BAD = robot_xml(SHOULDER, control_xml("mock_component/GenericSystem", driven_xml("shoulder")))
 FIXED = GOOD = BAD.replace("mock_component/", "mock_components/")
 
+#: The control plugin of gz-sim.
+_OF_GZ = "gz_ros2_control"
 #: A condition with a plugin or the whole hardware in it.
 _CONDITIONAL = re.compile(
     r"<xacro:(if|unless)\b(?:(?!</xacro:\1).)*?<(?:hardware|plugin)\b", re.DOTALL
@@ -50,7 +53,7 @@ def check(context: Context) -> Findings:
         yield from _misspelt(component)
         yield from _padded(component)
         if plugins:
-            yield from _other_simulator(component, plugins)
+            yield from _other_simulator(component, plugins, context.targets)
 
 
 def _missing(component: Component) -> Findings:
@@ -96,11 +99,27 @@ def _misspelt(component: Component) -> Findings:
         yield Finding(component.plugin, message, f"write {suggested}", fix)
 
 
-def _other_simulator(component: Component, plugins: list[ControlPlugin]) -> Findings:
+def _other_simulator(
+    component: Component, plugins: list[ControlPlugin], targets: Targets
+) -> Findings:
     kinds = {plugin.kind for plugin in plugins}
     known = simulated_hardware()
     hardware = known.get(component.hardware)
-    if hardware and hardware.control not in kinds and component.plugin:
+    if not hardware or hardware.control in kinds or not component.plugin:
+        return
+    family = GZ if hardware.control == _OF_GZ else CLASSIC
+    others = CLASSIC if family is GZ else GZ
+    if targets.any_of(family) and not targets.any_of(others):  # the plugin is the exception
+        library = control_plugin_libraries()[hardware.control]
+        yield Finding(
+            plugins[0].at.attributes["filename"],
+            f"{plugins[0].filename} does not load hardware {hardware.name} of {component.called}, "
+            f"which is for {hardware.simulator} as the robot is",
+            f"load {library}",
+            related=(Related(component.plugin.span, "hardware"),),
+            group_key="plugin",
+        )
+    else:
         suitable = " or ".join(each.name for each in known.values() if each.control in kinds)
         yield Finding(
             component.plugin,

@@ -100,7 +100,7 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
     of_ompl = [f"{planner}kConfigDefault" for planner in data("moveit")["ompl"].split()]
     for name, defined in planner_entries(srdf, context.resolver):
         known = {*defined, *of_ompl}
-        match = None if name.text in known else nearest(name.text, sorted(known), TYPO)
+        match = None if name.text in known else _planner(name.text, sorted(known), defined)
         if match:
             message = f"planner '{name.text}' is not in planner_configs; did you mean '{match}'?"
             yield Finding(name.span, message, f"write {match}", severity=Severity.WARNING)
@@ -119,6 +119,12 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
             message = f"{key}: unknown adapter '{adapter}'"
             help = f"write {match} in {keys[match]}" if match else f"remove it from {key}"
             yield Finding(place.span, message, help)
+
+
+def _planner(name: str, known: list[str], defined: list[str]) -> str | None:
+    """The planner that a name stands for: misspelt, or without the suffix of its configuration."""
+    begins = (planner for planner in defined if planner.startswith(f"{name}k"))
+    return nearest(name, known, TYPO) or next(begins, None)
 
 
 def _controllers(context: Context, srdf: Srdf) -> Findings:

@@ -76,6 +76,14 @@ def check(context: Context) -> Findings:
                 if is_too_low
                 else None,
             )
+        elif joints and (hanging := _hanging_wheels(tree, name, robot)):
+            gap, wheels, standing = hanging
+            yield Finding(
+                tree.parents[wheels[0]][0].at,
+                f"the wheels {', '.join(wheels)} do not reach the ground: they are {gap:.3g} m "
+                f"above it, and the robot stands on '{standing}'",
+                f"lower the wheels by {gap:.3g} m, or raise '{standing}'",
+            )
 
 
 def _help(footprint: str, link: str, height: float, is_below: bool, is_lifted: bool) -> str:
@@ -111,6 +119,18 @@ def _lowest(
     which is not the pose in which such a robot stands. Meshes, and links with a visual but without
     collision, are not measured, and may extend lower.
     """
+    heights, unknown = _heights(tree, footprint, robot)
+    lowest = min(heights, default=(0.0, ""))
+    if lowest[1] in _limbs(tree):
+        return None
+    is_above = lowest[0] > TOLERANCE and not unknown
+    return (*lowest, not unknown) if is_above or lowest[0] < -TOLERANCE else None
+
+
+def _heights(
+    tree: KinematicTree, footprint: str, robot: list[str]
+) -> tuple[list[tuple[float, str]], bool]:
+    """Heights above the footprint in m, with their links, and whether a shape was not measured."""
     ground = tree.frames[footprint]
     up = rotate(ground.rotation, Z_AXIS)
     heights: list[tuple[float, str]] = []
@@ -124,11 +144,22 @@ def _lowest(
                 unknown = True
             else:
                 heights.append((bottom - dot(up, ground.position), name))
-    lowest = min(heights, default=(0.0, ""))
-    if lowest[1] in _limbs(tree):
+    return heights, unknown
+
+
+def _hanging_wheels(
+    tree: KinematicTree, footprint: str, robot: list[str]
+) -> tuple[float, list[str], str] | None:
+    """Wheels at one height above the ground on which another link stands: gap, wheels and link."""
+    heights, _ = _heights(tree, footprint, robot)
+    height, standing = min(heights, default=(TOLERANCE, ""))
+    gaps = _gaps(tree, footprint, robot, height)
+    least = min(gaps.values(), default=0.0)
+    is_standing = abs(height) < TOLERANCE and standing not in _limbs(tree)
+    if not is_standing or standing in gaps or len(gaps) < 2:
         return None
-    is_above = lowest[0] > TOLERANCE and not unknown
-    return (*lowest, not unknown) if is_above or lowest[0] < -TOLERANCE else None
+    is_level = max(gaps.values()) - least < TOLERANCE
+    return (least, sorted(gaps), standing) if is_level and least > TOLERANCE else None
 
 
 def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) -> dict[str, float]:

@@ -2,6 +2,8 @@
 
 - The file is not well-formed, or contains no `<world>`: Gazebo starts without a world (error).
 - The `<world>` has no name, or its `<max_step_size>` is not greater than 0 (error).
+- The gravity points up, an element is misspelt, which Gazebo ignores (warnings), or a link that
+  moves has no positive mass, which SDF rejects (error).
 - A plugin of the world is for another Gazebo: `libgazebo_ros_init.so` and similar ones are for
   Gazebo Classic, `gz-sim-...-system` for gz sim. The plugin is not loaded, which Gazebo reports
   once (warning). If this applies to all plugins, the launch file starts the wrong Gazebo.
@@ -30,7 +32,7 @@ from collections.abc import Iterator
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.core.suggest import TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
-from urdfkit.robot.values import number
+from urdfkit.robot.values import number, numbers
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import TITLES, find, misspelt
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
@@ -67,6 +69,8 @@ _TITLES = ("Gazebo Classic", TITLES[GZ])
 #: Libraries that only Gazebo Classic has.
 _CLASSIC = re.compile(r"(lib)?gazebo_ros_\w+(\.so)?$")
 _FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
+#: Elements with other contents than those of SDF.
+_FOREIGN = ("plugin", "gui")
 #: Marks of templates from which a world is generated.
 _TEMPLATES = (b"<%", b"{%", b"{{", b"@(", b"xmlns:xacro")
 
@@ -80,6 +84,8 @@ def check(context: Context) -> Findings:
             yield from _unreadable(opened)
         elif opened.world is not None:
             yield from _values(opened, opened.world)
+            yield from _elements(opened, opened.world)
+            yield from _masses(opened, opened.world)
             yield from _other_gazebo(opened, opened.world) or _plugins(opened, opened.world)
             yield from _includes(opened, opened.world, models)
         if opened.started.generation == GZ:
@@ -115,6 +121,46 @@ def _values(opened: OpenedWorld, world: World) -> Findings:
         if step is not None and text and (value is None or value <= 0):
             message = f"<max_step_size> is '{text}', must be a number of seconds > 0"
             yield Finding(step, message, "write 0.001", related=opened.note)
+    gravity = world.at.child("gravity")
+    vector = numbers(gravity.text) if gravity is not None else None
+    if gravity is not None and vector and len(vector) == 3 and vector[2] > 0:
+        message = f"<gravity> points up: z is {vector[2]:g} m/s²"
+        help = f"write {vector[0]:g} {vector[1]:g} {-vector[2]:g}"
+        severity = Severity.WARNING
+        yield Finding(gravity, message, help, related=opened.note, severity=severity)
+
+
+def _elements(opened: OpenedWorld, world: World) -> Findings:
+    """Misspelt elements, which Gazebo ignores."""
+    children: dict[str, str] = data("worlds")["children"]
+    stack = [world.at]
+    while stack:
+        element = stack.pop()
+        known = children.get(element.tag, "").split()
+        stack += [child for child in element.children if child.tag not in _FOREIGN]
+        for child in element.children if known else ():
+            meant = nearest(child.tag, known, TYPO) if child.tag not in known else None
+            if meant and not element.child(meant):
+                message = f"unknown element <{child.tag}> in <{element.tag}>, which Gazebo ignores"
+                message += f"; did you mean <{meant}>?"
+                severity = Severity.WARNING
+                yield Finding(
+                    child, message, f"write <{meant}>", related=opened.note, severity=severity
+                )
+
+
+def _masses(opened: OpenedWorld, world: World) -> Findings:
+    """Links of models that move, without a positive mass."""
+    for model in world.at.all("model"):
+        static = model.child("static")
+        is_static = static is not None and static.text.strip().lower() in ("1", "true")
+        for link in () if is_static else model.all("link"):
+            inertial = link.child("inertial")
+            mass = inertial.child("mass") if inertial is not None else None
+            value = number(mass.text.strip()) if mass is not None else None
+            if mass is not None and value is not None and value <= 0:
+                message = f"<mass> is {value:g} kg, must be > 0: SDF rejects the link"
+                yield Finding(mass, message, "write the mass in kg", related=opened.note)
 
 
 def _other_gazebo(opened: OpenedWorld, world: World) -> list[Finding]:

@@ -15,6 +15,8 @@ from urdfkit.text.source import Source, Span
 PARAMETERS = "parameter file"
 #: Name of a map description of Nav2 in messages.
 MAP = "map"
+#: Name of a file of MoveIt in messages.
+MOVEIT = "MoveIt configuration"
 #: Name of the topic file of ros_gz_bridge in messages.
 BRIDGE = "bridge configuration"
 
@@ -86,6 +88,7 @@ class GivenParameters(Record):
     files: tuple[str, ...] = ()  # paths of parameter files
     is_whole: bool = True  # False if names of parameters are known only at run time
     lists: Mapping[str, tuple[str | None, ...]] = {}  # list parameters; None as above
+    is_of_moveit: bool = False  # True if all unknown ones are from MoveItConfigsBuilder
 
     @property
     def every(self) -> Mapping[str, str | None] | None:

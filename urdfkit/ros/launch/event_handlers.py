@@ -3,12 +3,12 @@
 import ast
 from collections.abc import Iterator
 
-from urdfkit.ros.launch.python_mistakes import ACTIONS
+from urdfkit.ros.launch.python_mistakes import ACTIONS, TRIGGERS
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 
-#: Actions that start other actions later.
-_TRIGGERS = ("RegisterEventHandler", "TimerAction")
+#: Event handlers of the process of an action.
+_OF_PROCESS = ("OnProcessExit", "OnProcessIO", "OnProcessStart")
 #: Arguments of a handler or timer with the actions to start.
 _LATER = ("on_exit", "on_start", "actions")
 #: Nodes that run until the launch ends, by package and executable.
@@ -41,6 +41,25 @@ def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
             )
 
 
+def wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+    """Event handlers of a process for an action that is no process."""
+    for call in calls:
+        target = argument(call, 0, "target_action")
+        action = values.suggested(target)
+        is_action = isinstance(action, ast.Call) and called(action) in (*ACTIONS, *TRIGGERS)
+        if called(call) not in _OF_PROCESS or target is None or not is_action:
+            continue
+        name = called(action) if isinstance(action, ast.Call) else ""
+        if name not in ("ExecuteProcess", "Node"):
+            yield Problem(
+                "LAU010",
+                values.span(target),
+                f"{called(call)} waits for a process, but its target_action is {name}",
+                "name the Node whose process it is, such as the one that spawns the robot",
+                severity=Severity.ERROR,
+            )
+
+
 def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Actions that are both in a launch description and in its event handler or timer."""
     for call in calls:
@@ -63,7 +82,7 @@ def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
 
 def _later(action: ast.expr | None, values: Values) -> Iterator[ast.Name]:
     """The names of the actions that an event handler or a timer starts."""
-    if not isinstance(action, ast.Call) or called(action) not in _TRIGGERS:
+    if not isinstance(action, ast.Call) or called(action) not in TRIGGERS:
         return
     if argument(action, None, "condition") is not None:
         return

@@ -101,7 +101,7 @@ def _former_executable(started: StartedProgram) -> Problem | None:
 
 
 def unknown_file(included: IncludedFile) -> Problem | None:
-    """A misspelt launch file of a package that starts Gazebo."""
+    """A misspelt launch file of a package."""
     package, name = _name(included)
     known = data("launch")["launch_files"].get(package, {})
     suggested = nearest(name, known, TYPO) if name not in known else None

@@ -13,6 +13,7 @@ from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
+from urdfkit.ros.launch.contents import MOVEIT
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.located_yaml import Key, Node, load, mapping
@@ -20,11 +21,15 @@ from urdfkit.text.located_yaml import Key, Node, load, mapping
 #: Methods whose first argument is a file of the package.
 _FILES = (
     "joint_limits", "moveit_cpp", "pilz_cartesian_limits", "robot_description",
-    "robot_description_kinematics", "robot_description_semantic", "trajectory_execution",
+    "robot_description_kinematics", "robot_description_semantic", "sensors_3d",
+    "trajectory_execution",
 )  # fmt: skip
 #: Pipelines for which moveit_configs_utils has settings.
 _PIPELINES = ("chomp", "ompl", "pilz_industrial_motion_planner", "stomp")
 
+#: The display of RViz that has interactive markers for the end effectors.
+_DISPLAY = b"moveit_rviz_plugin/MotionPlanning"
+_SEMANTIC = "robot_description_semantic"
 _KINEMATICS = "robot_description_kinematics"
 _SOLVER = ".kinematics_solver"
 #: Statements that change a dictionary after its creation.
@@ -59,7 +64,7 @@ def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
         path = values.text(node)
         if node is not None and path and not path.startswith(UNKNOWN):
             path = os.path.normpath(os.path.join(directory or f"{UNKNOWN}/{package}", path))
-            collector.file(path, values.span(node), "MoveIt configuration")
+            collector.file(path, values.span(node), MOVEIT)
     elif called(call) == "to_moveit_configs" and directory:
         text = values.source.data
         if _PLANNER.search(text) or not _NO_PLANNER.search(text):
@@ -118,6 +123,15 @@ def _builder(call: ast.Call) -> ast.Call | None:
     return node if isinstance(node, ast.Call) and is_builder and node is not call else None
 
 
+def is_configuration(node: ast.expr | None, values: Values) -> bool:
+    """True for parameters that ``MoveItConfigsBuilder`` made: all, or an attribute."""
+    node = values.suggested(node)
+    if isinstance(node, ast.Call) and called(node) == "to_dict":
+        node = node.func
+    made = values.suggested(node.value) if isinstance(node, ast.Attribute) else None
+    return isinstance(made, ast.Call) and _builder(made) is not None
+
+
 def parameter_problems(
     node: ast.Call, tree: ast.Module, values: Values, collector: Collector
 ) -> Iterator[Problem]:
@@ -146,6 +160,28 @@ def parameter_problems(
         help = f'write {{"{_KINEMATICS}": ...}} around them'
         # MoveIt of Humble, for which a launch file may be, reads them there as well.
         yield Problem("LAU024", values.span(node), message, help, severity=Severity.INFO)
+
+
+def without_kinematics(
+    node: ast.Call, tree: ast.Module, values: Values, collector: Collector
+) -> Iterator[Problem]:
+    """An RViz that gets the planning groups and not their solvers."""
+    words = [values.text(word) or "" for word in values.items(argument(node, None, "arguments"))]
+    file = next((word for word in words if word.endswith(".rviz")), "")
+    configuration = collector.resolver.readable(file) if os.path.isabs(file) else None
+    is_planner = configuration is not None and _DISPLAY in configuration.data
+    if not is_planner or _CHANGES.search(values.source.data):
+        return
+    reader = _Reader(tree, values, collector)
+    parameters = argument(node, None, "parameters")
+    names: set[str] = set()
+    for item in values.items(parameters) if parameters else ():
+        part = values.suggested(item)
+        names |= {part.attr} if isinstance(part, ast.Attribute) else reader.keys(item)
+    if _OPEN not in names and _SEMANTIC in names and _KINEMATICS not in names:
+        message = f"RViz has {_SEMANTIC}, but not {_KINEMATICS}: its MotionPlanning has no markers"
+        help = f"add {_KINEMATICS} to its parameters"
+        yield Problem("LAU024", values.span(node), message, help, severity=Severity.WARNING)
 
 
 class _Reader:

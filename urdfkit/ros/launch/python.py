@@ -21,7 +21,7 @@ from urdfkit.ros.launch.contents import (
     LaunchedFile,
     StartedProgram,
 )
-from urdfkit.ros.launch.event_handlers import never_reached, started_twice
+from urdfkit.ros.launch.event_handlers import never_reached, started_twice, wrong_targets
 from urdfkit.ros.launch.python_mistakes import (
     added,
     dropped_directory,
@@ -133,6 +133,7 @@ class _PythonReader:
             problems += entry_point(self._tree, self.source)
         problems += never_reached(self.calls, self.values)
         problems += started_twice(self.calls, self.values)
+        problems += wrong_targets(self.calls, self.values)
 
     def _declare(self, call: ast.Call) -> None:
         if call in self._idle and self._is_complete:
@@ -190,6 +191,9 @@ class _PythonReader:
         if started.executable == "move_group":
             problems = moveit.parameter_problems(call, self._tree, self.values, self.collector)
             self.collector.problems += problems
+        elif started.package == "rviz2":
+            problems = moveit.without_kinematics(call, self._tree, self.values, self.collector)
+            self.collector.problems += problems
 
     def _remappings(self, node: ast.expr | None) -> dict[str, str] | None:
         known: dict[str, str] = {}
@@ -212,7 +216,7 @@ class _PythonReader:
         values: dict[str, str | None] = {}
         files: list[str] = []
         lists: dict[str, tuple[str | None, ...]] = {}
-        is_whole = ros_arguments is None
+        is_whole = is_of_moveit = ros_arguments is None
         for item in self.values.items(node) if node else ():
             if isinstance(self.values.suggested(item), ast.Dict):
                 for key, value in self.values.pairs(item):
@@ -227,8 +231,10 @@ class _PythonReader:
                 is_whole = is_whole and file is not None
             else:
                 is_whole = False
+                is_of_moveit = is_of_moveit and moveit.is_configuration(item, self.values)
         values.pop("", None)
-        return GivenParameters(values, tuple(files), is_whole, lists)
+        is_of_moveit = is_of_moveit and not is_whole
+        return GivenParameters(values, tuple(files), is_whole, lists, is_of_moveit)
 
     def _listed(self, name: str, value: ast.expr) -> dict[str, tuple[str | None, ...]]:
         """The items of parameters that are lists, by name."""

@@ -16,6 +16,8 @@ _ENTRY = "generate_launch_description"
 
 #: Actions without effect unless they are in a launch description.
 ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
+#: Actions that start other actions later.
+TRIGGERS = ("RegisterEventHandler", "TimerAction")
 #: Arguments of a call that must be lists, with their expected type.
 _LISTS = {"arguments": "a list of words", "parameters": "a list", "remappings": "a list of pairs"}
 #: Arguments with a list of actions, by action.
@@ -66,12 +68,15 @@ def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
 
 
 def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem]:
-    """Actions that are assigned to an unused name."""
+    """Actions that are assigned to an unused name, without those that only others of them use."""
+    inner = {name.id for call in calls for name in ast.walk(call) if isinstance(name, ast.Name)}
     for call in calls:
-        if not isinstance(call, ast.Call) or called(call) not in ACTIONS:
+        if not isinstance(call, ast.Call) or called(call) not in (*ACTIONS, *TRIGGERS):
             continue
         span = values.span(call)
         name = values.source.data[: span.start].decode("utf-8", "replace").split()[-2]
+        if name in inner:
+            continue
         message = f"'{name}' is created but never started"
         help = f"add {name} to the LaunchDescription, or remove it"
         yield Problem("LAU010", span, message, help, severity=Severity.INFO)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ast
+from collections import Counter
 from functools import lru_cache
+from typing import TypeGuard
 
 from urdfkit.core.record import Record
 from urdfkit.text.python_source import CACHE_SIZE, nodes
@@ -75,15 +77,29 @@ def scopes(tree: ast.Module) -> Scopes:
 
 
 def unread(tree: ast.Module) -> set[ast.expr]:
-    """The expressions that are assigned to unused names."""
-    names = [node for node in nodes(tree) if isinstance(node, ast.Name)]
-    read = {name.id for name in names if isinstance(name.ctx, ast.Load)}
-    return {
-        node.value
-        for node in nodes(tree)
-        if isinstance(node, ast.Assign)
-        and all(isinstance(name, ast.Name) and name.id not in read for name in node.targets)
-    }
+    """The expressions that are assigned to unused names.
+
+    A name that only such expressions read is unused, too.
+    """
+    assigned = [node for node in nodes(tree) if isinstance(node, ast.Assign)]
+    reads = Counter(name.id for name in nodes(tree) if _is_read(name))
+    found: set[ast.expr] = set()
+    while True:
+        new = {
+            node.value
+            for node in assigned
+            if node.value not in found
+            and all(isinstance(name, ast.Name) and not reads[name.id] for name in node.targets)
+        }
+        if not new:
+            return found
+        found |= new
+        for value in new:
+            reads.subtract(node.id for node in ast.walk(value) if _is_read(node))
+
+
+def _is_read(node: ast.AST) -> TypeGuard[ast.Name]:
+    return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
 
 
 def _are_equal(first: ast.expr | None, second: ast.expr | None) -> bool:
