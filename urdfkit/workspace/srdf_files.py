@@ -45,7 +45,8 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
 def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     """The SRDF files of sibling MoveIt packages that may be for a robot, or for another one.
 
-    Their packages expand the robot with arguments, or do not state for which file they are.
+    Their packages expand the robot with arguments, or do not state for which file they are. A
+    package for several robots may have a directory for each.
 
     Args:
         name: of the robot; an SRDF belongs to the robot with its name, or to the robot with which a
@@ -58,8 +59,11 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     for moveit in _moveit_packages(robot, resolver):
         setup = _setup(moveit)
         is_for = package is not None and setup.is_for(robot, package)
-        if not setup.urdf or (is_for and setup.has_arguments):
-            directories.update(dict.fromkeys(_directories(moveit, setup)))
+        # A package that is unknown has been renamed since the assistant ran.
+        is_stale = setup.package not in resolver.packages.known(robot)
+        if not setup.urdf or is_stale or (is_for and setup.has_arguments):
+            for directory in _directories(moveit, setup):
+                directories.update(dict.fromkeys((directory, *_inner(directory, resolver))))
     files = list(srdf_in(directories, resolver))
     return [path for path in files if _may_have_name(path, name)] or [
         path for path in files if _is_started_with(path, robot, resolver)
@@ -165,6 +169,13 @@ def _setup(directory: str) -> SetupAssistant:
 
     urdf, srdf = section("urdf"), entry(section("srdf"), "relative_path")
     return SetupAssistant(entry(urdf, "package"), entry(urdf, "relative_path"), srdf, ":=" in urdf)
+
+
+def _inner(directory: str, resolver: Resolver) -> Iterator[str]:
+    """The directories in a directory."""
+    for name, is_directory in (resolver.directories.entries(directory) or {}).items():
+        if is_directory:
+            yield os.path.join(directory, name)
 
 
 def _directories(moveit: str, setup: SetupAssistant) -> Iterator[str]:

@@ -202,6 +202,7 @@ ONE = "controller_list:\n  - name: arm_controller\n    joints: [shoulder, wrist,
     [
         ("moveit_controllers.yaml", TWO, "wrist", "wrsit", 5),
         ("simple_moveit_controllers.yaml", ONE, "wrist", "wrsit", 3),
+        ("controllers.yaml", ONE, "wrist", "wrsit", 3),
         ("moveit_controllers.yaml", TWO, "[arm_controller]", "[arm_controler]", 2),
         ("initial_positions.yaml", "initial_positions:\n  shoulder: 0\n", "should", "shuold", 2),
     ],

@@ -150,7 +150,10 @@ ARGUMENTS = "\n    xacro_args: side:=left"
     [
         ("arm_moveit_config/config/r", SETUP.format(""), "", True),
         ("arm_moveit_config/config/r", SETUP.format(ARGUMENTS), "", True),
-        ("arm_moveit_config/config/r", SETUP.replace("arm", "leg").format(""), "", False),
+        ("arm_moveit_config/config/r", SETUP.replace("r.urdf", "s.urdf").format(""), "", False),
+        # the package was renamed after the assistant ran
+        ("arm_moveit_config/config/r", SETUP.replace("arm", "leg").format(""), "", True),
+        ("all_moveit/config/r", "", "", True),
         ("all_moveit_configs/arm_moveit_config/config", "", "", True),
         ("arm_moveit/srdf", "", "", True),
         ("arm_moveit/srdf", "", '<group name="a"><link name="bsae"/></group>', True),

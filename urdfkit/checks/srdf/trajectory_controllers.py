@@ -16,6 +16,8 @@ from urdfkit.workspace.manifest import manifest_of
 
 #: Most files of the workspace that are read, and directories that are searched.
 _MAX_FILES, _MAX_DIRECTORIES = 500, 1000
+#: Least number of joints of a chain of which one is forgotten.
+_LEAST_JOINTS = 3
 _TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 
 
@@ -37,6 +39,7 @@ def mismatched_controllers(context: Context, srdf: Srdf) -> Findings:
             continue
         yield from _action(key, entry, same)
         yield from _other_joints(key, entry, same, _omitted_joints(context.model, srdf))
+    yield from _uncommanded(context.model, srdf, entries)
 
 
 def _undefined(
@@ -54,6 +57,35 @@ def _undefined(
             f"write {other.name}, or define '{key}'",
             related=(Related(other.type_at, f"controller '{other.name}'"),),
         )
+
+
+def _uncommanded(
+    model: RobotModel, srdf: Srdf, entries: list[tuple[Key, dict[str, Node]]]
+) -> Findings:
+    """A joint at the end of a chain, or in it, that the controller of the chain lacks."""
+    omitted = _omitted_joints(model, srdf)
+    commanded = {joint: key for key, entry in entries for joint in _joints(entry)}
+    reported: set[str] = set()
+    for name in srdf.groups_by_name:
+        links = srdf.links_of(name)
+        chain = [each for each in model.joints if each.child_name in links]
+        parents = [each.parent_name for each in chain]
+        moved = {each.name for each in chain} - omitted
+        missing = moved - commanded.keys()
+        owners = {commanded[joint] for joint in moved - missing}
+        is_chain = len(set(parents)) == len(parents)
+        if len(missing) != 1 or len(owners) != 1 or len(moved) < _LEAST_JOINTS or not is_chain:
+            continue
+        (joint,), (key,) = missing, owners
+        if joint not in reported:
+            reported.add(joint)
+            yield Finding(
+                key.span,
+                f"controller '{key}' lacks joint '{joint}' of group '{name}', so that MoveIt finds "
+                "no controllers for a trajectory of the group",
+                f"add '{joint}' to its joints",
+                severity=Severity.WARNING,
+            )
 
 
 def _omitted_joints(model: RobotModel, srdf: Srdf) -> set[str]:

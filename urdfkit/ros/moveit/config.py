@@ -28,6 +28,8 @@ _OF_CONTROLLERS = (
     "simple_moveit_controllers.yaml",
     "fake_controllers.yaml",
 )
+#: The list of controllers in packages that were not written by the setup assistant.
+_OF_ROS_1 = "controllers.yaml"
 _PIPELINES = (
     _OMPL,
     "chomp_planning.yaml",
@@ -111,8 +113,9 @@ def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str,
         root = load_next_to(srdf, file, resolver)
         for _, manager in _mappings(root):
             yield from _mappings(manager)
-        listed = root.get("controller_list")
-        for item in listed if isinstance(listed, list) else ():  # in ROS 1
+    for file in (*_OF_CONTROLLERS, _OF_ROS_1):
+        listed = load_next_to(srdf, file, resolver).get("controller_list")
+        for item in listed if isinstance(listed, list) else ():
             if isinstance(name := mapping(item).get("name"), Value):
                 yield name.text, mapping(item)
 
