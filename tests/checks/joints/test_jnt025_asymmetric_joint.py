@@ -273,3 +273,103 @@ def test_mirror_images_to_either_side(left: str, right: str) -> None:
 )
 def test_what_is_no_mirror_image(other: str) -> None:
     assert not any("turns about" in message for message in messages("JNT025", other))
+
+
+def corners(offset: str) -> str:
+    """Four wheels, each on an arm; ``offset`` is the y of the right front wheel on its arm."""
+    text = '<link name="base"/>'
+    for side, x, y in (("fl", 1, 1), ("fr", 1, -1), ("rl", -1, 1), ("rr", -1, -1)):
+        inside = f'<origin xyz="{x} {y} 0"/><limit lower="-1" upper="1" effort="1" velocity="1"/>'
+        text += joint(f"{side}_arm", "revolute", inside)
+        place = offset if side == "fr" else str(0.1 * y)
+        wheel = f'<origin xyz="0 {place} 0"/><axis xyz="0 1 0"/>'
+        text += joint(f"{side}_wheel", "continuous", wheel, f"{side}_arm_link")
+    return text
+
+
+def test_an_offset_that_was_copied() -> None:
+    assert messages("JNT025", corners("-0.1")) == []
+    assert messages("JNT025", corners("0.1")) == [
+        "joint 'fr_wheel' is 0.2 m to the left of the mirror image of 'fl_wheel'"
+    ]
+    assert messages("JNT025", corners("-0.2")) == []  # longer, but to the right
+
+
+def arms(parent: str, limits: dict[str, tuple[float, float]] | None = None) -> str:
+    """Two arms of three joints; ``parent`` of the right elbow, and limits that are not [-1, 2]."""
+    text = '<link name="base"/>'
+    for side, y in (("left", 1), ("right", -1)):
+        above = "base"
+        for name in ("shoulder", "elbow", "wrist"):
+            low, high = (limits or {}).get(f"{side}_{name}", (-1, 2))
+            axis = "1 0 0" if name == "elbow" else "0 1 0"
+            inside = f'<origin xyz="0 {0.2 * y} 0"/><axis xyz="{axis}"/>'
+            inside += limit(str(low), str(high))
+            owner = parent if (side, name) == ("right", "elbow") else above
+            text += joint(f"{side}_{name}", "revolute", inside, owner)
+            above = f"{side}_{name}_link"
+    return text
+
+
+#: About x, mirror images turn in opposite directions.
+MIRRORED = {"right_elbow": (-2.0, 1.0)}
+
+
+def test_the_parent_on_the_other_side() -> None:
+    assert messages("JNT025", arms("right_shoulder_link", MIRRORED)) == []
+    (found,) = reported("JNT025", arms("left_shoulder_link", MIRRORED))
+    assert found.message == (
+        "joint 'right_elbow' has the same parent 'left_shoulder_link' as its counterpart "
+        "'left_elbow', and 'right_shoulder_link' has no child"
+    )
+    assert found.help == "name 'right_shoulder_link' as its parent"
+    assert found.span.text == '<parent link="left_shoulder_link"/>'
+
+
+@pytest.mark.parametrize(
+    ("limits", "names"),
+    [
+        ({}, ["right_elbow"]),
+        (MIRRORED, []),
+        (MIRRORED | {"right_wrist": (-2.0, 1.0)}, ["right_wrist"]),
+        ({"right_wrist": (-2.0, 1.0)}, []),  # two of three: no pattern
+    ],
+)
+def test_limits_that_do_not_follow_the_axes(
+    limits: dict[str, tuple[float, float]], names: list[str]
+) -> None:
+    found = messages("JNT025", arms("right_shoulder_link", limits))
+    assert [message.partition(":")[0] for message in found] == [f"joint '{one}'" for one in names]
+
+
+def test_the_same_place_as_the_other_side_with_its_rotation() -> None:
+    front = PART.format(side="front_left", xyz="1 1 0", rpy="0 0 0")
+    front += PART.format(side="front_right", xyz="1 -1 0", rpy="3.14 0 0")
+    rear = PART.format(side="rear_left", xyz="-1 1 0", rpy="0 0 0")
+    for xyz, count in (("-1 1 0", 1), ("-1 -1 0", 0)):
+        other = PART.format(side="rear_right", xyz=xyz, rpy="3.14 0 0")
+        text = f'<link name="base"/>{front}{rear}{other}'
+        assert sum("at the same place" in one for one in messages("JNT025", text)) == count
+
+
+def test_a_gripper_that_both_hands_have() -> None:
+    """A NAO: both hands open from 0 to 1; Romeo's gripper is at the same side of both wrists."""
+    text = arms("right_shoulder_link", MIRRORED)
+    for side in ("left", "right"):
+        place = '<origin xyz="0.06 -0.02 0"/><axis xyz="1 0 0"/>' + limit("0", "1")
+        text += joint(f"{side}_hand", "revolute", place, f"{side}_wrist_link")
+        finger = limit("0", "1") + f'<mimic joint="{side}_hand"/>'
+        text += joint(f"{side}_tip", "prismatic", finger, f"{side}_wrist_link")
+    assert messages("JNT025", text) == []
+
+
+def test_numbers_that_are_not_mirrored() -> None:
+    """The first finger of a NAO's left hand is where the second finger of the right hand is."""
+    text = arms("right_shoulder_link", MIRRORED)
+    for side in ("left", "right"):
+        for number, y in ((1, 0.01), (2, -0.01)):
+            place = f'<origin xyz="0.06 {y} 0"/>' + limit("-1", "1")
+            text += joint(f"{side}_finger_{number}", "revolute", place, f"{side}_wrist_link")
+            tip = f'<origin xyz="0.02 0 0"/>{limit("-1", "1")}'
+            text += joint(f"{side}_tip_{number}", "revolute", tip, f"{side}_finger_{number}_link")
+    assert messages("JNT025", text) == []

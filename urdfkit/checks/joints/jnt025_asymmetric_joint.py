@@ -6,7 +6,11 @@ by mirrored positions on one link, and are on different branches.
 - Limits, type, damping, friction: if the left elbow has 80 N·m and the right one 1000, only one of
   them was corrected, and the robot pulls to one side. Limits may be equal, mirrored, or of equal
   range about another zero; the tolerance is a twentieth of the range, 1 % of effort and velocity,
-  and a factor of two of damping and friction.
+  and a factor of two of damping and friction. If all pairs but one have the limits that follow from
+  their axes, the one is reported, too: two hips that turn about x in the same direction have
+  opposite limits.
+- Parent: if both upper arms are children of the left shoulder, and the right one has no child, the
+  right arm was copied.
 - Origin: counterparts on one link differ in the sign of one coordinate. If they are at the same
   place, or one is further forward or higher, a sign is missing: the robot stands on three wheels.
   The other joints on that link show which counterpart is misplaced, otherwise left is +y. In the
@@ -24,7 +28,7 @@ Sources:
 from collections.abc import Iterator
 from math import isclose
 
-from urdfkit.checks.joints.mirrored import misplaced
+from urdfkit.checks.joints.mirrored import misplaced, on_the_other_side
 from urdfkit.core.spatial import Transform, Vector, dot, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
@@ -46,6 +50,8 @@ _TOLERANCE = 0.01
 _MAX_OFFSET = 1e-3
 #: Cosine of the angle between two axes below which they are different, not rounded.
 _MAX_COSINE = 0.5
+#: Least number of pairs with mirrored limits next to one whose limits are not.
+_CONSISTENT_PAIRS = 2
 #: Allowed ratio of damping and friction, which are measured.
 _MAX_LOSS_RATIO = 2.0
 #: Relative difference of two ranges that differ by the place of zero alone.
@@ -75,7 +81,17 @@ def check(context: Context) -> Findings:
             related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
             confidence=Confidence.INFERRED,
         )
+    for left, right, parent in on_the_other_side(context):
+        yield Finding(
+            right.at.child_or_self("parent"),
+            f"joint '{right.name}' has the same parent '{right.parent_name}' as its counterpart "
+            f"'{left.name}', and '{parent}' has no child",
+            f"name '{parent}' as its parent",
+            related=(Related(left.at.span, f"counterpart '{left.name}'"),),
+            confidence=Confidence.INFERRED,
+        )
     yield from _axes(context)
+    yield from _ranges(context)
 
 
 def _differences(first: Joint, second: Joint) -> Iterator[str]:
@@ -152,6 +168,48 @@ def _axes(context: Context) -> Findings:
                 related=(Related(left.at.child_or_self("axis").span, "axis of the counterpart"),),
                 confidence=Confidence.INFERRED,
             )
+
+
+def _ranges(context: Context) -> Findings:
+    """The only pair of several whose limits are not mirrored as the axes require."""
+    wrong, consistent = [], 0
+    leaders = {joint.leader for joint in context.model.joints}
+    for one, other in context.symmetric_joints:
+        if not leaders.isdisjoint((one.name, other.name)):
+            continue  # the same gripper on both sides, which opens alike
+        ours, theirs, is_opposite = bounds(one), bounds(other), _is_opposite(context, one, other)
+        if ours is None or theirs is None or is_opposite is None:
+            continue
+        mirrored = (-ours[1], -ours[0])
+        if (is_equal := _same(ours, theirs)) is _same(mirrored, theirs):
+            continue  # a symmetric range, or a difference that is reported already
+        if is_equal is is_opposite:
+            wrong.append((one, other, mirrored if is_opposite else ours))
+        else:
+            consistent += 1
+    if len(wrong) != 1 or consistent < _CONSISTENT_PAIRS:
+        return
+    one, other, (lower, upper) = wrong[0]
+    assert one.limit is not None
+    assert other.limit is not None
+    yield Finding(
+        other.limit.at,
+        f"joint '{other.name}': the mirror image of the limits of its counterpart '{one.name}' is "
+        f"[{lower:g}, {upper:g}] {other.unit} about this axis",
+        f'write lower="{lower:g}" upper="{upper:g}", or correct those of the counterpart',
+        related=(Related(one.limit.at.span, "limits of the counterpart"),),
+        confidence=Confidence.INFERRED,
+    )
+
+
+def _is_opposite(context: Context, left: Joint, right: Joint) -> bool | None:
+    """True if mirror images move in opposite directions, by the axes; None if it is unknown."""
+    one, other = (context.tree.frames.get(joint.child_name) for joint in (left, right))
+    if one is None or other is None or not _are_mirrored(one, other):
+        return None
+    (x, y, z), axis = _axis(left, one), _axis(right, other)
+    cosine = dot((x, -y, z) if left.is_prismatic else (-x, y, -z), axis)
+    return cosine < 0 if abs(cosine) > _MAX_COSINE else None
 
 
 def _are_mirrored(one: Transform, other: Transform) -> bool:

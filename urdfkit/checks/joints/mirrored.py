@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Vector
+from urdfkit.core.spatial import Rotation, Transform, Vector
 from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
 from urdfkit.robot.model import Joint, RobotModel
@@ -44,7 +45,10 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
         reported |= {correct.name, wrong.name}
         places = f"{_at(wrong)} {reason} its counterpart '{correct.name}' {_at(correct)}"
         yield correct, wrong, places
-    for pair in _asymmetric(list(_pairs(context))):
+    for left, right, _ in on_the_other_side(context):
+        reported |= {left.name, right.name}
+    joints = by_key((joint.parent_name, joint) for joint in context.model.joints)
+    for pair in _asymmetric(list(_pairs(context)), context.tree.frames, joints):
         if pair.right.name in reported:
             continue
         if _is_left_misplaced(context.model, pair.left, pair.right):
@@ -58,16 +62,37 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
 def _on_one_link(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
     """Counterparts on one link of which one has a wrong sign in its position."""
     joints = {joint.name: joint for joint in model.joints if joint.name}
-    for left, right in pairs(joints):
-        first, second = joints[left], joints[right]
-        if not first.parent_name or first.parent_name != second.parent_name:
+    siblings = [
+        (first, second)
+        for left, right in pairs(joints)
+        if (first := joints[left]).parent_name == (second := joints[right]).parent_name
+        and first.parent_name
+        and first.kind == second.kind
+    ]
+    rotations = {_rotations(*pair) for pair in siblings if _is_mirrored_in_y(*pair)}
+    for first, second in siblings:
+        is_alike = first.origin.rotation == second.origin.rotation
+        if not is_alike and _rotations(first, second) not in rotations:
             continue
-        if first.kind == second.kind and (reason := _reason(first, second)):
+        if reason := _reason(first, second):
             yield (
                 (second, first, reason)
                 if _is_left_misplaced(model, first, second)
                 else (first, second, reason)
             )
+
+
+def on_the_other_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
+    """Counterparts with chains of joints that both begin on the left, and the link on the right."""
+    counterparts = context.symmetric_joints
+    right_of = {left.child_name: right.child_name for left, right in counterparts}
+    parents = {joint.parent_name for joint in context.model.joints}
+    continued = {joint.parent_name for pair in counterparts for joint in pair}
+    for left, right in counterparts:
+        link = right_of.get(left.parent_name, "")
+        is_leaf = link and link not in parents
+        if is_leaf and left.parent_name == right.parent_name and right.child_name in continued:
+            yield left, right, link
 
 
 def _is_left_misplaced(model: RobotModel, left: Joint, right: Joint) -> bool:
@@ -110,7 +135,9 @@ def _pairs(context: Context) -> Iterator[_Pair]:
             yield _Pair(left, right, (a - x, b + y, c - z))
 
 
-def _asymmetric(counterparts: list[_Pair]) -> list[_Pair]:
+def _asymmetric(
+    counterparts: list[_Pair], frames: Mapping[str, Transform], joints: Mapping[str, list[Joint]]
+) -> list[_Pair]:
     """The pairs that are not mirror images although their parents are."""
     known = {pair.right.child_name: pair.distance for pair in counterparts}
     odd, inherited = [], 0
@@ -124,8 +151,36 @@ def _asymmetric(counterparts: list[_Pair]) -> list[_Pair]:
     exact = sum(pair.distance <= _TOLERANCE for pair in counterparts)
     if len(odd) == 1 and exact >= _SYMMETRIC_PAIRS and exact + inherited + 1 == len(counterparts):
         x, _, z = odd[0].off
-        return odd if max(abs(x), abs(z)) > _ASYMMETRY else []  # the plane of symmetry is unknown
-    return [pair for pair in odd if _is_shifted_along_one_axis(pair)]
+        if max(abs(x), abs(z)) > _ASYMMETRY:
+            return odd  # else the plane of symmetry may be another one
+    return [
+        pair
+        for pair in odd
+        if _is_shifted_along_one_axis(pair) or (exact and _has_copied_offset(pair, frames, joints))
+    ]
+
+
+def _has_copied_offset(
+    pair: _Pair, frames: Mapping[str, Transform], joints: Mapping[str, list[Joint]]
+) -> bool:
+    """True for counterparts on mirrored links, to the same side of them."""
+    one, other = frames.get(pair.left.parent_name), frames.get(pair.right.parent_name)
+    if one is None or other is None or pair.left.parent_name == pair.right.parent_name:
+        return False
+    is_followed = any(joint.is_single_dof for joint in joints.get(pair.right.child_name, ()))
+    if pair.right.kind != "continuous" and not is_followed:
+        return False  # both hands may have the same gripper
+    x, y, z = one.position
+    here, there = (frames[joint.child_name].position for joint in (pair.left, pair.right))
+    left = tuple(a - b for a, b in zip(here, one.position, strict=True))
+    right = tuple(a - b for a, b in zip(there, other.position, strict=True))
+    is_equal = all(abs(a - b) <= _TOLERANCE for a, b in zip(left, right, strict=True))
+    if not (_is_equal((x, -y, z), other.position) and is_equal and abs(left[1]) > _ASYMMETRY):
+        return False
+    image = (here[0], -here[1], here[2])
+    siblings = (frames.get(joint.child_name) for joint in joints.get(pair.right.parent_name, ()))
+    # Another link has the place of the mirror image: only the names are not mirrored.
+    return not any(frame and _is_equal(frame.position, image) for frame in siblings)
 
 
 def _is_shifted_along_one_axis(pair: _Pair) -> bool:
@@ -151,8 +206,6 @@ def _shift(pair: _Pair) -> str:
 
 def _reason(one: Joint, other: Joint) -> str:
     """The defect of two positions that should be mirror images; empty if there is none."""
-    if one.origin.rotation != other.origin.rotation:
-        return ""
     first, second = one.origin.position, other.origin.position
     equal = [abs(a - b) < _TOLERANCE for a, b in zip(first, second, strict=True)]
     flipped = [abs(a + b) < _TOLERANCE <= abs(a) for a, b in zip(first, second, strict=True)]
@@ -166,6 +219,15 @@ def _reason(one: Joint, other: Joint) -> str:
         return ""
     others = [axis for axis, turned in zip(_AXES, flipped, strict=True) if turned and axis != "y"]
     return f"is mirrored in y and also in {others[0]} from" if len(others) == 1 else ""
+
+
+def _rotations(one: Joint, other: Joint) -> tuple[str, Rotation, Rotation]:
+    return one.parent_name, one.origin.rotation, other.origin.rotation
+
+
+def _is_mirrored_in_y(one: Joint, other: Joint) -> bool:
+    x, y, z = one.origin.position
+    return abs(y) >= _TOLERANCE and _is_equal((x, -y, z), other.origin.position)
 
 
 def _axis(joint: Joint) -> Vector | None:
