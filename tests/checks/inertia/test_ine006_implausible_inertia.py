@@ -40,8 +40,8 @@ def test_a_mesh_may_reach_farther() -> None:
 
 
 def test_a_striking_radius_of_gyration_is_reported() -> None:
-    (message,) = messages("INE006", part("dot", 1e-4, (0.1, 0.1, 0.1), BALL))
-    assert message.endswith("; its radius of gyration is 31.6 m")
+    (message,) = messages("INE006", part("dot", 1e-4, (1, 1, 1), BALL))
+    assert message.endswith("; its radius of gyration is 100 m")
 
 
 @pytest.mark.parametrize(("moment", "is_named"), [(0.98, False), (1.02, True)])

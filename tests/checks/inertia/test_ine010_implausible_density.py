@@ -128,3 +128,20 @@ def test_visuals_in_millimetres_give_no_tensor() -> None:
     column = link("column", box, inertial(40, moments))
     assert len(reported("INE010", column)) == 1
     assert reported("INE006", column) == []
+
+
+def test_moments_of_a_usual_part_show_that_the_mass_is_wrong() -> None:
+    good = (0.05, 0.025, 0.065)  # of 6 kg
+    assert [len(messages(code, part("box", 600, good, BOX))) for code in ("INE010", "INE006")] == [
+        1,
+        0,
+    ]
+    assert [len(messages(code, part("box", 6e-4, good, BOX))) for code in ("INE010", "INE006")] == [
+        1,
+        0,
+    ]
+    tiny = tuple(moment / 1e4 for moment in good)
+    assert [len(messages(code, part("box", 600, tiny, BOX))) for code in ("INE010", "INE006")] == [
+        0,
+        1,
+    ]

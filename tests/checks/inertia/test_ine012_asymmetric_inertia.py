@@ -64,3 +64,58 @@ def test_names_alone_make_no_pairs() -> None:
     robot += link("link_r", inertial(3, (1, 1, 1)))
     robot += joint("s", "link_l") + joint("link_l", "u") + joint("u", "link_r")
     assert messages("INE012", robot) == []
+
+
+TENSOR = (0.01, 0.001, 0.0008, 0.01, 0.001, 0.008)
+#: ixy and iyz have the other sign.
+IMAGE = (0.01, -0.001, 0.0008, 0.01, -0.001, 0.008)
+ONE_WRONG = (0.01, 0.001, 0.0008, 0.01, -0.001, 0.008)
+
+
+def leg_pairs(*rights: tuple[tuple[float, ...], str]) -> str:
+    """Pairs of legs, of which each right one has a tensor and a centre of mass."""
+    text = link("base")
+    for number, (tensor, center) in enumerate(rights):
+        left, right = f"left_leg_{'abc'[number]}", f"right_leg_{'abc'[number]}"
+        text += link(left, inertial(1, TENSOR, "0.01 0.02 -0.1"))
+        text += link(right, inertial(1, tensor, center))
+        text += joint("base", left, "revolute", f"{number} 0.1 0")
+        text += joint("base", right, "revolute", f"{number} -0.1 0")
+    return text
+
+
+CENTER = "0.01 -0.02 -0.1"
+
+
+@pytest.mark.parametrize(
+    ("tensor", "center", "what"),
+    [
+        (IMAGE, CENTER, ""),
+        (ONE_WRONG, CENTER, "ixy is 0.001 kg·m²"),
+        ((0.01, -0.001, -0.0008, 0.01, -0.001, 0.008), CENTER, "ixz is -0.0008 kg·m²"),
+        (IMAGE, "0.01 0.02 -0.1", "y of the centre of mass is 0.02 m"),
+        (IMAGE, "0.01 -0.02 0.1", "z of the centre of mass is 0.1 m"),
+        (IMAGE, "0.01 -0.04 -0.1", ""),
+    ],
+)
+def test_one_wrong_sign(tensor: tuple[float, ...], center: str, what: str) -> None:
+    found = messages("INE012", leg_pairs((IMAGE, CENTER), (IMAGE, CENTER), (tensor, center)))
+    assert [what in one and "'right_leg_c'" in one for one in found] == ([True] if what else [])
+
+
+def test_copies_have_no_wrong_sign() -> None:
+    copies = ((TENSOR, "0.01 0.02 -0.1"),) * 2
+    assert messages("INE012", leg_pairs(*copies)) == []
+    assert messages("INE012", leg_pairs(*copies, (IMAGE, CENTER))) == []
+    assert messages("INE012", leg_pairs((IMAGE, CENTER), *copies)) == []
+
+
+def test_the_same_part_on_both_sides() -> None:
+    """The cameras of an ANYmal C: one part, turned by half a turn, with one tensor."""
+    text = leg_pairs((IMAGE, CENTER), (IMAGE, CENTER), (ONE_WRONG, CENTER))
+    for side, name in (("left", "a"), ("right", "b")):
+        inside = f'<link name="{side}_leg_c">'
+        mesh = f'<visual><geometry><mesh filename="{name}.stl"/></geometry></visual>'
+        text = text.replace(inside, inside + mesh)
+    assert len(messages("INE012", text)) == 1
+    assert messages("INE012", text.replace("b.stl", "a.stl")) == []

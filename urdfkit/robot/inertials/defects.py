@@ -104,16 +104,21 @@ def _defect(link: LinkInertia, is_significant: IsSignificant) -> InertiaDefect |
         return None
     if _is_of_unknown_size(link):
         return None
-    implausible = implausible_density(link) is not None
-    if implausible and unit_mistake(link):
+    density = implausible_density(link)
+    if density is not None and unit_mistake(link):
         return InertiaDefect.DENSITY
     assert link.expected is not None
     high, expected = link.moments[2], principal_moments(link.expected)[2]
+    # Moments of a part with a usual density: the mass alone is wrong.
+    is_mass_wrong = (
+        density is not None
+        and USUAL_DENSITIES[0] <= density * high / expected <= USUAL_DENSITIES[1]
+    )
     if high > MAX_MOMENT_RATIO * link.largest_possible and is_significant(link.body, high):
-        return InertiaDefect.TOO_LARGE
+        return InertiaDefect.DENSITY if is_mass_wrong else InertiaDefect.TOO_LARGE
     if high < MIN_MOMENT_RATIO * expected and is_significant(link.body, expected):
-        return InertiaDefect.TOO_SMALL
-    if implausible:
+        return InertiaDefect.DENSITY if is_mass_wrong else InertiaDefect.TOO_SMALL
+    if density is not None:
         return InertiaDefect.DENSITY
     if link.is_at_wrong_axes and is_significant(link.body, high):
         return InertiaDefect.WRONG_AXES
