@@ -9,7 +9,8 @@ In URDF, angles are in radians and velocities in radians per second; all parsers
   to joints that differ or are in radians; multiples of pi are not. Radians that were converted by
   mistake are reported, too: 177.617 is 3.1 rad in degrees.
 - An `rpy` of a joint, a shape or an inertia: 90 rad is 14.3 turns, so the part is rotated by 116.6
-  degrees. It is reported if an angle is more than a turn and a whole or half number.
+  degrees. It is reported if an angle is more than a turn and a whole or half number, or more than
+  two turns with up to two decimals, and not a multiple of 45 degrees in radians.
 - The velocity of a revolute joint: data sheets of arms state 150 or 225 degrees per second. It is
   reported if it is a whole number of 45 or more, not a round placeholder, and either other joints
   have other such numbers, or it is a common speed (90, 120, 180, 360 ...), or all other joints are
@@ -185,7 +186,11 @@ def _with_degrees(rpy: str) -> tuple[float, ...]:
 
 
 def _is_degrees(angle: float) -> bool:
-    return _TURN < abs(angle) <= 360 and _is_half_number(angle)
+    size = abs(angle)
+    if not _TURN < size <= 360:
+        return False
+    is_written = _looks_like_degrees(size) and not _is_near_multiple(size, pi / 4)
+    return _is_half_number(angle) or (size > _TWO_TURNS and is_written)
 
 
 def _is_half_number(angle: float) -> bool:

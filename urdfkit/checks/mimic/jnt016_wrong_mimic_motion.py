@@ -7,6 +7,8 @@
 - One finger mimics the other. If both axes point to the same side and the multiplier is positive,
   the distance between the fingers stays the same: the gripper never closes. Invert one axis, or the
   sign of the multiplier.
+- A mimic plugin of Gazebo has another multiplier than the `<mimic>` of its joint: RViz and MoveIt
+  show another motion than the simulation.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -19,6 +21,7 @@ from urdfkit.robot.joints import bounds, overshoot
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint, Mimic
 from urdfkit.robot.samples import hand_xml
+from urdfkit.robot.values import number
 
 _LIMIT = '<limit lower="0" upper="0.8" effort="20" velocity="2"/>'
 BAD = hand_xml("revolute", [_LIMIT], [_LIMIT, '<mimic joint="left_joint" multiplier="-1"/>'])
@@ -26,6 +29,9 @@ GOOD = BAD.replace(' multiplier="-1"', "")
 
 #: In m: smallest gap between fingers.
 _MIN_GAP = 1e-3
+
+#: Relative difference of two multipliers above which they are not equal.
+_MAX_DIFFERENCE = 0.01
 
 #: Cosine of the angle up to which a finger moves along the gap.
 _ALONG_GAP = 0.9
@@ -39,6 +45,36 @@ def check(context: Context) -> Findings:
         if joint.mimic and leader and leader is not joint:
             yield from _limits(joint, joint.mimic, leader)
             yield from _fingers(joint, joint.mimic, leader)
+    yield from _plugins(context)
+
+
+def _plugins(context: Context) -> Findings:
+    """Mimic plugins with another multiplier than the joint."""
+    for block in context.model.gazebo:
+        for plugin in block.all("plugin"):
+            if "mimic" not in (plugin.get("filename") or ""):
+                continue
+            named, leader, written, shift = (
+                plugin.child(tag) for tag in ("mimicJoint", "joint", "multiplier", "offset")
+            )
+            joint = context.model.joints_by_name.get(named.text.strip()) if named else None
+            multiplier = number(written.text) if written else None
+            if written is None or multiplier is None or joint is None or joint.mimic is None:
+                continue
+            of_joint = joint.mimic.multiplier
+            is_led = leader is not None and leader.text.strip() == joint.leader
+            offset = number(shift.text) if shift else 0.0
+            if offset != joint.mimic.offset:
+                continue  # another function, which was computed
+            if is_led and abs(multiplier - of_joint) > _MAX_DIFFERENCE * abs(of_joint):
+                yield Finding(
+                    written,
+                    f"plugin '{plugin.get('name')}' moves joint '{joint.name}' by {multiplier:g} "
+                    f"times '{joint.leader}', its <mimic> by {of_joint:g} times",
+                    "write the same multiplier in both",
+                    related=(Related(joint.mimic.at.span, "the <mimic>"),),
+                    confidence=Confidence.INFERRED,
+                )
 
 
 def _limits(joint: Joint, mimic: Mimic, leader: Joint) -> Findings:
