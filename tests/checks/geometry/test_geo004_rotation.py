@@ -32,6 +32,12 @@ def test_what_lies_alike_or_is_turned_on_purpose(rpy: str) -> None:
     assert messages("GEO004", pair(rpy)) == []
 
 
+def test_the_body_with_a_rotation_is_turned() -> None:
+    turned = link("a", shape("visual", BAR), shape("collision", ROD, rpy=f"{QUARTER!r} 0 0"))
+    (message,) = messages("GEO004", turned)
+    assert message.endswith(' with rpy="0 0 0" for the collision it would be 100%')
+
+
 def test_of_several_shapes_none_is_turned_alone() -> None:
     half = '<box size="0.08 0.08 0.25"/>'
     halves = [shape("visual", half, f"0 0 {z}") for z in (0.125, -0.125)]

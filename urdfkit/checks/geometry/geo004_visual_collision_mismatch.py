@@ -12,7 +12,8 @@ The rule compares the bounding box of all collisions of a link with that of all 
   the `<origin>` at half the height: visual and collision do not share it. A larger or smaller
   collision around the same centre is not reported, nor is a primitive that replaces a part of a
   mesh.
-- A radius is exactly twice that of the same shape in the other: a diameter. An info.
+- A radius is exactly twice that of the same shape in the other, or about twice that of a mesh: a
+  diameter. An info.
 
 Wheels sink into the floor or hover, grippers close without contact, and MoveIt avoids free space
 and plans through the real part.
@@ -54,8 +55,14 @@ _UNIT_MISTAKES = {
 #: Distance as a multiple of the length, above which either body may be misplaced.
 _MAX_RELATIVE_SHIFT = 10.0
 
+#: Distance of two centres as a part of the length, below which they are equal.
+_SAME_CENTER = 0.01
+
 #: Sine of the angle up to which two axes are parallel.
 _PARALLEL = 0.1
+
+#: Ratio of a diameter to the double of a radius, and of the lengths of two such cylinders.
+_DIAMETER_TOLERANCE, _MAX_WIDTH_RATIO = 1.05, 1.5
 
 #: Relative tolerance of a factor of units: visual and collision are rarely equal.
 _UNIT_TOLERANCE = 1.08
@@ -66,26 +73,32 @@ def check(context: Context) -> Findings:
     model, files = context.model, context.files
     pairs = VisualCollisionPairs(model, context.mesh_solid, files.has_ambiguous_axes)
     for one in pairs.mismatches.get(Mismatch.APART, ()):
-        yield _apart(one, context)
+        yield _apart(one, context, pairs.foreign_link(one))
     for one in pairs.mismatches.get(Mismatch.SIZE, ()):
         wrong = one.unusual(pairs.span)
         if not _is_in_millimetres(wrong, context):
             yield _of_size(one, wrong)
     for one in pairs.mismatches.get(Mismatch.ROTATION, ()):
-        yield _rotated(one)
+        yield _rotated(one, pairs.foreign_link(one))
     yield from _diameters(context)
+    for one in pairs.each():
+        yield from _diameter_of_mesh(one)
 
 
-def _apart(one: VisualCollisionPair, context: Context) -> Finding:
+def _apart(one: VisualCollisionPair, context: Context, foreign: str) -> Finding:
     link = one.link
     difference = _difference(link) if one.has_one_shape else ""
+    if foreign:
+        difference = f"; the visual is the mesh of '{foreign}'"
     wrong, right, is_known = _misplaced(one, context)
+    if foreign:
+        wrong, right, is_known = right, wrong, False
     is_known = is_known and bool(difference) and not _is_far(one)
     return Finding(
         wrong.at,
         f"link '{link.name}': the bounding boxes of collision and visual have only "
         f"{one.overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}{difference}",
-        _help(one, wrong, right),
+        f"name the mesh of '{link.name}'" if foreign else _help(one, wrong, right),
         _fix(wrong.at, right.at) if is_known else None,
         (Related(right.at.span, f"the {right.at.tag}"),),
         confidence=Confidence.INFERRED,
@@ -100,10 +113,14 @@ def _is_far(one: VisualCollisionPair) -> bool:
 
 
 def _help(one: VisualCollisionPair, wrong: Body, right: Body) -> str:
-    """Help: use the origin of the other body, or move by a distance if both origins are equal."""
+    """Help: another sign, the origin of the other body, or a distance if both origins are equal."""
+    if axis := one.mirrored_axis:
+        return f"write the other sign for {axis} of the collision's <origin>"
     if wrong.origin != right.origin:
         return f"give the {wrong.at.tag} the <origin> of the {right.at.tag}"
     shift = minus(one.visual.bounds.center, one.collision.bounds.center)
+    if length(shift) < _SAME_CENTER * max(one.visual.bounds.edges):
+        return "compare the sizes of the two: they have the same centre"
     return f"add {rounded(shift, 4)} to the <origin> of the collision, to center it on the visual"
 
 
@@ -140,7 +157,7 @@ def _of_size(one: VisualCollisionPair, wrong: Body) -> Finding:
     )
 
 
-def _rotated(one: VisualCollisionPair) -> Finding:
+def _rotated(one: VisualCollisionPair, foreign: str) -> Finding:
     turn = one.turn
     assert turn is not None
     is_visual = turn.body in one.link.visuals
@@ -151,7 +168,9 @@ def _rotated(one: VisualCollisionPair) -> Finding:
         turn.body.at.child_or_self("origin"),
         f"link '{one.link.name}': the bounding boxes of visual and collision have "
         f'{one.overlap:.0%} of their volume in common; with rpy="{rpy}" for the {role} it '
-        f"would be {turn.overlap:.0%}",
+        f"would be {turn.overlap:.0%}"
+        + (f"; the visual is the mesh of '{foreign}'" if foreign else ""),
+        f"name the mesh of '{one.link.name}', or correct the <origin>" if foreign else "",
         related=(Related(others[0].at.span, f"the {other}"),),
         confidence=Confidence.INFERRED,
         weight=turn.overlap - one.overlap,
@@ -176,6 +195,32 @@ def _diameters(context: Context) -> Findings:
                 confidence=Confidence.INFERRED,
                 severity=Severity.INFO,
             )
+
+
+def _diameter_of_mesh(one: VisualCollisionPair) -> Findings:
+    """A cylinder with twice the radius of the mesh that it replaces, such as a wheel."""
+    if len(one.link.collisions) != 1 or not (shape := one.link.collisions[0].shape):
+        return
+    if any(body.shape is None or body.shape.kind != "mesh" for body in one.link.visuals):
+        return
+    axis = rotate(one.link.collisions[0].origin.rotation, Z_AXIS)
+    if shape.kind != "cylinder" or max(map(abs, axis)) < 1 - _PARALLEL:
+        return
+    along = max(range(3), key=lambda index: abs(axis[index]))
+    edges = zip(one.collision.bounds.edges, one.visual.bounds.edges, strict=True)
+    ratios = [a / b if b > 0 else 0.0 for a, b in edges]
+    low, high = sorted(ratios[:along] + ratios[along + 1 :])
+    is_double = low > 2 / _DIAMETER_TOLERANCE and high < 2 * _DIAMETER_TOLERANCE
+    if is_double and 1 / _MAX_WIDTH_RATIO < ratios[along] < _MAX_WIDTH_RATIO:
+        yield Finding(
+            shape.at,
+            f"link '{one.link.name}': the radius of the collision, {shape.radius:g} m, is twice "
+            f"that of the visual mesh, {shape.radius and shape.radius / (low + high) * 2:.3g} m",
+            "write the radius instead of the diameter",
+            related=(Related(one.link.visuals[0].at.span, "the visual"),),
+            confidence=Confidence.INFERRED,
+            severity=Severity.INFO,
+        )
 
 
 def _radius(body: Body, other: Body) -> float | None:

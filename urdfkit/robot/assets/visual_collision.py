@@ -14,7 +14,18 @@ from math import hypot, log
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import AXES, Rotation, Transform, Vector, cross, length, minus, to_rpy
+from urdfkit.core.spatial import (
+    AXES,
+    IDENTITY,
+    Rotation,
+    Transform,
+    Vector,
+    cross,
+    length,
+    minus,
+    times,
+    to_rpy,
+)
 from urdfkit.robot.model import Body, Link, RobotModel, Shape
 from urdfkit.robot.shapes import OTHER_UNIT, BoundingBox, LinkSolid, MeshSolid, solid
 
@@ -25,6 +36,8 @@ LEAST_OVERLAP = 0.34
 
 #: A box with this part of its volume inside the other box is intentionally larger or smaller.
 NESTED = 0.9
+#: A box with less of its volume inside the other box is outside.
+OUTSIDE = 0.1
 
 #: Primitives with no edge over this, in m, are markers.
 MARKER = 0.005
@@ -66,6 +79,11 @@ class QuarterTurn(Record):
     body: Body  # the visual or collision to rotate
     rpy: Vector  # of its ``<origin>`` after the rotation, in rad
     overlap: float  # common volume by the volume of the union, after the rotation
+
+    @property
+    def is_written(self) -> bool:
+        """True if the body has a rotation, which may be wrong."""
+        return self.body.origin.rotation != IDENTITY
 
 
 class VisualCollisionPair:
@@ -126,7 +144,7 @@ class VisualCollisionPair:
         """The best rotation by right angles; None if it hardly increases the overlap."""
         turns = [*self._turns(self.link.visuals, self.visual, self.collision)]
         turns += self._turns(self.link.collisions, self.collision, self.visual)
-        best = max(turns, key=lambda turn: round(turn.overlap, 3), default=None)
+        best = max(turns, key=lambda turn: (round(turn.overlap, 3), turn.is_written), default=None)
         least = max(SAME_OVERLAP, self.overlap + MIN_GAIN)
         if self._has_meshes:
             least = min(least, SAME_MESH)
@@ -160,9 +178,24 @@ class VisualCollisionPair:
             return True
         collision, visual = self.collision.bounds, self.visual.bounds
         concentric = visual.moved(Transform(position=minus(collision.center, visual.center)))
-        if _overlap(collision, concentric) >= SAME_OVERLAP:
+        if _overlap(collision, concentric) >= SAME_OVERLAP or self.mirrored_axis:
             return True
         return collision.gap(visual) > max(*collision.edges, *visual.edges)
+
+    @cached_property
+    def mirrored_axis(self) -> str:
+        """The coordinate of the collision's origin whose other sign leads into the visual."""
+        collision, visual = self.collision.bounds, self.visual.bounds
+        volume = collision.volume
+        if len(self.link.collisions) > 1 or collision.common_volume(visual) > OUTSIDE * volume:
+            return ""
+        for axis, unit, value in zip(
+            "xyz", AXES, self.link.collisions[0].origin.position, strict=True
+        ):
+            turned = collision.moved(Transform(position=times(unit, -2 * value)))
+            if turned.common_volume(visual) >= NESTED * volume:
+                return axis
+        return ""
 
     @property
     def _coincides(self) -> bool:
@@ -214,7 +247,7 @@ class VisualCollisionPairs:
     @cached_property
     def mismatches(self) -> dict[Mismatch, list[VisualCollisionPair]]:
         """The links with each mismatch; each link has at most one."""
-        pairs = ((self._mismatch(pair), pair) for pair in self._each())
+        pairs = ((self._mismatch(pair), pair) for pair in self.each())
         return by_key((mismatch, pair) for mismatch, pair in pairs if mismatch)
 
     @property
@@ -223,7 +256,8 @@ class VisualCollisionPairs:
         places = (joint.origin.position for joint in self._model.joints)
         return max((hypot(*place) for place in places), default=0.0)
 
-    def _each(self) -> Iterator[VisualCollisionPair]:
+    def each(self) -> Iterator[VisualCollisionPair]:
+        """The links whose visuals and collisions are measured and not the same."""
         for link in self._model.links:
             if link.visuals and link.collisions:
                 collision = solid(link.collisions, self._mesh_solid)
@@ -241,7 +275,34 @@ class VisualCollisionPairs:
                 return None
             if pair.turn:
                 return Mismatch.ROTATION
-        return Mismatch.APART if pair.is_apart else None
+        is_unlike = pair.overlap < LEAST_OVERLAP and not pair.is_nested
+        is_apart = pair.is_apart or (is_unlike and self.foreign_link(pair))
+        return Mismatch.APART if is_apart else None
+
+    def foreign_link(self, pair: VisualCollisionPair) -> str:
+        """The other link whose mesh is the only visual of a link, but not its collision, or empty.
+
+        The mesh of a pair of links, such as wheels, is also that of their collisions.
+        """
+        if len(pair.link.visuals) > 1:
+            return ""
+        meshes = [
+            body.shape.filename.value if body.shape and body.shape.filename else ""
+            for body in (pair.link.visuals[0], *pair.link.collisions)
+        ]
+        users = self._users.get(meshes[0], [])
+        is_copied = all(meshes) and meshes[0] not in meshes[1:] and len(users) == 2
+        return next(name for name in users if name != pair.link.name) if is_copied else ""
+
+    @cached_property
+    def _users(self) -> dict[str, list[str]]:
+        """The links that have each mesh as a visual."""
+        return by_key(
+            (body.shape.filename.value, link.name)
+            for link in self._model.links
+            for body in link.visuals
+            if body.shape and body.shape.filename
+        )
 
 
 def _quarters() -> Iterator[Rotation]:

@@ -1,0 +1,81 @@
+"""GEO004 with a mesh: a sign of an origin, the mesh of another link, a diameter."""
+
+from pathlib import Path
+
+import pytest
+
+from tests import meshed
+from tests.massive import joint, shape
+from urdfkit.mesh import samples
+
+
+@pytest.fixture(autouse=True)
+def _measured() -> None:
+    for library in ("numpy", "lxml", "manifold3d"):
+        pytest.importorskip(library)
+
+
+SHANK = samples.stl(samples.box((-0.05, -0.04, -0.3), (0.05, 0.04, 0.02)))
+BLOCK = '<box size="0.08 0.06 0.1"/>'
+
+
+@pytest.mark.parametrize(
+    ("xyz", "is_found"),
+    [
+        ("0 0 0.15", True),
+        ("0 0 -0.15", False),
+        ("0 0 0.02", False),  # partly inside
+        ("0 0 0.35", False),  # not inside with the other sign either
+        ("0.1 0 0.15", False),  # a motor next to it
+    ],
+)
+def test_the_other_sign(tmp_path: Path, xyz: str, is_found: bool) -> None:
+    robot = meshed.link(meshed.mesh("shank.stl", "visual"), shape("collision", BLOCK, xyz))
+    found = meshed.reported(tmp_path, "GEO004", robot, {"shank.stl": SHANK})
+    assert [one.help for one in found] == (
+        ["write the other sign for z of the collision's <origin>"] if is_found else []
+    )
+
+
+FILES = {
+    "upper.stl": samples.stl(samples.box((0, 0, 0), (0.05, 0.05, 0.3))),
+    "lower.stl": samples.stl(samples.box((0, 0, 0), (0.2, 0.12, 0.05))),
+}
+
+
+def arm(lower: str, more: str = "") -> str:
+    links = [
+        meshed.link(meshed.mesh(seen, "visual"), meshed.mesh(f"{name}.stl"), name=name)
+        for name, seen in (("upper", "upper.stl"), ("lower", lower))
+    ]
+    return "".join(links) + joint("upper", "lower", "revolute") + more
+
+
+def test_the_mesh_of_another_link(tmp_path: Path) -> None:
+    assert meshed.reported(tmp_path, "GEO004", arm("lower.stl"), FILES) == []
+    (found,) = meshed.reported(tmp_path, "GEO004", arm("upper.stl"), FILES)
+    assert found.message.endswith("; the visual is the mesh of 'upper'")
+    assert found.help == "name the mesh of 'lower'"
+    assert found.span.text.startswith("<visual>")
+
+
+def test_a_placeholder_of_several_links(tmp_path: Path) -> None:
+    third = meshed.link(meshed.mesh("upper.stl", "visual"), name="third") + joint("lower", "third")
+    assert meshed.reported(tmp_path, "GEO004", arm("upper.stl", third), FILES) == []
+
+
+@pytest.mark.parametrize(
+    ("radius", "length", "is_found"),
+    [("0.2", "0.1", True), ("0.1", "0.1", False), ("0.15", "0.1", False), ("0.2", "0.2", False)],
+)
+def test_a_diameter(tmp_path: Path, radius: str, length: str, is_found: bool) -> None:
+    cylinder = f'<cylinder radius="{radius}" length="{length}"/>'
+    tyre = samples.stl(samples.box((-0.1, -0.05, -0.1), (0.1, 0.05, 0.1)))
+    turned = shape("collision", cylinder, rpy="1.5707963 0 0")
+    robot = meshed.link(meshed.mesh("tyre.stl", "visual"), turned)
+    found = meshed.messages(tmp_path, "GEO004", robot, {"tyre.stl": tyre})
+    assert found == (
+        ["link 'arm': the radius of the collision, 0.2 m, is twice that of the visual mesh, 0.1 m"]
+        if is_found
+        else []
+    )
