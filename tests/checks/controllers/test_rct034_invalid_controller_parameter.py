@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.driving import DRIVE, place, reported
+from urdfkit import Severity
 
 
 @pytest.mark.parametrize(
@@ -111,6 +112,15 @@ def test_wheel_names_are_required_in_ros_1(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, "RCT034", text)
     assert place(found) == ("c.yaml", 1, "drive")
     assert found.message.endswith(": right_wheel")
+
+
+def test_a_joint_twice_in_ros_1(tmp_path: Path) -> None:
+    text = "arm:\n  type: effort_controllers/JointTrajectoryController\n  joints: [{}]\n"
+    assert reported(tmp_path, "RCT034", text.format("left_joint, right_joint")) == []
+    (found,) = reported(tmp_path, "RCT034", text.format("left_joint, left_joint"))
+    assert found.message == "controller 'arm': joints has 'left_joint' twice"
+    assert (place(found), found.severity) == (("c.yaml", 3, "left_joint"), Severity.WARNING)
+    assert found.span.column == 24
 
 
 CLASS = "diff_drive_controller/DiffDriveController"

@@ -21,6 +21,22 @@ def test_swapped_lists(tmp_path: Path) -> None:
     assert place(found) == ("c.yaml", 7, "right_joint")
 
 
+def test_front_and_rear_instead_of_left_and_right(tmp_path: Path) -> None:
+    robot = BASE + "".join(
+        wheel(f"{end}_{side}", y).replace(f'xyz="0 {y} 0"', f'xyz="{x} {y} 0"')
+        for end, x in (("front", 1), ("rear", -1))
+        for side, y in (("left", 0.15), ("right", -0.15))
+    )
+    names = ("[front_left_joint, front_right_joint]", "[rear_left_joint, rear_right_joint]")
+    text = DRIVE.replace("[left_joint]", names[0]).replace("[right_joint]", names[1])
+    (found,) = reported(tmp_path, "RCT025", text, robot)
+    assert (
+        "left joint 'front_right_joint' is 0.3 m to the right of 'rear_left_joint'" in found.message
+    )
+    right = text.replace("front_right", "?").replace("rear_left", "front_right")
+    assert reported(tmp_path, "RCT025", right.replace("?", "rear_left"), robot) == []
+
+
 def test_opposite_axes_of_a_controller(tmp_path: Path) -> None:
     crossed = BASE + wheel("left", 0.15) + wheel("right", -0.15, axis="0 -1 0")
     (found,) = reported(tmp_path, "RCT025", DRIVE, crossed)

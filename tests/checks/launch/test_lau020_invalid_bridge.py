@@ -43,6 +43,7 @@ def test_valid_bridge(tmp_path: Path, word: str) -> None:
         ("/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock]", "write gz.msgs.Clock"),
         ("/imu@sensor_msgs/msg/Imu[gz.msgs.Imu", "write gz.msgs.IMU"),
         ("/imu@sensor_msgs/msg/Imu[gazebo.msgs.IMU", "write gz.msgs.IMU"),
+        ("/js@sensor_msgs/msg/JointState[gz.msgs.JointState", "write gz.msgs.Model"),
         ("/imu@sensor_msgs/Imu[gz.msgs.IMU", "write sensor_msgs/msg/Imu"),
         ("/imu@sensor_msgs/msg/Imu", "write topic@package/msg/Name[gz.msgs.Name"),
     ],

@@ -120,6 +120,21 @@ def test_claims(tmp_path: Path, text: str, claimed: str) -> None:
     )
 
 
+def test_claims_in_ros_1(tmp_path: Path) -> None:
+    """Each joint has a controller, and one of them was copied."""
+    text = "a: {type: position_controllers/JointPositionController, joint: j1}\n"
+    files = {"r.urdf": ROBOT, "c.yaml": text + text.replace("a:", "b:")}
+    launch = (
+        '<rosparam file="{0}/c.yaml" command="load"/>\n<node name="s" pkg="controller_manager" '
+    )
+    launch += 'type="spawner" args="a b"/>'
+    (found,) = reported(tmp_path, "LAU021", "a.launch", launch.format(tmp_path), files)
+    assert (
+        "'a' and 'b' are both started and claim the command interface 'position'" in found.message
+    )
+    assert [(note.span.line, note.span.text) for note in found.related] == [(1, "j1"), (2, "j1")]
+
+
 DRIVE = """
 <gazebo><plugin filename="gz-sim-diff-drive-system" name="drive"><frame_id>odom</frame_id>
 <child_frame_id>{}</child_frame_id></plugin></gazebo></robot>"""

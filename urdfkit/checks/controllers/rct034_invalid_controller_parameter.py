@@ -35,6 +35,7 @@ from collections.abc import Iterator
 
 from urdfkit.checks.controllers.trajectory_interfaces import (
     invalid_interfaces,
+    repeated_joints,
     unread_joints,
     without_gains,
 )
@@ -112,6 +113,7 @@ def _problems(
         *_misspelt(controller),
         *without_gains(controller, own),
         *unread_joints(controller),
+        *repeated_joints(controller),
     )
     yield from ((Severity.WARNING, problem) for problem in warnings)
 

@@ -4,12 +4,12 @@ Sources: ``validate_jtc_parameters.hpp`` and ``joint_trajectory_controller.cpp``
 ros2_controllers, Humble to Rolling.
 """
 
-from collections import Counter
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.core.words import few
 from urdfkit.ros.controllers import Controller, Section
+from urdfkit.text.located_yaml import Value
 from urdfkit.text.source import Span
 
 _TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
@@ -28,10 +28,7 @@ def invalid_interfaces(controller: Controller) -> Iterator[_Problem]:
     if controller.type != _TRAJECTORY:
         return
     for name in _LISTS:
-        values = controller.section.values(name)
-        counts = Counter(value.text for value in values)
-        if twice := next((value for value in values if counts[value.text] > 1), None):
-            yield twice.span, f"{name} has '{twice.text}' twice", "remove one of the two"
+        yield from _repeated(controller, name)
     states = [value.text for value in controller.section.values("state_interfaces")]
     for state in states:
         if (required := _REQUIRED.get(state)) and required not in states:
@@ -56,6 +53,21 @@ def unread_joints(controller: Controller) -> Iterator[_Problem]:
                 message + did_you_mean(joint, joints),
                 f"name one of {few(sorted(joints), 6)}",
             )
+
+
+def repeated_joints(controller: Controller) -> Iterator[_Problem]:
+    """A joint that a controller of ROS 1 has twice: it then lacks another one."""
+    if controller.ros == 1 and controller.type.endswith(_TRAJECTORY.partition("/")[2]):
+        yield from _repeated(controller, _LISTS[0])
+
+
+def _repeated(controller: Controller, name: str) -> Iterator[_Problem]:
+    values = controller.section.values(name)
+    first: dict[str, Value] = {}
+    for value in values:
+        if first.setdefault(value.text, value) is not value:
+            yield value.span, f"{name} has '{value.text}' twice", "remove one of the two"
+            return
 
 
 def without_gains(controller: Controller, own: Section) -> Iterator[_Problem]:

@@ -30,6 +30,8 @@ Sources:
 
 from __future__ import annotations
 
+from itertools import product
+
 from urdfkit.core.spatial import Vector, dot, rotate
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.context import Context
@@ -97,15 +99,16 @@ def _wrong_drives(context: Context) -> Findings:
     for file, controller in context.controllers:
         for finding in _wrong_axles(controller, context):
             yield finding._replace(related=(file.note,))
-        left, right = controller.values(_LEFT)[:1], controller.values(_RIGHT)[:1]
-        if "diff_drive" not in controller.type or not left or not right:
+        sides = controller.values(_LEFT), controller.values(_RIGHT)
+        if "diff_drive" not in controller.type:
             continue
-        joints = [context.model.joints_by_name.get(name.text) for name in (*left, *right)]
-        first, second = (wheel_of(joint, context.tree) if joint else None for joint in joints)
-        if first and second and (wrong := wrong_direction(first, second)):
-            message = f"controller '{controller.name}': {wrong[0]}"
-            at = left[0].span
-            yield Finding(at, message, wrong[1], related=(file.note,))
+        for left, right in product(*sides):  # the first are often the front wheels
+            joints = [context.model.joints_by_name.get(name.text) for name in (left, right)]
+            first, second = (wheel_of(joint, context.tree) if joint else None for joint in joints)
+            if first and second and (wrong := wrong_direction(first, second)):
+                message = f"controller '{controller.name}': {wrong[0]}"
+                yield Finding(left.span, message, wrong[1], related=(file.note,))
+                break
 
 
 def _wrong_axles(controller: Controller, context: Context) -> Findings:

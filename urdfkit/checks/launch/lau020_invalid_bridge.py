@@ -152,16 +152,19 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
         message = f"unknown message type '{topic.ros_type}'; did you mean '{right}'?"
         yield "ros_type_name", message, f"write {right}"
     prefix, _, message = topic.gz_type.rpartition(".")
+    name = topic.ros_type.rpartition("/")[2]  # Gazebo has few messages with the names of ROS
     known = gazebo_messages(topic.ros_type)
     if known is None:
         return
     right = f"write gz.msgs.{known[0]}"
     if prefix not in ("gz.msgs", "ignition.msgs"):
         yield "gz_type_name", f"'{topic.gz_type}' is not a Gazebo message type", right
-    elif message not in known and (message in all_messages() or nearest(message, known)):
+    elif message not in known and (
+        message in all_messages() or message == name or nearest(message, known)
+    ):
         pair = f"'{topic.ros_type}' and '{topic.gz_type}'"
-        both = [f"{prefix}.{name} for {topic.ros_type}" for name in known]
-        both += [f"{name} for {topic.gz_type}" for name in ros_messages(message)]
+        both = [f"{prefix}.{one} for {topic.ros_type}" for one in known]
+        both += [f"{one} for {topic.gz_type}" for one in ros_messages(message)]
         help = f"write {' or '.join(both)}" if message in all_messages() else right
         yield "gz_type_name", f"the bridge cannot convert {pair}", help
 

@@ -37,6 +37,7 @@ from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawned_controllers import activates, controllers, manager_name, topic_name
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
+from urdfkit.text.located_yaml import Value
 
 NAME = "launch/robot.launch.py"
 BAD = """\
@@ -131,18 +132,23 @@ def _joint_states(context: Context, started: list[StartedProgram]) -> Findings:
 
 def _claims(context: Context, started: list[StartedProgram]) -> Findings:
     defined = defined_controllers(context)
-    owners: dict[tuple[str | None, str, str], Word] = {}
+    owners: dict[tuple[str | None, str, str], tuple[Word, Value]] = {}
     for word, node in _activated(started):
         controller = defined.get((word.text or "").strip("/"))
         for joint, interface in _claimed(controller) if controller else ():
-            owner = owners.setdefault((manager_name(node), joint, interface), word)
-            if owner.text != word.text:
+            claim = (manager_name(node), joint.text, interface)
+            owner, place = owners.setdefault(claim, (word, joint))
+            if controller and owner.text != word.text:
+                inactive = "--inactive" if controller.ros == 2 else "--stopped"
                 yield Finding(
                     Location(word.span, node.frame),
                     f"controllers '{owner.text}' and '{word.text}' are both started and claim "
-                    f"the command interface '{interface}' of joint '{joint}'",
-                    "start one of them with --inactive",
-                    related=(Related(owner.span, f"controller '{owner.text}'"),),
+                    f"the command interface '{interface}' of joint '{joint.text}'",
+                    f"start one of them with {inactive}, or correct its joints",
+                    related=(
+                        Related(place.span, f"joint of controller '{owner.text}'"),
+                        Related(joint.span, f"joint of controller '{word.text}'"),
+                    ),
                 )
                 break
 
@@ -153,9 +159,7 @@ def _activated(started: list[StartedProgram]) -> Iterator[tuple[Word, StartedPro
             yield from ((word, node) for word in controllers(node))
 
 
-def _claimed(controller: Controller) -> list[tuple[str, str]]:
-    """The joints and command interfaces that a ROS 2 controller claims."""
-    if controller.ros != 2:
-        return []
-    joints = [value.text for value in commanded_joints(controller)]
+def _claimed(controller: Controller) -> list[tuple[Value, str]]:
+    """The joints and command interfaces that a controller claims."""
+    joints = commanded_joints(controller)
     return [(joint, interface) for joint in joints for interface in commands(controller)]
