@@ -10,6 +10,10 @@ from tests.xacro.problems import brief, briefs, related, run
 from urdfkit.xacro import recovery
 from urdfkit.xacro.expansion import ExpansionRun
 
+LIBRARY = (
+    """<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="link"/></robot>"""
+)
+
 
 def test_all_errors_of_a_file(tmp_path: Path) -> None:
     xacro = run(
@@ -292,12 +296,19 @@ def test_the_directories_that_there_are_instead_of_a_missing_one(tmp_path: Path)
     ("body", "help"),
     [
         ("<xacro:propery name='a' value='1'/>", "did you mean 'property'?"),
+        (
+            "<xacro:include filename='arm.xacro' ns='arms'/>\n<xacro:arm.link/>",
+            "did you mean 'arms.link'?",
+        ),
+        ("<a b=\"${xacro.load_yaml('arm.yaml')['lenght']}\"/>", "did you mean 'length'?"),
         ("<xacro:property name='w' value='1.5'/><a b='${w^2}'/>", "write ** for a power"),
         ("<xacro:property name='w' value='0,5'/><a b='${w/2}'/>", "a value in it is text"),
         ("<xacro:property name='w' value='5 cm'/><a b='${-w}'/>", "a value in it is text"),
     ],
 )
 def test_what_was_meant_is_reported(tmp_path: Path, body: str, help: str) -> None:
+    (tmp_path / "arm.yaml").write_text("length: 1\n")
+    (tmp_path / "arm.xacro").write_text(LIBRARY)
     (problem,) = run(tmp_path, body).problems
     assert help in problem.help
 

@@ -27,6 +27,8 @@ _FROM_STANDARD_INPUT = (
     "--stdin-filename FILE"
 )
 
+_NO_KEY = re.compile(r"The yaml dictionary has no key '([^']*)'")
+_INCLUDED_AS = re.compile(rb"""<xacro:include\b[^>]*\bns\s*=\s*["']([\w.-]+)["']""")
 _UNDEFINED = re.compile(r"name '(\w+)' is not defined")
 _UNKNOWN_MACRO = re.compile(r"unknown macro name: (?:xacro:)?(\S+)")
 _PARAMETER = re.compile(r'Invalid parameter "([^"]*)"')
@@ -71,11 +73,10 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
     if isinstance(cause, KeyError):
         return MessageText(f"key {cause} does not exist", "correct the key, or its source")
     text = str(cause).split("\nwhen evaluating expression")[0].strip()
+    if isinstance(cause, AttributeError) and (message := _attribute_error(text, cause)):
+        return message
     if isinstance(cause, NameError) and (match := _UNDEFINED.search(text)):
         return _undefined_name(defined, text, match.group(1))
-    if isinstance(cause, AttributeError) and "'_setitem'" in text:
-        message = 'scope="parent" is used outside of a macro, where there is no parent scope'
-        return MessageText(message, "delete the scope")
     if match := _UNKNOWN_MACRO.search(text):
         return _unknown_macro(defined, match.group(1))
     if isinstance(cause, TypeError) and (help := _type_error_help(text)):
@@ -83,6 +84,26 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
     return _call_error(text, macro_of(error)) or MessageText(
         text.replace("\n", "; ") or type(cause).__name__
     )
+
+
+def _attribute_error(text: str, cause: AttributeError) -> MessageText | None:
+    """The message for a missing key of a YAML file, or a scope without a parent."""
+    if match := _NO_KEY.match(text):
+        hint = did_you_mean(match.group(1), _keys(cause))
+        return MessageText(text, f"correct the key, or add it to the YAML file{hint}")
+    if "'_setitem'" in text:
+        message = 'scope="parent" is used outside of a macro, where there is no parent scope'
+        return MessageText(message, "delete the scope")
+    return None
+
+
+def _keys(cause: AttributeError) -> list[str]:
+    """The keys of the dictionary that raised an error."""
+    trace = cause.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    raised_by = trace.tb_frame.f_locals.get("self") if trace else None
+    return [str(key) for key in raised_by] if isinstance(raised_by, dict) else []
 
 
 def _type_error_help(text: str) -> str:
@@ -148,10 +169,20 @@ def _unknown_macro(defined: Definitions, name: str) -> MessageText:
         known.append(tag)
     if elsewhere := _defined_elsewhere(defined, "macro", name):
         return MessageText(f"macro '{name}' is not defined", elsewhere)
+    space, _, bare = name.rpartition(".")
+    if space and bare in known:  # in another namespace: no other name is meant
+        known = [f"{one}.{bare}" for one in _namespaces(defined)]
     help = "define the macro above its call, or include the file that does"
     if any(_BARE_INCLUDE.search(source.data) for source in defined.sources.values()):
         help = "write <xacro:include>: xacro ignores an <include> without the prefix"
     return MessageText(f"macro '{name}' is not defined", help + did_you_mean(name, known))
+
+
+def _namespaces(defined: Definitions) -> list[str]:
+    """The namespaces in which files are included."""
+    texts = (source.data for source in defined.sources.values())
+    names = (name for text in texts for name in _INCLUDED_AS.findall(blank_comments(text)))
+    return list(dict.fromkeys(name.decode("utf-8", "replace") for name in names))
 
 
 def bare_property(defined: Definitions, cause: BaseException) -> tuple[str, Span] | None:
