@@ -9,10 +9,12 @@ from tests.checks.worlds.started import findings as of_world
 from tests.gazebos import BASE, block, child, plugin, sensor
 from tests.jointed import joint, limit
 from tests.jointed import robot as jointed
+from tests.launched import MANIFEST
 from tests.launched import reported as of_launch
 from tests.physics.collision.robots import box, link, revolute, sphere
 from tests.physics.collision.robots import joint as colliding_joint
 from tests.reported import messages, reported
+from tests.srdfs import findings as of_srdf
 from tests.workspaces import add_file
 from urdfkit import check
 
@@ -283,3 +285,19 @@ def test_the_optical_frame_of_a_tag(name: str, count: int) -> None:
 def test_a_frame_of_a_sensor_in_gz() -> None:
     (found,) = reported("GAZ003", BASE + sensor("imu", "<frame>base</frame>"))
     assert found.help == "name the frame by <gz_frame_id> in the <sensor>"
+
+
+@pytest.mark.parametrize(("build", "count"), [("catkin", 0), ("ament_cmake", 1)])
+def test_the_name_of_pilz_in_moveit_1(tmp_path: Path, build: str, count: int) -> None:
+    """Its plugin description has a double colon there, and a slash in MoveIt 2."""
+    depend = f"<buildtool_depend>{build}</buildtool_depend></package>"
+    (tmp_path / "package.xml").write_text(MANIFEST.replace("</package>", depend))
+    plugin = "planning_plugin: pilz_industrial_motion_planner::CommandPlanner\n"
+    (tmp_path / "pilz_industrial_motion_planner_planning.yaml").write_text(plugin)
+    group = '<group name="arm"><link name="arm"/></group>'
+    assert len(of_srdf(tmp_path, group, "SRD001")) == count
+
+
+def test_a_control_plugin_without_transmissions() -> None:
+    (found,) = reported("RCT010", BASE + plugin("libgazebo_ros_control.so"))
+    assert found.help == "add a <transmission> for each driven joint, or remove the plugin"

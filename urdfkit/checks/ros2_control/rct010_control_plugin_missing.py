@@ -105,5 +105,7 @@ def _without_transmission(context: Context, plugin: ControlPlugin) -> Findings:
         return
     if plugin.at.child("robotSimType") is None:
         yield Finding(
-            plugin.at, f"plugin {plugin.filename} drives no joint: there are no transmissions"
+            plugin.at,
+            f"plugin {plugin.filename} drives no joint: there are no transmissions",
+            "add a <transmission> for each driven joint, or remove the plugin",
         )

@@ -21,12 +21,15 @@ from urdfkit.ros.moveit.config import (
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_variant import names_of_other_robots
+from urdfkit.ros.ros_control import ROS1
 from urdfkit.text.located_yaml import Value
 
 #: The plugins of IKFast are named after the robot.
 _OF_ROBOTS = "IKFast"
 #: The controller manager whose settings are checked.
 _OF_MOVEIT = "moveit_simple_controller_manager/MoveItSimpleControllerManager"
+#: The name of Pilz's planner in MoveIt 1.
+_PILZ_OF_ROS1 = "pilz_industrial_motion_planner::CommandPlanner"
 
 #: Most groups that a help names.
 _MAX_NAMED = 8
@@ -106,7 +109,8 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
             yield Finding(name.span, message, f"write {match}", severity=Severity.WARNING)
     for plugin in planning_plugins(srdf, context.resolver):
         match = nearest(plugin.text, data("moveit")["planners"], TYPO)
-        if match and plugin.text != match:
+        is_of_ros1 = plugin.text == _PILZ_OF_ROS1 and context.targets.any_of(ROS1)
+        if match and plugin.text != match and not is_of_ros1:
             message = f"unknown planning plugin '{plugin.text}'; did you mean '{match}'?"
             yield Finding(plugin.span, message, f"write {match}")
     keys = {name: key for key, names in data("moveit")["adapters"].items() for name in names}
