@@ -94,3 +94,10 @@ def test_position_limits_without_effect() -> None:
 )
 def test_no_limits_or_a_joint_that_moves(kind: str, content: str) -> None:
     assert reported("JNT020", robot(joint("j", kind, content))) == []
+
+
+def test_limits_of_many_fixed_joints_are_one_group() -> None:
+    """A humanoid whose arms are fixed for training keeps their limits."""
+    arms = [joint(f"arm_{n}", "fixed", limit("-1", "1")) for n in range(3)]
+    found = reported("JNT020", robot(*arms))
+    assert [one.group_key for one in found] == ["limits"] * 3

@@ -55,6 +55,7 @@ def _fixed(joint: Joint) -> Findings:
             limit.at,
             f"joint '{joint.name}' is fixed; its limits [{lower:g}, {upper:g}] have no effect",
             'write type="revolute" or "prismatic", or remove the <limit>',
+            group_key="limits",
         )
 
 
