@@ -422,33 +422,6 @@ def test_a_full_disk_leaves_no_file(
     assert list((cache / "results").iterdir()) == []
 
 
-def test_the_older_half_is_removed(
-    entry: ResultEntry, cache: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(result_recording, "MAX_BYTES", 50)
-    monkeypatch.setattr(result_recording, "BYTES_BETWEEN_LOOKS", 1)
-    (cache / "results").mkdir(parents=True)
-    for number in range(10):
-        old = cache / "results" / f"{number}"
-        old.write_bytes(b"12345")
-        os.utime(old, (number, number))
-    result_recording.store(entry)
-    left = {path.name for path in (cache / "results").iterdir()}
-    assert left == {"5", "6", "7", "8", "9", Path(result_entry.path_of(entry.key)).name}
-
-
-def test_few_runs_list_all_entries(
-    entry: ResultEntry, cache: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    looks: list[str] = []
-    monkeypatch.setattr(result_recording, "_make_room", looks.append)
-    monkeypatch.setattr(result_recording, "BYTES_BETWEEN_LOOKS", 10_000)
-    for number in range(200):
-        result_recording.store(entry._replace(key=b"%d" % number))
-    written = sum(path.stat().st_size for path in (cache / "results").iterdir())
-    assert written / 20_000 < len(looks) < written / 5_000
-
-
 def test_a_file_with_the_same_time_is_not_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -129,15 +129,15 @@ def test_a_full_directory_loses_its_older_half(
 ) -> None:
     measured(cache, mesh)
     (entry,) = entries(cache)
-    for number in range(measure_cache.MAX_ENTRIES):
+    monkeypatch.setattr(measure_cache, "MAX_DIRECTORY", 10 * 64)
+    for number in range(10):
         other = entry.with_name(f"{number}.json")
-        other.write_text("{}")
+        other.write_bytes(b"1" * 64)
         os.utime(other, (number, number))
     entry.unlink()
     measured(cache, mesh)
     left = {path.name for path in entries(cache)}
-    assert len(left) == measure_cache.MAX_ENTRIES // 2 + 1
-    assert {entry.name, f"{measure_cache.MAX_ENTRIES - 1}.json"} <= left
+    assert left == {entry.name, *(f"{number}.json" for number in range(5, 10))}
 
 
 def test_runs_at_the_same_time(mesh: Path, cache: Path) -> None:

@@ -6,14 +6,15 @@ atomically: two runs may write the same entry at the same time. Broken entries a
 
 from __future__ import annotations
 
+import json
 import os
 import re
 from functools import lru_cache
 
-from urdfkit.core import atomic, disk
+from urdfkit.core import disk
 from urdfkit.core.cache_directory import cache_directory
+from urdfkit.core.cache_entries import store
 from urdfkit.core.regular_file import opened
-from urdfkit.errors import UnwritableFile
 from urdfkit.mesh.io import facts
 from urdfkit.mesh.io.facts import MAX_BYTES
 from urdfkit.mesh.measures import Measures, from_json, to_json
@@ -21,8 +22,8 @@ from urdfkit.mesh.measures import Measures, from_json, to_json
 #: Increases when the measures, their texts, or the data they are computed from change.
 VERSION = 12
 
-#: Most entries in one of the 256 directories; about 2 kB each.
-MAX_ENTRIES = 100
+#: Most bytes of one of the 256 directories; an entry has about 2 kB.
+MAX_DIRECTORY = 200_000
 
 _MATERIALS = rb"(?:\A|\n)[ \t]*mtllib[ \t]+([^\r\n]*)"
 _URI = rb'"uri"\s*:\s*"(?!data:)([^"]{1,1000})"'
@@ -80,7 +81,8 @@ class Store:
         result = _read(entry)
         if result is None:
             result = _measured(data, path)
-            _write(entry, result)
+            content = result if isinstance(result, str) else to_json(result)
+            store(entry, json.dumps(content).encode(), MAX_DIRECTORY)
         return result
 
 
@@ -125,34 +127,8 @@ def _read(entry: str) -> Measures | str | None:
             data = file.read()
     except OSError:
         return None
-    import json
-
     try:
         content = json.loads(data)
         return content if isinstance(content, str) else from_json(content)
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return None
-
-
-def _write(entry: str, result: Measures | str) -> None:
-    """Write an entry; failures are ignored."""
-    import json
-
-    content = result if isinstance(result, str) else to_json(result)
-    directory = os.path.dirname(entry)
-    try:
-        os.makedirs(directory, exist_ok=True)
-        _make_room(directory)
-        atomic.write(entry, json.dumps(content).encode(), durable=False)
-    except (OSError, UnwritableFile):
-        return
-
-
-def _make_room(directory: str) -> None:
-    """Remove the older half of the entries of a full directory."""
-    names = os.listdir(directory)
-    if len(names) < MAX_ENTRIES:
-        return
-    by_age = sorted((os.stat(os.path.join(directory, name)).st_mtime, name) for name in names)
-    for _, name in by_age[: MAX_ENTRIES // 2]:
-        os.unlink(os.path.join(directory, name))
