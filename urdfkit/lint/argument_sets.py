@@ -34,10 +34,10 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
     context = read(job)
     if names := context.reading.arguments_to_pass:
         return _with_missing(job, read, context, names) or [(job, context)]
-    if job.shared is None:
+    if job.overriding is None:
         return [(job, context)]
     sets = _launch_sets(job, (), context)
-    job = job._replace(started=())  # not needed by the report, and sent to another process
+    job = job._replace(launch_sets=())  # not needed by the report, and sent to another process
     if _needs_more_than_defaults(context):
         return _with_more_than_defaults(job, read, sets) or [(job, context)]
     return _with_other_robots(job, read, context, sets) if sets else [(job, context)]
@@ -50,7 +50,7 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
         names: names of the missing arguments; sets without all of them are omitted.
     """
     sets: dict[object, RobotArguments] = {}
-    for robot in (*_given(job, names, context), *job.started):
+    for robot in (*_passed(job, names, context), *job.launch_sets):
         if robot.arguments.keys() >= set(names):
             files = (file.path for file in robot.parameters)
             key = (frozenset(robot.arguments.items()), *files)
@@ -65,7 +65,7 @@ def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[Rob
     return new + rest
 
 
-def _given(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
+def _passed(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
     if (job.frame and not names) or not has_launch_files(job.path, context.resolver):
         return []
     from urdfkit.ros.launch.robot_arguments import passed_arguments  # for robots with launch files
@@ -83,7 +83,7 @@ def _with_missing(
     complete: list[tuple[Job, Context]] = []
     unsure: list[tuple[Job, Context]] = []
     failed: dict[tuple[str, ...], Context] = {}
-    for values, variant in zip(candidates, _started(job, sets[:MAX_GIVEN], names), strict=False):
+    for values, variant in zip(candidates, _variants(job, sets[:MAX_GIVEN], names), strict=False):
         pair = (variant, read(variant))
         is_unsure = _is_unsure(*pair)
         if pair[1].reading.missing_arguments or is_unsure:
@@ -95,7 +95,7 @@ def _with_missing(
     if complete:
         complete[0][1].unchecked = _unchecked(candidates, complete, failed)
     elif context.reading.missing_arguments:
-        return _as_found(job, read, context, names)
+        return _with_found_values(job, read, context, names)
     return complete
 
 
@@ -114,16 +114,16 @@ def _with_more_than_defaults(
 
     Excludes sets with which it does not expand, unless the launch file itself is checked.
     """
-    given = [robot for robot in sets if robot.arguments]
-    tried = [(variant, read(variant)) for variant in _started(job, given[:MAX_GIVEN])]
+    with_arguments = [robot for robot in sets if robot.arguments]
+    tried = [(variant, read(variant)) for variant in _variants(job, with_arguments[:MAX_GIVEN])]
     if all(context.reading.document is None for _, context in tried):
         return []
     checked = [
         (variant, context)
         for variant, context in tried
-        if context.reading.document is not None or (variant.frame and not variant.found)
+        if context.reading.document is not None or (variant.frame and not variant.may_fail)
     ]
-    untried = [robot.arguments for robot in given[MAX_GIVEN:]]
+    untried = [robot.arguments for robot in with_arguments[MAX_GIVEN:]]
     checked[0][1].unchecked = _unchecked(untried, tried, {})
     return checked
 
@@ -133,20 +133,20 @@ def _with_other_robots(
 ) -> list[tuple[Job, Context]]:
     """A job, also with the sets of arguments that result in another robot or parameter files."""
     own = {**_defaults(context), **job.arguments} if context.reading.xacro else {}
-    base = job._replace(name="", arguments=dict(job.shared or {}))
+    base = job._replace(name="", arguments=dict(job.overriding or {}))
     others: list[Job] = []
     same: dict[object, Job] = {}  # by parameter files
-    for variant in _started(base, sets, ()):
+    for variant in _variants(base, sets, ()):
         if _changes(variant.arguments, own):
             others.append(variant)
         elif variant.parameters:
             same[tuple(file.path for file in variant.parameters)] = variant
-    checked, texts = [(job, context)], [_text(context)] if others else []
+    checked, texts = [(job, context)], [_expanded_text(context)] if others else []
     tried = [(variant, read(variant)) for variant in others[:MAX_GIVEN]]
     for variant, robot in tried:
         if _is_unsure(variant, robot):
             continue
-        text = _text(robot)
+        text = _expanded_text(robot)
         if text is None or text not in texts:
             checked.append((variant, robot))
             texts.append(text)
@@ -155,7 +155,7 @@ def _with_other_robots(
     checked += ((variant.about_parameters(), read(variant)) for variant in same.values())
     untried = [_changes(variant.arguments, own) for variant in others[MAX_GIVEN:]]
     context.unchecked = _unchecked(untried, [(job, context), *tried], {})
-    if all(_text(robot) != texts[0] for _, robot in tried):
+    if all(_expanded_text(robot) != texts[0] for _, robot in tried):
         replaced = _replaced(sets, own) - job.arguments.keys()
         checked[0] = (job._replace(replaced=frozenset(replaced)), context)
     return checked
@@ -183,15 +183,15 @@ def _changes(arguments: Mapping[str, str], own: Mapping[str, str]) -> dict[str, 
 
 def _is_unsure(variant: Job, context: Context) -> bool:
     """True if a robot may only expand with the values that are known only at run time."""
-    return context.reading.document is None and variant.frame is not None and variant.found
+    return context.reading.document is None and variant.frame is not None and variant.may_fail
 
 
-def _text(context: Context) -> bytes | None:
+def _expanded_text(context: Context) -> bytes | None:
     """The expanded text; None if the description cannot be read."""
     return None if context.reading.document is None else context.text
 
 
-def _as_found(
+def _with_found_values(
     job: Job, read: Callable[[Job], Context], context: Context, names: tuple[str, ...]
 ) -> list[tuple[Job, Context]]:
     """A job with values found in other files; empty if it expands with none of them."""
@@ -205,8 +205,8 @@ def _as_found(
     sets = list(combinations(names, xacro, context.resolver))
     candidates = [{name: value for name, (value, _) in values.items()} for values in sets]
     for values, assumed in list(zip(sets, candidates, strict=True))[:MAX_GIVEN]:
-        arguments, launched = {**assumed, **job.arguments}, _launched(job, values)
-        variant = job._replace(arguments=arguments, launched=launched, assumed=_named(assumed))
+        arguments, launched = {**assumed, **job.arguments}, _by_origin(job, values)
+        variant = job._replace(arguments=arguments, launched=launched, assumed=_as_text(assumed))
         pair = (variant, read(variant))
         if pair[1].reading.document is not None:
             expanded.append(pair)
@@ -219,7 +219,7 @@ def _as_found(
         return [(expanded[0][0]._replace(assumed=""), expanded[0][1])]
     if expanded or set(missing) <= set(names):
         return expanded
-    return _as_found(job, read, context, tuple(dict.fromkeys((*names, *missing))))
+    return _with_found_values(job, read, context, tuple(dict.fromkeys((*names, *missing))))
 
 
 def _unchecked(
@@ -252,7 +252,7 @@ def _unchecked(
     )
 
 
-def _started(
+def _variants(
     job: Job, sets: Iterable[RobotArguments], names: Iterable[str] | None = None
 ) -> Iterator[Job]:
     """A job with each of the sets of arguments of launch files.
@@ -268,17 +268,17 @@ def _started(
             frame=robot.frame,
             arguments={**robot.arguments, **job.arguments},
             parameters=robot.parameters,
-            started=(),
-            launched=_launched(job, origins),
-            found=job.found if robot.frame is None else not robot.is_whole,
-            assumed="" if robot.frame else _named(robot.arguments),
+            launch_sets=(),
+            launched=_by_origin(job, origins),
+            may_fail=job.may_fail if robot.frame is None else not robot.is_whole,
+            assumed="" if robot.frame else _as_text(robot.arguments),
             unknown=robot.unknown,
         )
         yield variant.about_parameters() if variant.arguments in known else variant
         known.append(variant.arguments)
 
 
-def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:
+def _by_origin(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:
     """The values of arguments, grouped by origin."""
     origins: dict[str, dict[str, str]] = {}
     for name, (value, origin) in values.items():
@@ -286,17 +286,17 @@ def _launched(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched
     return tuple(Launched(job.path, *item) for item in origins.items())
 
 
-def _named(arguments: Mapping[str, str]) -> str:
+def _as_text(arguments: Mapping[str, str]) -> str:
     return ", ".join(f"{name}={value}" for name, value in arguments.items())
 
 
-def unknown_arguments(context: Context, given: Iterable[str]) -> dict[str, str]:
-    """The given arguments that a description does not use, each with the suggested name.
+def unknown_arguments(context: Context, passed: Iterable[str]) -> dict[str, str]:
+    """The passed arguments that a description does not use, each with the suggested name.
 
     xacro accepts any argument, so that a typo has no effect and is not reported. Empty for launch
     files, which may pass arguments on, and for unreadable descriptions.
     """
-    names = tuple(given)
+    names = tuple(passed)
     if not names or context.reading.document is None:
         return {}
     xacro = context.reading.xacro

@@ -181,10 +181,10 @@ def failed(job: Job, error: Exception) -> FileResult:
 def check_context(job: Job, context: Context, options: Options) -> FileResult:
     chosen = [code for code in options.select if not job.codes or code in job.codes]
     # A robot found in a directory may require arguments; that is not a defect.
-    missing = context.reading.missing_argument_codes if job.found else ()
+    missing = context.reading.missing_argument_codes if job.may_fail else ()
     codes = [code for code in chosen if code not in missing]
     result = run_rules(context, codes, options)
-    if not job.found and context.reading.xacro and context.reading.xacro.is_library:
+    if not job.may_fail and context.reading.xacro and context.reading.xacro.is_library:
         no_robot = Skipped("", context.source.path, DEFINES_NO_LINK)
         result = result._replace(skipped=(*result.skipped, no_robot))
     result = _skipped_as_one(result, context)

@@ -37,7 +37,7 @@ def merged_report(
     # arguments that a launch file there sets.
     skipped: list[Checked] = []
     for job, result in checked:
-        is_unchecked = job.found and not all(map(_is_checked, result.diagnostics))
+        is_unchecked = job.may_fail and not all(map(_is_checked, result.diagnostics))
         if (job.frame or is_unchecked) and _is_skipped(result):
             skipped.append((job, result))
         else:

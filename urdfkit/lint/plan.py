@@ -33,13 +33,15 @@ class Job(Record):
     path: str  # path of the file
     name: str  # name of the variant; empty if there is only one
     arguments: dict[str, str]  # xacro arguments
-    found: bool  # True if it was found in a directory, False if the user named it
+    #: True if it need not expand: it was found in a directory, or a launch file passes values that
+    #: are known only at run time.
+    may_fail: bool
     frame: CallFrame | None = None  # the launch file that loads it; None if there is none
     parameters: tuple[FileUse, ...] = ()  # the parameter files that this launch file loads
     #: Arguments that override those of launch files; None if it is not checked with those.
-    shared: dict[str, str] | None = None
+    overriding: dict[str, str] | None = None
     #: The arguments from the launch files of a checked directory.
-    started: tuple[RobotArguments, ...] = ()
+    launch_sets: tuple[RobotArguments, ...] = ()
     #: The arguments without a default, with the origin of their values.
     launched: tuple[Launched, ...] = ()
     #: Argument values that no launch file passes to this robot, as ``name=value``; may be empty.
@@ -83,12 +85,12 @@ def planned(
     plan = Plan(resolver, options)
     if options.changed:
         plan.add_changed(files)
-        plan.add_started()
+        plan.add_launch_sets()
     else:
         files = list(files)
         for file in files:
             plan.add(file)
-        plan.add_started()
+        plan.add_launch_sets()
         plan.note_without_robot([os.fspath(f) for f in files if not isinstance(f, Source)])
     return plan
 
@@ -112,8 +114,9 @@ class Plan:
         self.unchecked: list[tuple[str, str, str]] = []
         #: Displayed path and arguments of the robots that launch files of directories start, by
         #: real path.
-        self._started: dict[str, tuple[str, list[RobotArguments]]] = {}
-        self._named: set[str] = set()  # paths of the robots checked with launch arguments
+        self._launch_sets: dict[str, tuple[str, list[RobotArguments]]] = {}
+        #: Paths of the robots that are also checked with the arguments of launch files.
+        self._with_launch_files: set[str] = set()
 
     def add(self, file: str | os.PathLike[str] | Source) -> None:
         """Add a file with its variants in the configuration, or a directory."""
@@ -127,7 +130,7 @@ class Plan:
             self.resolver.admit(os.path.join(directory, "x"))
             launches = list(launch_files(directory, config, self.resolver.directories))
             try:
-                self._add_found(discover(directory, config, self.resolver), directory)
+                self._add_contents(discover(directory, config, self.resolver), directory)
             except UnreadableFile:
                 if not launches:  # launch files may start robots of other directories
                     raise
@@ -137,7 +140,8 @@ class Plan:
                 self.crashed.append(crash("", directory, error))
             for path in launches:
                 try:
-                    self._add_launch(self.resolver.read(_like_given(path, directory)), found=True)
+                    source = self.resolver.read(_relative_as(path, directory))
+                    self._add_launch(source, in_directory=True)
                 except UnreadableFile:  # a link to a file outside of the directory
                     self._add_closed(path)
         else:
@@ -150,23 +154,27 @@ class Plan:
         paths = [file.path if isinstance(file, Source) else os.fspath(file) for file in files]
         for path in paths:
             self.resolver.admit(path)
-        found = affected(paths, self.config, self.resolver)
-        self._add_found(found, *paths[:1])
-        for path in found.launches:
-            self._add_launch(self.resolver.read(_like_given(path, paths[0])), found=True)
+        contents = affected(paths, self.config, self.resolver)
+        self._add_contents(contents, *paths[:1])
+        for path in contents.launches:
+            self._add_launch(self.resolver.read(_relative_as(path, paths[0])), in_directory=True)
 
-    def _add_found(self, found: DirectoryContents, given: str = "") -> None:
-        """Add the entry points of a directory, or of changed files."""
-        robots = [robot for robot in found.robots if self.variant in ("", robot.name)]
-        if found.robots and not robots:
+    def _add_contents(self, contents: DirectoryContents, start: str = "") -> None:
+        """Add the entry points of a directory, or of changed files.
+
+        Args:
+            start: the directory or file as the user named it.
+        """
+        robots = [robot for robot in contents.robots if self.variant in ("", robot.name)]
+        if contents.robots and not robots:
             raise ConfigError(f"no robot has a variant '{self.variant}'")
         for robot in robots:
-            self._add_robot(_like_given(robot.file, given), robot.name, robot.arguments)
-        for library in found.libraries:
+            self._add_robot(_relative_as(robot.file, start), robot.name, robot.arguments)
+        for library in contents.libraries:
             reason = "defines no link, and no file includes it: check a robot that uses it"
             self.skipped.append(Skipped("", library, reason))
-        self.skipped += (Skipped("", path, reason) for path, reason in found.others.items())
-        for path in found.closed:
+        self.skipped += (Skipped("", path, reason) for path, reason in contents.others.items())
+        for path in contents.closed:
             self._add_closed(path)
 
     def _add_closed(self, path: str) -> None:
@@ -175,9 +183,9 @@ class Plan:
         self.unchecked.append((path, "robot not checked: the file cannot be opened", help))
         self.skipped.append(Skipped("", path, f"cannot be opened; {help}"))
 
-    def note_without_robot(self, given: Iterable[str]) -> None:
+    def note_without_robot(self, files: Iterable[str]) -> None:
         """Add a finding if directories contain no robot, even if launch files are checked."""
-        directories = list(filter(disk.is_directory, given))
+        directories = list(filter(disk.is_directory, files))
         launches = [job.path for job in self.jobs if is_launch(job.path)]
         if not directories or len(launches) < len(self.jobs) or self.unchecked or self.crashed:
             return
@@ -197,13 +205,13 @@ class Plan:
             return
         for robot in self.config.entries(source.path, self.arguments, self.variant):
             job = Job(source.path, robot.name, robot.arguments, False, source=source)
-            self.jobs.append(job if self.arguments else self._also_started(job))
+            self.jobs.append(job if self.arguments else self._also_as_launched(job))
 
-    def _add_launch(self, source: Source, *, found: bool = False) -> None:
+    def _add_launch(self, source: Source, *, in_directory: bool = False) -> None:
         """Add a launch file, and the robots that it describes.
 
         Args:
-            found: True if it was found in a directory, whose robots are checked anyway.
+            in_directory: True if it was found in a directory, whose robots are checked anyway.
         """
         from urdfkit.ros.launch import read_launch
         from urdfkit.ros.launch.robot_arguments import started
@@ -216,38 +224,38 @@ class Plan:
         except Exception:  # a bug in urdfkit, which the check of the launch file reports
             return
         for path, robot in started(launch, source.path):
-            if not found:
-                self.jobs.append(self._as_started(_like_given(path, source.path), robot))
+            if not in_directory:
+                self.jobs.append(self._started_by_launch(_relative_as(path, source.path), robot))
             elif not matches(self.config.relative(path), self.config.exclude):
                 real = disk.real(path)
-                self._started.setdefault(real, (_like_given(path, source.path), []))[1].append(
+                self._launch_sets.setdefault(real, (_relative_as(path, source.path), []))[1].append(
                     robot
                 )
 
-    def _as_started(self, path: str, robot: RobotArguments) -> Job:
+    def _started_by_launch(self, path: str, robot: RobotArguments) -> Job:
         """The job of a robot with the arguments of a launch file."""
         arguments = {**self.config.arguments, **robot.arguments}
         job = Job(path, "", arguments, not robot.is_whole, robot.frame, robot.parameters)
         return job._replace(unknown=robot.unknown)
 
-    def _also_started(self, job: Job) -> Job:
+    def _also_as_launched(self, job: Job) -> Job:
         """The job, also with the arguments of launch files; only for the first of its variants.
 
         A variant that the user selected is checked alone.
         """
-        if self.variant or job.path in self._named or not self._as_launched:
+        if self.variant or job.path in self._with_launch_files or not self._as_launched:
             return job
-        self._named.add(job.path)
-        return job._replace(shared={**self.config.arguments, **self.arguments})
+        self._with_launch_files.add(job.path)
+        return job._replace(overriding={**self.config.arguments, **self.arguments})
 
-    def add_started(self) -> None:
+    def add_launch_sets(self) -> None:
         """Add the arguments of launch files in directories, after all robots were added."""
-        if not self._started:
+        if not self._launch_sets:
             return
         for index, job in enumerate(self.jobs):
-            _, sets = self._started.pop(disk.real(job.path), ("", []))
-            self.jobs[index] = job._replace(started=tuple(sets))
-        for real, (path, sets) in self._started.items():
+            _, sets = self._launch_sets.pop(disk.real(job.path), ("", []))
+            self.jobs[index] = job._replace(launch_sets=tuple(sets))
+        for real, (path, sets) in self._launch_sets.items():
             self.jobs += self._elsewhere(path, sets, was_skipped=self._was_skipped(real))
 
     def _elsewhere(
@@ -259,10 +267,10 @@ class Plan:
         """
         distinct = [robot for robot in sets if robot.arguments or was_skipped]
         if distinct:
-            job = self._as_started(path, distinct[0])
-            return [job._replace(shared=dict(self.config.arguments), started=tuple(sets))]
+            job = self._started_by_launch(path, distinct[0])
+            return [job._replace(overriding=dict(self.config.arguments), launch_sets=tuple(sets))]
         with_files = (robot for robot in sets if robot.parameters)
-        return [self._as_started(path, robot).about_parameters() for robot in with_files]
+        return [self._started_by_launch(path, robot).about_parameters() for robot in with_files]
 
     def _was_skipped(self, robot: str) -> bool:
         """Remove a robot with a launch file from the skipped files; True if it was one of them."""
@@ -274,9 +282,9 @@ class Plan:
 
     def _add_robot(self, path: str, name: str, arguments: Mapping[str, str]) -> None:
         merged = {**self.config.arguments, **arguments, **self.arguments}
-        self.jobs.append(self._also_started(Job(path, name, merged, True)))
+        self.jobs.append(self._also_as_launched(Job(path, name, merged, True)))
 
 
-def _like_given(path: str, given: str) -> str:
-    """A path that is absolute or relative like a given path of the user."""
-    return shown(os.path.abspath(path)) if os.path.isabs(given) else os.path.relpath(path)
+def _relative_as(path: str, other: str) -> str:
+    """A path that is absolute or relative as another one, which the user named."""
+    return shown(os.path.abspath(path)) if os.path.isabs(other) else os.path.relpath(path)

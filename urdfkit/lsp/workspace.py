@@ -136,7 +136,7 @@ class Workspace:
 
         try:
             (job, _), *_ = as_launched(
-                Job(robot.file, "", dict(config.arguments), found=False), read
+                Job(robot.file, "", dict(config.arguments), may_fail=False), read
             )
         except UrdfkitError:
             return robot
