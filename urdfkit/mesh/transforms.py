@@ -1,9 +1,17 @@
 """Rigid transforms and scaling of meshes."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from urdfkit.core.spatial import Transform, Vector
 from urdfkit.mesh.geometry import Floats, Mesh, MeshPart
+
+
+def homogeneous(rotation: ArrayLike, position: ArrayLike) -> Floats:
+    """Homogeneous matrix, (4, 4), of a rotation (3, 3) and a position (3,)."""
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = rotation, position
+    return matrix
 
 
 def moved(mesh: Mesh, frame: Transform) -> Mesh:

@@ -14,7 +14,8 @@ from tests.conftest import MODELS, manifest, model_id, needs_corpus
 from tests.physics.collision.robots import joint, link, revolute, robot
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
-from urdfkit.physics.collision.batch_kinematics import matrix, slopes, tree_arrays
+from urdfkit.mesh.transforms import homogeneous
+from urdfkit.physics.collision.batch_kinematics import slopes, tree_arrays
 from urdfkit.robot import kinematics
 from urdfkit.robot.joints import MAX_TRAVEL
 
@@ -36,7 +37,7 @@ def agrees(context: Context) -> None:
         expected = kinematics.frames(context.tree, given)
         for number, name in enumerate(arrays.links):
             if name in expected:
-                known = matrix(expected[name])
+                known = homogeneous(*expected[name])
                 assert frames[number][sample] == pytest.approx(known, abs=1e-12), name
 
 

@@ -1,9 +1,9 @@
 """Unknown names in MoveIt's YAML files."""
 
 import os
-from collections.abc import Iterable
 
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
+from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.moveit.config import (
@@ -60,6 +60,7 @@ def _joint_limits(context: Context, srdf: Srdf) -> Findings:
 
 def _groups(context: Context, srdf: Srdf) -> Findings:
     known = srdf.known("group")
+    groups = few([f"'{name}'" for name in sorted(known)], _MAX_NAMED)
     entries = list(group_entries(srdf, context.resolver))
     others = names_of_other_robots(context, srdf, {str(entry.name) for entry in entries} - known)
     for entry in entries:
@@ -69,16 +70,9 @@ def _groups(context: Context, srdf: Srdf) -> Findings:
             yield Finding(
                 entry.name.span,
                 f"settings of unknown group '{entry.name}'{did_you_mean(entry.name, known)}",
-                f"name a group of {os.path.basename(srdf.path)} ({_few(known)}), or remove "
-                "the settings",
+                f"name a group of {os.path.basename(srdf.path)} ({groups}), or remove the settings",
                 severity=Severity.WARNING,
             )
-
-
-def _few(names: Iterable[str]) -> str:
-    quoted = [f"'{name}'" for name in sorted(names)]
-    more = [f"{len(quoted) - _MAX_NAMED} more"] if len(quoted) > _MAX_NAMED else []
-    return ", ".join([*quoted[:_MAX_NAMED], *more])
 
 
 def _solvers(context: Context, srdf: Srdf) -> Findings:

@@ -1,10 +1,10 @@
 """Pseudo-inertia matrices of links that are fixed together, and their comparison."""
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from urdfkit.core.spatial import Transform
 from urdfkit.mesh.geometry import Floats
+from urdfkit.mesh.transforms import homogeneous
 from urdfkit.robot.model import Link
 from urdfkit.robot.rigid_bodies import properties_of
 
@@ -23,13 +23,6 @@ def pseudo_inertia(mass: float, center: Floats, tensor: Floats, frame: Transform
     )
     transform = homogeneous(*frame)
     return np.asarray(transform @ matrix @ transform.T)
-
-
-def homogeneous(rotation: ArrayLike, position: ArrayLike) -> Floats:
-    """Homogeneous matrix, (4, 4), of a rotation (3, 3) and a position (3,)."""
-    matrix = np.eye(4)
-    matrix[:3, :3], matrix[:3, 3] = rotation, position
-    return matrix
 
 
 def of_link(link: Link, frame: Transform) -> Floats:

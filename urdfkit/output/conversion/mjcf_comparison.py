@@ -8,13 +8,8 @@ import numpy as np
 
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
-from urdfkit.output.conversion.body_inertia import (
-    about_center,
-    difference,
-    homogeneous,
-    of_link,
-    pseudo_inertia,
-)
+from urdfkit.mesh.transforms import homogeneous
+from urdfkit.output.conversion.body_inertia import about_center, difference, of_link, pseudo_inertia
 from urdfkit.output.conversion.mjcf_geoms import (
     COLLISION_GROUP,
     KINDS,

@@ -10,7 +10,7 @@ import numpy as np
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
-from urdfkit.output.conversion.body_inertia import homogeneous
+from urdfkit.mesh.transforms import homogeneous
 from urdfkit.output.conversion.mjcf_comparison import (
     ZERO,
     inertias,

@@ -10,7 +10,7 @@ import numpy as np
 
 from urdfkit.core.spatial import Transform, cross, rotate
 from urdfkit.mesh.geometry import Floats
-from urdfkit.output.conversion.body_inertia import homogeneous
+from urdfkit.mesh.transforms import homogeneous
 from urdfkit.robot.kinematics import direction, frames, laws
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree

@@ -12,7 +12,8 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics
 from urdfkit.core.spatial import X_AXIS, Y_AXIS, Z_AXIS, Transform
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
-from urdfkit.output.conversion.body_inertia import difference, homogeneous, of_link, pseudo_inertia
+from urdfkit.mesh.transforms import homogeneous
+from urdfkit.output.conversion.body_inertia import difference, of_link, pseudo_inertia
 from urdfkit.output.conversion.result import Proof
 from urdfkit.output.conversion.usd_shapes import converted_shapes, shape_difference
 from urdfkit.robot.kinematics import direction

@@ -9,7 +9,7 @@ from pxr import Usd, UsdGeom, UsdPhysics
 
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
-from urdfkit.output.conversion.body_inertia import homogeneous
+from urdfkit.mesh.transforms import homogeneous
 from urdfkit.robot.model import Body, Link, Shape
 
 #: Prim types of URDF's primitives.

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.core.grouping import by_key
-from urdfkit.core.spatial import Transform
 from urdfkit.mesh.geometry import Floats
+from urdfkit.mesh.transforms import homogeneous
 from urdfkit.robot.joints import span, start_of
 from urdfkit.robot.kinematics import LOCKED, MimicLaw, direction, laws
 from urdfkit.robot.model import Joint
@@ -207,7 +207,7 @@ def _step(
     joint: Joint, parent: int, child: int, law: MimicLaw, columns: Mapping[str, int]
 ) -> TreeStep:
     does_move = joint.is_single_dof
-    origin = np.clip(matrix(joint.origin), -_FARTHEST, _FARTHEST)
+    origin = np.clip(homogeneous(*joint.origin), -_FARTHEST, _FARTHEST)
     x, y, z = direction(joint)
     is_rotational = joint.is_rotational
     sine = np.zeros((4, 4))
@@ -227,11 +227,3 @@ def _step(
         law.factor,
         law.shift if does_move else 0.0,
     )
-
-
-def matrix(frame: Transform) -> Floats:
-    """(4, 4), homogeneous matrix of a transform."""
-    result = np.eye(4)
-    result[:3, :3] = frame.rotation
-    result[:3, 3] = frame.position
-    return result

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from urdfkit.mesh.geometry import Floats, Integers, scaled_normals
+from urdfkit.mesh.transforms import homogeneous
 from urdfkit.mesh.welding import weld
-from urdfkit.physics.collision.batch_kinematics import matrix
 from urdfkit.physics.collision.bodies import MAX_COORDINATE, THINNEST, primitive_size, why_omitted
 from urdfkit.robot.assets.triangles import Meshes
 from urdfkit.robot.model import Link, RobotModel, Shape
@@ -71,7 +71,7 @@ def arrays(
     reason = why_omitted(body)
     if shape is None or reason:
         return OmittedCollision(link.name, number, reason)
-    frame = matrix(body.origin)
+    frame = homogeneous(*body.origin)
     if shape.kind != "mesh":
         size = primitive_size(shape)
         return CollisionArrays(link.name, number, frame, shape.kind, size, NO_VERTICES, NO_FACES)
