@@ -238,9 +238,13 @@ def test_a_plant_of_one_kilogram_is_in_millimetres() -> None:
     assert messages("INE006", robot) == []
 
 
-def test_a_torque_of_a_displaced_mass() -> None:
+@pytest.mark.parametrize(("mass", "is_cause"), [(2, True), (0.01, False)])
+def test_a_torque_of_a_displaced_mass(mass: float, is_cause: bool) -> None:
     """Masses of an arm in the frame of its base: more effort is not the cure."""
-    ball, mass = shape("collision", BALL), inertial(2, (0.01, 0.01, 0.01), "0 0 0.7")
+    ball, inside = shape("collision", BALL), inertial(40, (1.0, 1.0, 1.0), "0 0 0.05")
+    displaced = inertial(mass, (0.01, 0.01, 0.01), "0 0 0.7")
     swinging = joint("base", "arm", "revolute").replace("<limit", '<axis xyz="0 1 0"/><limit')
-    (found,) = reported("DYN003", link("base") + link("arm", ball, mass) + swinging)
-    assert found.help.startswith("first correct the centre of mass of 'arm'")
+    hand = link("hand", ball, displaced) + joint("arm", "hand", xyz="0 0 0.1")
+    weight = () if is_cause else (ball, inside)
+    (found,) = reported("DYN003", link("base") + link("arm", *weight) + swinging + hand)
+    assert found.help.endswith("outside the shapes of 'hand' (INE011)") is is_cause

@@ -301,3 +301,12 @@ def test_the_name_of_pilz_in_moveit_1(tmp_path: Path, build: str, count: int) ->
 def test_a_control_plugin_without_transmissions() -> None:
     (found,) = reported("RCT010", BASE + plugin("libgazebo_ros_control.so"))
     assert found.help == "add a <transmission> for each driven joint, or remove the plugin"
+
+
+def test_an_expression_with_parts_outside_its_braces() -> None:
+    """`${m/12} * (${l}*${l})` is a text of three words, and not three numbers."""
+    moments = '<inertia ixx="0.5 * (0.1*0.1)" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+    robot = f'<link name="a"><inertial><mass value="1"/>{moments}</inertial></link>'
+    (found,) = reported("URD005", robot)
+    assert found.message.endswith("is '0.5 * (0.1*0.1)', which no parser computes")
+    assert "${...}" in found.help

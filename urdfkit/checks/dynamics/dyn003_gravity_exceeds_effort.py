@@ -19,8 +19,8 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.words import listed
 from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
-from urdfkit.robot.inertials.defects import InertiaDefect
-from urdfkit.robot.joint_loads import overloadable_joints
+from urdfkit.robot.inertials.defects import InertiaDefect, center_is_outside
+from urdfkit.robot.joint_loads import GRAVITY, overloadable_joints
 from urdfkit.robot.joints import driven
 from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
@@ -41,7 +41,7 @@ GOOD = BAD.replace('effort="10"', 'effort="30"')
 
 #: Most links that the help names.
 _MAX_NAMED = 3
-_DISPLACED = "first correct the centre of mass of {}, which is outside its shapes (INE011)"
+_DISPLACED = "correct centres of mass first: they are outside the shapes of {} (INE011)"
 _PASSIVE = "nothing drives it: raise the effort if it has a motor"
 
 
@@ -58,14 +58,12 @@ def check(context: Context) -> Findings:
     from urdfkit.physics.overloads import overloads
 
     motors = driven(context.model)
-    displaced = context.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ())
-    outside = {inertia.link.name for inertia in displaced}
+    moments = _moments_of_displaced(context)
     for load in overloads(context.tree):
         joint = context.model.joints_by_name[load.joint]
         finding = _finding(joint, load)
-        if wrong := [link for link in context.tree.below(joint.child_name) if link in outside]:
-            names = listed([f"'{link}'" for link in wrong], _MAX_NAMED)
-            finding = finding._replace(help=_DISPLACED.format(names))
+        if displaced := _displaced(context, joint, load, moments):
+            finding = finding._replace(help=_DISPLACED.format(displaced))
         if motors and load.joint not in motors:
             finding = finding._replace(severity=Severity.INFO, help=_PASSIVE)
         yield finding
@@ -73,6 +71,21 @@ def check(context: Context) -> Findings:
         raise Unavailable(
             f"the worst pose of {len(overloadable)} joints is not searched, only zero"
         )
+
+
+def _moments_of_displaced(context: Context) -> dict[str, float]:
+    """Gravity moments in N·m by which centres of mass outside their shapes may be wrong."""
+    links = context.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ())
+    return {one.link.name: one.mass * GRAVITY * (center_is_outside(one) or 0.0) for one in links}
+
+
+def _displaced(context: Context, joint: Joint, load: Load, moments: dict[str, float]) -> str:
+    """The links whose centres of mass may explain half of the excess or more; empty if none."""
+    links = [link for link in context.tree.below(joint.child_name) if link in moments]
+    explained = sum(moments[link] for link in links)
+    if joint.is_prismatic or 2 * explained < load.worst - (load.effort or 0.0):
+        return ""
+    return listed([f"'{link}'" for link in links], _MAX_NAMED) if links else ""
 
 
 def _finding(joint: Joint, load: Load) -> Finding:
