@@ -58,6 +58,17 @@ def test_a_square_is_flat(tmp_path: Path) -> None:
     assert found.message == "link 'arm': the collision mesh 'a.stl' is flat: 0 x 1 x 1 m"
 
 
+def test_an_oblique_sheet_is_flat_in_a_box_that_is_not(tmp_path: Path) -> None:
+    """The parts of a convex decomposition in BestMan_Pybullet."""
+    flat = stl([[(0, 0, 0), (1, 0, 1), (1, 1, 1)], [(0, 0, 0), (1, 1, 1), (0, 1, 0)]])
+    assert messages(tmp_path, "MSH015", link(mesh("a.stl")), {"a.stl": flat}) == [
+        (
+            "link 'arm': the collision mesh 'a.stl' is flat: all its vertices are in one plane, "
+            "oblique in its bounding box of 1 x 1 x 1 m"
+        )
+    ]
+
+
 def test_a_label_may_be_flat(tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH015", link(mesh("a.stl", "visual")), {"a.stl": FLAT}) == []
 

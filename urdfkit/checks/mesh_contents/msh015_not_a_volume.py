@@ -42,6 +42,10 @@ FILES = {
 }
 
 
+#: Shortest edge of the bounding box of a flat mesh that is oblique, over the longest.
+OBLIQUE = 1e-3
+
+
 @rule(
     Severity.INFO,
     needs=(Need.MODEL, Need.MESHES),
@@ -53,8 +57,17 @@ def check(context: Context) -> Findings:
     severity = Severity.ERROR if fatal else Severity.WARNING
     for use in defects.get(MeshDefect.FLAT, ()):
         x, y, z = use.edges
-        message = f"{use.who} is flat: {x:.3g} x {y:.3g} x {z:.3g} m"
-        yield Finding(use.at, message, "use a thin <box>", severity=severity, targets=fatal)
+        size = f"{x:.3g} x {y:.3g} x {z:.3g} m"
+        if min(use.edges) > OBLIQUE * use.longest:
+            size = f"all its vertices are in one plane, oblique in its bounding box of {size}"
+        yield Finding(
+            use.at,
+            f"{use.who} is flat: {size}",
+            "use a thin <box>",
+            severity=severity,
+            targets=fatal,
+            group_key="flat",
+        )
     for target in context.given_facts:
         if target.least_volume:
             yield from _tiny(context, target)
