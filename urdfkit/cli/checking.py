@@ -174,7 +174,7 @@ def _simulate(values: Mapping[str, Any], select: Collection[str]) -> Simulate | 
             raise options.UsageError(f"--{key} needs --simulate")
     for word in select:
         codes = rule_index.codes_of(word)
-        if codes and rule_index.simulating().issuperset(codes):
+        if codes and rule_index.of_family("simulation").issuperset(codes):
             raise options.UsageError(f"--select {word} needs --simulate")
     return None
 

@@ -103,7 +103,8 @@ class Options(Record):
         select, ignore = self.select, self.ignore
         chosen = choose(select, ignore, self.config, external)
         if self.simulate is None:
-            chosen = [code for code in chosen if code not in rule_index.simulating()]
+            simulating = rule_index.of_family("simulation")
+            chosen = [code for code in chosen if code not in simulating]
         return options._replace(
             select=tuple(chosen),
             ignore=(),

@@ -91,11 +91,6 @@ def of_family(family: str) -> frozenset[str]:
     return frozenset(code for code in codes() if family_of(code) == family)
 
 
-def simulating() -> frozenset[str]:
-    """The codes of the rules that simulate the robot, which run only if a check may do so."""
-    return frozenset(code for code in codes() if code.startswith("SIM"))
-
-
 def applicable(family: str, codes: list[str], context: Context) -> list[str]:
     """The rules of a family that may apply to a description.
 
