@@ -40,11 +40,11 @@ def test_it_goes_with_its_line_and_takes_nothing_else(written: str, left: str) -
     )
 
 
-@pytest.mark.parametrize(("limits", "is_safe"), [("", True), (limit("-1", "1"), False)])
-def test_the_fix_is_safe_unless_the_joint_may_be_meant_to_move(limits: str, is_safe: bool) -> None:
+@pytest.mark.parametrize(("limits", "is_fixable"), [("", True), (limit("-1", "1"), False)])
+def test_a_safe_fix_unless_the_joint_may_be_meant_to_move(limits: str, is_fixable: bool) -> None:
     axis = reported("JNT020", JOINT.format("fixed", AXIS + limits))[0]
-    assert axis.fix is not None
-    assert axis.fix.safe == is_safe
+    assert (axis.fix is not None and axis.fix.safe) is is_fixable
+    assert ('write type="revolute"' in axis.help) is not is_fixable
 
 
 def test_a_macro_whose_other_calls_may_need_it_is_not_edited() -> None:

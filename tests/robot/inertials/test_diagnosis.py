@@ -35,6 +35,24 @@ def impossible(moments: tuple[float, ...], *shapes: str) -> Diagnosis:
     return diagnose_impossible(found.inertias[0], found)
 
 
+@pytest.mark.parametrize(
+    ("moments", "izz"),
+    [
+        ((0.2003, 0.001, 0, 0.1002, 0, 0.4611), 0.2604),  # twice those of the solid
+        ((0.0501, 0.001, 0, 0.0253, 0, 0.1611), 0.0655),
+        ((0.2003, 0.001, 0, 0.0102, 0, 0.4611), None),  # no multiple
+        ((0.2, 0, 0, 0.1, 0, 0.46), None),  # no digits of a CAD program
+    ],
+)
+def test_one_moment_that_does_not_go_with_the_others(
+    moments: tuple[float, ...], izz: float | None
+) -> None:
+    tensor = impossible(moments, shape("collision", BOX)).tensor
+    assert tensor is not None
+    expected = Tensor(*moments[:5], izz) if izz else Tensor(0.1, 0, 0, 0.05, 0, 0.13)
+    assert tensor == pytest.approx(expected, rel=1e-3)
+
+
 def test_without_a_cause_the_shape_is_proposed() -> None:
     diagnosis = unlike(part("a", 12, (7, 7, 7), BOX))
     assert (diagnosis.cause, diagnosis.confidence) == ("", Confidence.INFERRED)

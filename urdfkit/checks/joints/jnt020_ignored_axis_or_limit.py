@@ -48,8 +48,11 @@ def _fixed(joint: Joint) -> Findings:
     if axis is not None:
         message = f"joint '{joint.name}' is fixed; its <axis> has no effect"
         # With limits it is needed again as soon as the joint gets the right type.
-        fix = Fix("remove the axis", remove_element(axis), safe=not is_limited)
-        yield Finding(axis, message, "remove the axis", fix, group_key="axis")
+        fix = None if is_limited else Fix("remove the axis", remove_element(axis), safe=True)
+        help = 'write type="revolute" or "prismatic", or remove the axis'
+        yield Finding(
+            axis, message, help if is_limited else "remove the axis", fix, group_key="axis"
+        )
     if limit is not None and is_limited:
         yield Finding(
             limit.at,

@@ -53,6 +53,9 @@ _ENTRY_TOLERANCE = 0.05
 #: Row and column of ``ixx``, ``ixy``, ``ixz``, ``iyy``, ``iyz`` and ``izz``.
 _CELLS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 
+#: Largest ratio of two multiples of the moments of a shape that are the same, as of a hollow part.
+_SAME_MULTIPLE = 1.5
+
 #: Moments up to this ratio are equal.
 _EQUAL_MOMENTS = 1.01
 
@@ -207,8 +210,29 @@ def diagnose_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
             cause = f"of its counterpart '{counterpart.name}' is possible"
             return Diagnosis(cause, mirrored, Confidence.INFERRED)
     if link.is_measured:
-        return Diagnosis("", _of_shape(link), Confidence.INFERRED)
+        tensor = _with_another_moment(link) or _of_shape(link)
+        return Diagnosis("", tensor, Confidence.INFERRED)
     return Diagnosis("", None, Confidence.GUESSED)
+
+
+def _with_another_moment(link: LinkInertia) -> Tensor | None:
+    """A tensor of a CAD program with the one moment that does not go with the two others.
+
+    These are the same multiple of those of the shape, such as 2 for a hollow part.
+    """
+    expected = link.expected
+    if expected is None or link.is_round:
+        return None
+    keys = ("ixx", "iyy", "izz")
+    ratios = {key: getattr(link.tensor, key) / getattr(expected, key) for key in keys}
+    found = []
+    for key in keys:
+        low, high = sorted(ratio for name, ratio in ratios.items() if name != key)
+        if 0 < high <= _SAME_MULTIPLE * low:
+            value = getattr(expected, key) * (low * high) ** 0.5
+            found.append(link.tensor._replace(**{key: float(f"{value:.6g}")}))
+    possible = list(filter(is_possible, found))
+    return possible[0] if len(possible) == 1 else None
 
 
 def _same_expressions(link: LinkInertia) -> list[str]:
