@@ -59,6 +59,17 @@ def test_the_mesh_of_another_link(tmp_path: Path) -> None:
     assert found.span.text.startswith("<visual>")
 
 
+OBJECT = b"v 0 0 0\nv 0.2 0 0\nv 0 0.12 0\nv 0 0 0.05\nf 1 2 3\nf 1 3 4\n"
+
+
+def test_one_part_in_two_formats(tmp_path: Path) -> None:
+    """The masters of a dVRK, of which both arms have one part."""
+    robot = arm("lower.stl").replace('filename="lower.stl"', 'filename="upper.stl"')
+    seen = '<visual><geometry><mesh filename="upper.'
+    robot = robot.replace(f"{seen}stl", f"{seen}obj")
+    assert meshed.reported(tmp_path, "GEO004", robot, FILES | {"upper.obj": OBJECT}) == []
+
+
 def test_a_placeholder_of_several_links(tmp_path: Path) -> None:
     third = meshed.link(meshed.mesh("upper.stl", "visual"), name="third") + joint("lower", "third")
     assert meshed.reported(tmp_path, "GEO004", arm("upper.stl", third), FILES) == []

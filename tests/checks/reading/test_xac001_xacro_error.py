@@ -182,6 +182,15 @@ def test_a_call_shows_where_its_macro_is_defined() -> None:
     ]
 
 
+def test_conditions_with_one_wrong_value_are_one_finding() -> None:
+    body = '<xacro:property name="right" value="yes"/>'
+    body += '<xacro:if value="${right}"/>\n<xacro:unless value="${right}"/>'
+    found = reported("XAC001", xacro(body))
+    assert len({one.group_key for one in found}) == 1 < len(found)
+    other = reported("XAC001", xacro(body + '<xacro:if value="no"/>'))
+    assert len({one.group_key for one in other}) == 2
+
+
 def test_a_macro_that_fails_in_every_call_is_one_finding() -> None:
     body = '<xacro:macro name="m" params="a"><link name="${a + z}"/></xacro:macro>\n'
     (found,) = reported("XAC001", body + '<xacro:m a="1"/>\n<xacro:m a="2"/>')

@@ -28,6 +28,7 @@ from urdfkit.core.spatial import (
 )
 from urdfkit.robot.model import Body, Link, RobotModel, Shape
 from urdfkit.robot.shapes import OTHER_UNIT, BoundingBox, LinkSolid, MeshSolid, solid
+from urdfkit.text.document import Tag
 
 #: Common volume by the volume of the union of both bounding boxes, below which they are apart. A
 #: body with its origin at one end in one box and in the middle in the other has 1/3, and a little
@@ -290,19 +291,22 @@ class VisualCollisionPairs:
             body.shape.filename.value if body.shape and body.shape.filename else ""
             for body in (pair.link.visuals[0], *pair.link.collisions)
         ]
-        users = self._users.get(meshes[0], [])
-        is_copied = all(meshes) and meshes[0] not in meshes[1:] and len(users) == 2
-        return next(name for name in users if name != pair.link.name) if is_copied else ""
+        first, *others = [name.rpartition("/")[2].partition(".")[0].lower() for name in meshes]
+        users = self._users.get(meshes[0], {})
+        is_copied = all(meshes) and first not in others and len(users) == 2
+        return next(name for name in users.values() if name != pair.link.name) if is_copied else ""
 
     @cached_property
-    def _users(self) -> dict[str, list[str]]:
-        """The links that have each mesh as a visual."""
-        return by_key(
-            (body.shape.filename.value, link.name)
-            for link in self._model.links
-            for body in link.visuals
-            if body.shape and body.shape.filename
-        )
+    def _users(self) -> dict[str, dict[Tag, str]]:
+        """The links that have each mesh as a visual, by the tag of the mesh in its file."""
+        users: dict[str, dict[Tag, str]] = {}
+        for link in self._model.links:
+            for body in link.visuals:
+                if body.shape and body.shape.filename:
+                    users.setdefault(body.shape.filename.value, {})[body.shape.at.tag_at] = (
+                        link.name
+                    )
+        return users
 
 
 def _quarters() -> Iterator[Rotation]:
