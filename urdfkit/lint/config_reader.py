@@ -77,7 +77,7 @@ def _table(path: str) -> dict[str, Any] | None:
 def _read(reader: _SettingsReader, *, trusted: bool) -> Config:
     external = reader.rule_packages(trusted=trusted)  # first: other settings contain their codes
     ignoring = reader.tables("per-file-ignores")
-    select, named = reader.codes("select")
+    select, named = reader.selected()
     ignored = reader.ignored("ignore")
     config = Config(
         reader.path,
@@ -185,10 +185,10 @@ class _SettingsReader(SettingsTable):
                 )
         return Limits(**limits)
 
-    def codes(self, key: str) -> tuple[frozenset[str], frozenset[str]]:
-        """The codes that match a list of words, and those that match a whole code or name."""
-        words = self.texts(key)
-        codes = frozenset(code for word in words for code in self.matching(key, word))
+    def selected(self) -> tuple[frozenset[str], frozenset[str]]:
+        """The codes that match the selected words, and those that match a whole code or name."""
+        words = self.texts("select")
+        codes = frozenset(code for word in words for code in self.matching("select", word))
         return codes, rule_index.named(words)
 
     def matching(self, key: str, word: str) -> list[str]:

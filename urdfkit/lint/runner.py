@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.static_typing import TYPE_CHECKING, TypeVar
+from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import Cancelled, NotApplicable, Unavailable
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context, RunState
@@ -21,8 +21,6 @@ from urdfkit.text.file_kinds import is_launch
 if TYPE_CHECKING:
     from urdfkit.lint.ignore_comments import Ignore
     from urdfkit.ros.targets import Targets
-
-T = TypeVar("T")
 
 #: The family of the rules about the checking itself.
 OWN_FAMILY = "checking"
@@ -66,7 +64,7 @@ def run_rules(
     others = [code for code in chosen if code not in own]
     run.rules(others)
     context.run = RunState(options.config.options, tuple(run.diagnostics), frozenset(chosen))
-    run.ignores = run.guarded(lambda: context.ignores, ())
+    run.read_ignores()
     if rule_index.NOT_CHECKED in own:
         own.remove(rule_index.NOT_CHECKED)
         missing = context.reading.missing_argument_codes
@@ -96,13 +94,12 @@ class _RuleRun:
         self._rules: dict[str, Rule] = {}
         self.ignores: tuple[Ignore, ...] = ()
 
-    def guarded(self, compute: Callable[[], T], default: T) -> T:
-        """The value of a function, or a default if it fails."""
+    def read_ignores(self) -> None:
+        """Read the comments that suppress findings."""
         try:
-            return compute()
+            self.ignores = self.context.ignores
         except Exception as error:  # a bug in urdfkit must not hide the findings of the rules
             self.crashed.append(crash("", self.context.source.path, error))
-            return default
 
     def rules(self, chosen: Iterable[str]) -> None:
         """Run the rules whose family applies to the context.

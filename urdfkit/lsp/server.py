@@ -123,13 +123,12 @@ class Server(LanguageServer):
 
     # -------------------------------------------------------------- documents
 
-    def update_text(self, uri: str) -> str:
-        """Update the text of a document from the client; return its path."""
+    def update_text(self, uri: str) -> None:
+        """Update the text of a document from the client."""
         path = self.path(uri)
         self.uris[path] = uri
         text = to_bytes(path, self.workspace.get_text_document(uri).source)
         self.worker.submit(self.robots.set_text, path, text)
-        return path
 
     def check_soon(self, uri: str, *, thorough: bool = False) -> None:
         """Check a text after a pause without changes."""

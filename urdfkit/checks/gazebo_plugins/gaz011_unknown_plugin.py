@@ -71,7 +71,7 @@ def check(context: Context) -> Findings:
 
 def _successor(library: str, targets: tuple[str, ...]) -> str:
     """What the targets load instead of a library of the other ROS or Gazebo; empty if that."""
-    loaded = {one for target in targets for one in GENERATIONS.get(target, ())}
+    loaded = {name for target in targets for name in GENERATIONS.get(target, ())}
     if not loaded or _loads(loaded, library):
         return ""
     return next((p.successor for p in find(library) if _loads(loaded, p.successor or "")), "") or ""
@@ -86,7 +86,7 @@ def _misspelt(use: PluginUse, suggested: str) -> Finding:
     message = f"{use.title}: unknown plugin library"
     help = f"did you mean '{suggested}'?"
     # Without a tag that such a library reads, it may be a vendor's library.
-    is_read = any(one.reads(item.path) for one in find(suggested) for item in use.items)
+    is_read = any(plugin.reads(item.path) for plugin in find(suggested) for item in use.items)
     fix = fix_value(at, suggested) if is_read or not use.items else None
     return Finding(at, message, help, fix, group_key=suggested, severity=Severity.WARNING)
 
@@ -99,7 +99,7 @@ def _unknown_class(use: PluginUse) -> Findings:
     if _current_name(use.name) not in map(_current_name, classes):
         message = f"{use.title}: the library has no class '{use.name}', only {' or '.join(classes)}"
         help, fix = f'write name="{classes[0]}"', fix_value(name, classes[0])
-        if others := [one for one in all_plugins() if _current_name(use.name) == one.class_name]:
+        if others := [p for p in all_plugins() if p.class_name == _current_name(use.name)]:
             help += f', or filename="{others[0].files[0]}"'
             fix = _fix_of_two(use, others[0], fix)
         yield Finding(name, message, help, fix, severity=Severity.ERROR)

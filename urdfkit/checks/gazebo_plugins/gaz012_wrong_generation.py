@@ -46,14 +46,14 @@ _NONE = "no successor is known"
     migrates=True,
 )
 def check(context: Context) -> Findings:
-    found = list(_wrong_generations(context))
-    if not found:
+    findings = list(_wrong_generations(context))
+    if not findings:
         return
     from urdfkit.ros.launch.robot_arguments import is_not_started  # for few robots
 
     # An expanded copy that no launch file starts may be for another Gazebo.
     if context.given_targets or not is_not_started(context.source, context.resolver):
-        yield from found
+        yield from findings
 
 
 def _wrong_generations(context: Context) -> Findings:
@@ -69,10 +69,10 @@ def _wrong_generations(context: Context) -> Findings:
         if targets == ["gz-fortress"] and any(plugin.fortress_files for plugin in present):
             yield _renamed(use)
             continue
-        found = " and ".join(dict.fromkeys(TITLES[plugin.generation] for plugin in present))
-        wanted = " or ".join(TITLES[target] for target in targets)
+        loaders = " and ".join(dict.fromkeys(TITLES[plugin.generation] for plugin in present))
+        targeted = " or ".join(TITLES[target] for target in targets)
         is_reported = True
-        message = f"{use.title} is for {found}, but the robot is for {wanted}"
+        message = f"{use.title} is for {loaders}, but the robot is for {targeted}"
         fix = _fix(use, targets[0]) if targets[0] in GZ else None
         at, help = use.at.attributes["filename"], _successor(use, targets[0])
         yield Finding(at, message, help, fix, severity=severity)
@@ -85,7 +85,7 @@ def _is_left_over(context: Context) -> bool:
     """True if all plugins are for one Gazebo, and the target only follows from the package."""
     if not context.targets.evidence:
         return False
-    possible = [found for use in context.plugins if (found := generations(use))]
+    possible = [names for use in context.plugins if (names := generations(use))]
     return bool(possible) and bool(set.intersection(*possible))
 
 
@@ -150,7 +150,7 @@ def _runs(use: PluginUse, target: str) -> bool:
 
 def _fix(use: PluginUse, target: str) -> Fix | None:
     """The replacement in gz-sim; for plugins of gz-sim, their names in Fortress."""
-    plugin = next((one for one in use.known if one.generation == "gz"), None)
+    plugin = next((known for known in use.known if known.generation == "gz"), None)
     if plugin is None:
         from urdfkit.ros.gazebo.successors import successor
 
@@ -170,13 +170,13 @@ def _successor(use: PluginUse, target: str) -> str:
     for _ in range(len(use.known) + 1):
         if old.successor is None:
             return f"use its successor: {old.advice}" if old.advice else _NONE
-        found = [one for one in find(old.successor) if not one.removed]
-        fits = [one for one in found if one.generation in GENERATIONS[target]]
-        if fits:
+        successors = [plugin for plugin in find(old.successor) if not plugin.removed]
+        if any(plugin.generation in GENERATIONS[target] for plugin in successors):
             advice = f" ({old.advice})" if old.advice else ""
             return f"use {old.successor}{advice}; its tags have other names"
-        newer = [one for one in found if one.id != old.id and one.generation != old.generation]
-        if not newer:
+        newer = (p for p in successors if p.id != old.id and p.generation != old.generation)
+        successor = next(newer, None)
+        if successor is None:
             return _NONE
-        old = newer[0]
+        old = successor
     return _NONE

@@ -89,6 +89,6 @@ def _in_wrong_sensor(use: PluginUse) -> Findings:
     kind = same.get(attribute.value, attribute.value)
     if kind in accepted or (kind in _CAMERAS and "camera" in accepted):
         return
-    wanted = " or ".join(f"'{one}'" for one in use.plugin.sensors)
-    message = f"{use.title} needs a sensor of type {wanted}, but this one is '{attribute.value}'"
-    yield Finding(attribute, message, f"write type {wanted}, or use another plugin")
+    required = " or ".join(f"'{type}'" for type in use.plugin.sensors)
+    message = f"{use.title} needs a sensor of type {required}, but this one is '{attribute.value}'"
+    yield Finding(attribute, message, f"write type {required}, or use another plugin")

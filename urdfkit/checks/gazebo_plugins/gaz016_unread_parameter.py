@@ -44,20 +44,20 @@ _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "cla
 @rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it", migrates=True)
 def check(context: Context) -> Findings:
     foreign: dict[tuple[PluginUse, bool], list[UnreadParameter]] = {}
-    found_unread = [(use, one) for use in context.plugins for one in unread(use)]
-    for use, found in found_unread:
-        if found.other is not None and use.plugin is not None:
-            is_renamed = bool(_new_name(use, use.plugin, found.item))
-            foreign.setdefault((use, is_renamed), []).append(found)
-        elif found.suggested is not None:
-            yield _misspelt(use, found.item, found.suggested)
+    parameters = [(use, parameter) for use in context.plugins for parameter in unread(use)]
+    for use, parameter in parameters:
+        if parameter.other is not None and use.plugin is not None:
+            is_renamed = bool(_new_name(use, use.plugin, parameter.item))
+            foreign.setdefault((use, is_renamed), []).append(parameter)
+        elif parameter.suggested is not None:
+            yield _misspelt(use, parameter.item, parameter.suggested)
         else:
-            path = "> in <".join(reversed(found.item.path.split("/")))
+            path = "> in <".join(reversed(parameter.item.path.split("/")))
             message = f"{use.title}: unknown element <{path}> (ignored)"
-            yield Finding(found.item.at, message, group_key=use.filename)
-    for (use, _), parameters in foreign.items():
+            yield Finding(parameter.item.at, message, group_key=use.filename)
+    for (use, _), of_plugin in foreign.items():
         assert use.plugin is not None
-        yield _of_other_generation(use, use.plugin, parameters)
+        yield _of_other_generation(use, use.plugin, of_plugin)
 
 
 def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:
@@ -97,8 +97,8 @@ def _of_other_generation(
     element, other = first.item.at, first.other
     assert isinstance(element, Element)
     assert other is not None
-    title, edits = _rename(use, plugin, [one.item for one in parameters])
-    tags = [f"<{one.item.path.rpartition('/')[2]}>" for one in parameters]
+    title, edits = _rename(use, plugin, [parameter.item for parameter in parameters])
+    tags = [f"<{parameter.item.path.rpartition('/')[2]}>" for parameter in parameters]
     return Finding(
         element,
         f"{use.title} reads {listed(tags, _MAX_TAGS)} in "
@@ -106,13 +106,11 @@ def _of_other_generation(
         _advice(first.item, plugin),
         Fix.of(title, edits),
         related=tuple(
-            Related(one.item.at.span, f"{tag}: {_advice(one.item, plugin)}")
-            for tag, one in zip(tags[1:], others, strict=True)
+            Related(parameter.item.at.span, f"{tag}: {_advice(parameter.item, plugin)}")
+            for tag, parameter in zip(tags[1:], others, strict=True)
         ),
         group_key=f"{use.filename} {'renamed' if edits else 'other'}",
-        severity=_severity(
-            all(_is_default(one.other, one.item.path, one.item.text) for one in parameters)
-        ),
+        severity=_severity(all(_is_default(p.other, p.item.path, p.item.text) for p in parameters)),
     )
 
 
@@ -140,9 +138,8 @@ def _renamed(item: PluginParameter, plugin: Plugin) -> str | None:
     table = renames()
     if plugin.generation == "classic-ros1":
         table = {new: old for old, new in table.items()}
-    name = table.get(item.path)
-    found = plugin.parameters.get(name) if name else None
-    return name if found and name and "/" not in name else None
+    name = table.get(item.path, "")
+    return name if name in plugin.parameters and "/" not in name else None
 
 
 def _advice(item: PluginParameter, plugin: Plugin) -> str:

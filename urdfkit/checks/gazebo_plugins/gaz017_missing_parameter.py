@@ -27,18 +27,18 @@ GOOD = BAD.replace("    <topic", "    <bodyName>arm</bodyName>\n    <topic")
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
 def check(context: Context) -> Findings:
     for use in context.plugins:
-        loaded = use.candidates
-        found = [list(_missing(use, plugin, context)) for plugin in loaded]
-        if use.plugin in loaded and all(found) and not _is_of_another(use):
-            yield from found[loaded.index(use.plugin)]
+        candidates = use.candidates
+        missing = [list(_missing(use, plugin, context)) for plugin in candidates]
+        if use.plugin in candidates and all(missing) and not _is_of_another(use):
+            yield from missing[candidates.index(use.plugin)]
 
 
 def _missing(use: PluginUse, plugin: Plugin, context: Context) -> Findings:
-    given = {item.path for item in use.items if item.text or _is_of_argument(item.at)}
+    filled = {item.path for item in use.items if item.text or _is_of_argument(item.at)}
     blocks = {item.path for item in use.items}
     for parameter in plugin.parameters.values():
         block = parameter.name.rpartition("/")[0]
-        if parameter.name in (blocks if parameter.type == "container" else given):
+        if parameter.name in (blocks if parameter.type == "container" else filled):
             continue
         if parameter.required and (not block or block in blocks):
             yield _finding(use, parameter, "")
@@ -46,9 +46,9 @@ def _missing(use: PluginUse, plugin: Plugin, context: Context) -> Findings:
             known = context.model.joints_by_name
             if parameter.default not in known and not context.is_part:
                 yield _finding(use, parameter, parameter.default)
-    if plugin.any_of and given.isdisjoint(plugin.any_of):
-        wanted = " or ".join(f"<{name}>" for name in plugin.any_of)
-        yield Finding(use.at, f"{use.title}: {wanted} is required", f"add {wanted}")
+    if plugin.any_of and filled.isdisjoint(plugin.any_of):
+        choice = " or ".join(f"<{name}>" for name in plugin.any_of)
+        yield Finding(use.at, f"{use.title}: {choice} is required", f"add {choice}")
 
 
 def _is_of_argument(at: Element | Attribute) -> bool:
@@ -62,21 +62,21 @@ def _is_of_argument(at: Element | Attribute) -> bool:
 def _is_of_another(use: PluginUse) -> bool:
     """True if the plugin is written for another generation; GAZ016 then reports its tags."""
     assert use.plugin is not None
-    others = [one for one in use.known if one.generation != use.plugin.generation]
-    left = len(use.unread(use.plugin))
-    return any(not one.removed and len(use.unread(one)) < left for one in others)
+    others = [plugin for plugin in use.known if plugin.generation != use.plugin.generation]
+    unread = len(use.unread(use.plugin))
+    return any(not plugin.removed and len(use.unread(plugin)) < unread for plugin in others)
 
 
 def _finding(use: PluginUse, parameter: Parameter, default: str) -> Finding:
     assert use.plugin is not None
     block, _, name = parameter.name.rpartition("/")
-    what = f"attribute {name[1:]}" if name.startswith("@") else f"<{name}>"
+    label = f"attribute {name[1:]}" if name.startswith("@") else f"<{name}>"
     where = f" in <{block}>" if block else ""
     if default:
         message = (
-            f"{use.title}: no {what}, and its default '{default}' is not a joint of the robot: "
+            f"{use.title}: no {label}, and its default '{default}' is not a joint of the robot: "
             f"{use.plugin.missing}"
         )
     else:
-        message = f"{use.title}: required {what}{where} is missing"
-    return Finding(use.at, message, f"add {what}, a {parameter.type}")
+        message = f"{use.title}: required {label}{where} is missing"
+    return Finding(use.at, message, f"add {label}, a {parameter.type}")
