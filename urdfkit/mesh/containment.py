@@ -20,8 +20,8 @@ _MAX_GROWTH = 0.0005
 _MAX_TRIANGLES = 50_000
 #: Rounding error of a distance, relative to the diagonal.
 ROUNDING = 1e-9
-#: Points to compare with the faces of a piece at once.
-_BLOCK = 20_000
+#: Distances of points from faces of a piece that are computed at once: 80 MB.
+_BLOCK = 10_000_000
 
 
 def excess(points: Floats, planes: Floats) -> Floats:
@@ -33,9 +33,10 @@ def excess(points: Floats, planes: Floats) -> Floats:
         points: (n, 3).
         planes: (k, 4), from `urdfkit.mesh.convex_hull.half_spaces`.
     """
+    block = max(1, _BLOCK // max(1, len(planes)))
     distances = [
-        (points[start : start + _BLOCK] @ planes[:, :3].T + planes[:, 3]).max(axis=1)
-        for start in range(0, len(points), _BLOCK)
+        (points[start : start + block] @ planes[:, :3].T + planes[:, 3]).max(axis=1)
+        for start in range(0, len(points), block)
     ]
     return np.concatenate(distances) if distances else np.zeros(0)
 
@@ -93,8 +94,12 @@ def missing(pieces: Mesh, mesh: Mesh) -> float:
     size = soup.size
 
     def are_outside(points: Floats) -> Flags:
-        least = np.min([excess(points, piece) for piece in planes], axis=0)
-        return np.asarray(least > ROUNDING * size)
+        outside = np.arange(len(points))
+        for piece in planes:
+            outside = outside[excess(points[outside], piece) > ROUNDING * size]
+        flags = np.zeros(len(points), dtype=bool)
+        flags[outside] = True
+        return flags
 
     return directed_distance(soup.points, soup.faces, pieces.vertices, pieces.faces, are_outside)
 

@@ -118,8 +118,12 @@ def fit(mesh: Mesh, bound: float, *, most: int = 8) -> Fits:
 
 
 def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
-    lean = _measured_fit(mesh, "hull", _NO_SIZE, Transform(), with_few_corners(shell))
-    yield lean if lean.error <= bound else _measured_fit(mesh, "hull", _NO_SIZE, Transform(), shell)
+    # Of all points of the mesh, those of its hull stick out farthest of a convex shape.
+    lean = _measured_fit(mesh, "hull", _NO_SIZE, Transform(), with_few_corners(shell), shell)
+    if lean.error <= bound:
+        yield lean
+    else:
+        yield _measured_fit(mesh, "hull", _NO_SIZE, Transform(), shell, shell)
     if most > 1:
         many = _in_pieces(mesh, most)
         if many.error <= bound:  # otherwise fewer pieces are not sufficient either
@@ -128,16 +132,28 @@ def _meshes(mesh: Mesh, shell: Mesh, bound: float, most: int) -> Iterator[Fit]:
 
 
 def _in_pieces(mesh: Mesh, most: int) -> Fit:
-    return _measured_fit(mesh, "pieces", _NO_SIZE, Transform(), cut(mesh, most=most))
+    return _measured_fit(mesh, "pieces", _NO_SIZE, Transform(), cut(mesh, most=most), mesh)
 
 
 _NO_SIZE: Vector = (0.0, 0.0, 0.0)
 
 
-def _measured_fit(mesh: Mesh, kind: str, size: Vector, frame: Transform, shape: Mesh) -> Fit:
+def _measured_fit(
+    mesh: Mesh,
+    kind: str,
+    size: Vector,
+    frame: Transform,
+    shape: Mesh,
+    contained: Mesh | None = None,
+) -> Fit:
+    """A shape with its errors.
+
+    Args:
+        contained: the part of the mesh that may stick out; without it, nothing does: primitives
+            contain all points, and only their meshes, with flat sides, do not.
+    """
     placed = moved(shape, frame)
-    # Primitives contain all points; only their meshes, with flat sides, do not.
-    lost = missing(placed, mesh) if kind in ("hull", "pieces") else 0.0
+    lost = missing(placed, contained) if contained else 0.0
     return Fit(kind, size, frame, placed, protrusion(placed, mesh), lost)
 
 

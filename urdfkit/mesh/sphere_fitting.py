@@ -29,8 +29,9 @@ _MEDIAL, _ELSEWHERE = 1200, 800
 #: Points of the surface for computing depths; with fewer, centres move away from all of them, and
 #: their depths become too large.
 _SURFACE = 20_000
-#: Numbers of points for choosing and moving candidates.
-_MAX_ROUGH, _MAX_POINTS = 10_000, 24_000
+#: Numbers of points for choosing and moving candidates, and for choosing those of all solids: a
+#: humanoid has 70, with one or two spheres for each.
+_MAX_ROUGH, _MAX_POINTS, _MAX_ALL_ROUGH = 10_000, 24_000, 200_000
 #: Part of the points to cover, those nearest to the surface, and its least ratio to the part that
 #: may stay uncovered. Spheres that cover these points cover the others too, and too few of all
 #: points are near the surface.
@@ -59,7 +60,7 @@ _ON_SPHERE = 100
 #: Below the area of any triangle that matters.
 _TINY = 1e-300
 #: Unit of stored lengths, as a part of the size; their largest value; rows at a time.
-_UNIT, _MAX_UNITS, _BLOCK = 2.0**-14, 2**15 - 1, 500
+_UNIT, _MAX_UNITS, _BLOCK = 2.0**-14, 2**15 - 1, 50
 _SEED = 11
 
 
@@ -86,9 +87,10 @@ class Covering:
     Args:
         triangles: (m, 3, 3), of closed surfaces, counter-clockwise from outside; they may overlap.
         coverage: required part of the points inside that spheres cover, from 0 to 1.
+        solids: number of solids that are covered together.
     """
 
-    def __init__(self, triangles: Floats, coverage: float) -> None:
+    def __init__(self, triangles: Floats, coverage: float, solids: int = 1) -> None:
         surface, owner = sample_surface(triangles, _SURFACE)
         self._triangles, self._coverage = triangles, coverage
         self._tree = cKDTree(surface)
@@ -100,7 +102,7 @@ class Covering:
         self._points = np.random.default_rng(_SEED).permutation(shallow)[:_MAX_POINTS]
         #: Number of points that may stay uncovered.
         self._allowed = int((1 - coverage) / share * len(self._points))
-        rough = self._points[:_MAX_ROUGH]
+        rough = self._points[: min(_MAX_ROUGH, _MAX_ALL_ROUGH // solids)]
         self._roughly_allowed = int((1 - coverage) / share * len(rough))
         self._others = solid_points(
             triangles, _COLUMNS + 1, _SEED + _COLUMNS + 1, surface[_MEDIAL : 2 * _MEDIAL]
@@ -117,8 +119,10 @@ class Covering:
         #: (k, n), protrusion of a candidate that covers a point, in `_UNIT` of the size.
         self._protrusions = np.empty((len(rough), len(self._centers)), dtype=np.int16)
         for start in range(0, len(rough), _BLOCK):
-            needed = cdist(rough[start : start + _BLOCK], self._centers) - self._depths
-            self._protrusions[start : start + _BLOCK] = needed / (size * _UNIT)
+            needed = cdist(rough[start : start + _BLOCK], self._centers)
+            needed -= self._depths
+            needed /= size * _UNIT
+            self._protrusions[start : start + _BLOCK] = needed
 
     def _medial(self, points: Floats, normals: Floats, size: float) -> Floats:
         """Centres of the balls that touch the surface at the points and at a second point.

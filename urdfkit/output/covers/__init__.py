@@ -86,7 +86,7 @@ def fit_spheres(
     coverings = {}
     for number, (name, triangles) in enumerate(found.triangles.items(), 1):
         if name not in exact:
-            coverings[name] = Covering(triangles, coverage)
+            coverings[name] = Covering(triangles, coverage, len(found.triangles))
         report(number, steps)
     fitted = fit(
         [*coverings.values()],
