@@ -84,8 +84,8 @@ def with_layers(
             )
             raise NoSuchLayer(f"unknown layer '{layer}'{hint}")
         drawn = list(LAYERS[layer](scene, context, size, pose or {}))
-        items += (one for one in drawn if isinstance(one, SceneItem))
-        labels += (one for one in drawn if isinstance(one, Label))
+        items += (item for item in drawn if isinstance(item, SceneItem))
+        labels += (item for item in drawn if isinstance(item, Label))
         if drawn:
             legend += _LEGENDS.get(layer, ())
         else:

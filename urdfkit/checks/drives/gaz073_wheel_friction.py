@@ -70,7 +70,7 @@ def check(context: Context) -> Findings:
     driven = dict.fromkeys(_driven(context))
     for link in driven:
         given = _friction(context.model, link)
-        low = [one for one in given.values() if one.value < LITTLE]
+        low = [friction for friction in given.values() if friction.value < LITTLE]
         if low and len(low) == len(given):
             message = (
                 f"driven wheel '{link}' has a friction coefficient of {low[0].value:g}: it spins "
@@ -102,12 +102,12 @@ def _unequal(context: Context, driven: Iterable[str]) -> Findings:
 def _driven(context: Context) -> Iterator[str]:
     """The links of the wheels that drive plugins and drive controllers turn."""
     for use in context.plugins:
-        if drive_of(use) and not any(one in use.filename for one in _ROLLERS):
-            for one in wheels(use, context.tree):
-                yield one.wheel.joint.child_name
+        if drive_of(use) and not any(word in use.filename for word in _ROLLERS):
+            for wheel in wheels(use, context.tree):
+                yield wheel.wheel.joint.child_name
     for _, controller in context.controllers:
         kind = controller.kind
-        if kind is None or any(one in controller.type.lower() for one in _ROLLERS):
+        if kind is None or any(word in controller.type.lower() for word in _ROLLERS):
             continue
         names = (name for measure in kind.measures for side in measure.sides for name in side)
         for written in controller.values(dict.fromkeys(names)):
@@ -140,7 +140,7 @@ def _casters(context: Context, driven: set[str]) -> Findings:
     fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
     for link in stability.links:
         given = list(_friction(context.model, link).values()) if link in fixed else []
-        if given and min(one.value for one in given) >= MUCH:
+        if given and min(friction.value for friction in given) >= MUCH:
             yield Finding(
                 given[0],
                 f"'{link}' slides on the ground next to driven wheels, with a friction coefficient "

@@ -46,8 +46,8 @@ def check(context: Context) -> Findings:
     links, joints = model.links_by_name, model.joints_by_name
     known = {**links, **joints}
     suggesters = {"link": Suggester(links), "joint": Suggester(joints), "": Suggester(known)}
-    parts = (one for block in model.gazebo for one in (*block.all("link"), *block.all("joint")))
-    added = {one.get("name") for one in parts}
+    parts = (part for block in model.gazebo for part in (*block.all("link"), *block.all("joint")))
+    added = {part.get("name") for part in parts}
     properties = _properties(model)
     for block in model.gazebo:
         reference = block.attributes.get("reference")

@@ -121,16 +121,16 @@ def _of_lidar(
     sees_inside = not sensor.type.startswith("gpu")
     directions = scan.directions
     blocked: dict[str, set[int]] = {}
-    for one in near:
-        if not crosses_plane(one.shape) or (one.link == sensor.reference and sees_inside):
+    for obstacle in near:
+        if not crosses_plane(obstacle.shape) or (obstacle.link == sensor.reference and sees_inside):
             continue  # see _of_housing
-        if one.is_mesh:
+        if obstacle.is_mesh:
             ends = {"low": scan.low, "high": scan.high}
-            found = _on_mesh(context, one, frame, directions, **ends, both_sides=sees_inside)
+            found = _on_mesh(context, obstacle, frame, directions, **ends, both_sides=sees_inside)
         else:
-            found = set(beams_on(one.shape, scan, directions, sees_inside=sees_inside))
+            found = set(beams_on(obstacle.shape, scan, directions, sees_inside=sees_inside))
         if found:
-            blocked.setdefault(one.link, set()).update(found)
+            blocked.setdefault(obstacle.link, set()).update(found)
     part = len(set().union(*blocked.values())) / scan.samples
     if part >= BLOCKED_INFO:
         yield _finding(
@@ -150,17 +150,19 @@ def _of_camera(
     clip = sensor.number("camera/clip/near")
     low = clip.value if clip else _CLIP
     # One ray that passes all shapes, and the boxes around meshes, is enough: nothing is loaded.
-    by_ray = zip(*(_hits(one, rays, low) for one in near), strict=True)
+    by_ray = zip(*(_hits(obstacle, rays, low) for obstacle in near), strict=True)
     if not all(any(hits) for hits in by_ray):
         return
     blocked: dict[str, set[int]] = {}
-    for one in near:
-        if one.is_mesh:
-            found = _on_mesh(context, one, frame, rays, low=low, high=MAX_RANGE, both_sides=False)
+    for obstacle in near:
+        if obstacle.is_mesh:
+            found = _on_mesh(
+                context, obstacle, frame, rays, low=low, high=MAX_RANGE, both_sides=False
+            )
         else:
-            found = {number for number, hit in enumerate(_hits(one, rays, low)) if hit}
+            found = {number for number, hit in enumerate(_hits(obstacle, rays, low)) if hit}
         if found:
-            blocked.setdefault(one.link, set()).update(found)
+            blocked.setdefault(obstacle.link, set()).update(found)
     if blocked and len(set().union(*blocked.values())) == len(rays):
         message = f"{sensor.who} sees nothing but the robot itself"
         yield _finding(context, sensor, message, blocked)
@@ -203,9 +205,9 @@ def _near(obstacles: list[_Obstacle], frame: Transform, reach: float) -> list[_O
     """Those within reach of a sensor, in m, in its frame."""
     inverse = frame.inverse
     return [
-        one._replace(shape=one.shape._replace(origin=inverse @ one.shape.origin))
-        for one in obstacles
-        if dist(one.shape.origin.position, frame.position) - one.shape.longest <= reach
+        obstacle._replace(shape=obstacle.shape._replace(origin=inverse @ obstacle.shape.origin))
+        for obstacle in obstacles
+        if dist(obstacle.shape.origin.position, frame.position) - obstacle.shape.longest <= reach
     ]
 
 

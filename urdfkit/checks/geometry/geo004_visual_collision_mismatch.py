@@ -72,54 +72,54 @@ _UNIT_TOLERANCE = 1.08
 def check(context: Context) -> Findings:
     model, files = context.model, context.files
     pairs = VisualCollisionPairs(model, context.mesh_solid, files.has_ambiguous_axes)
-    for one in pairs.mismatches.get(Mismatch.APART, ()):
-        yield _apart(one, context, pairs.foreign_link(one))
-    for one in pairs.mismatches.get(Mismatch.SIZE, ()):
-        wrong = one.unusual(pairs.span)
+    for pair in pairs.mismatches.get(Mismatch.APART, ()):
+        yield _apart(pair, context, pairs.foreign_link(pair))
+    for pair in pairs.mismatches.get(Mismatch.SIZE, ()):
+        wrong = pair.unusual(pairs.span)
         if not _is_in_millimetres(wrong, context):
-            yield _of_size(one, wrong)
-    for one in pairs.mismatches.get(Mismatch.ROTATION, ()):
-        yield _rotated(one, pairs.foreign_link(one))
+            yield _of_size(pair, wrong)
+    for pair in pairs.mismatches.get(Mismatch.ROTATION, ()):
+        yield _rotated(pair, pairs.foreign_link(pair))
     yield from _diameters(context)
-    for one in pairs.each():
-        yield from _diameter_of_mesh(one)
+    for pair in pairs.each():
+        yield from _diameter_of_mesh(pair)
 
 
-def _apart(one: VisualCollisionPair, context: Context, foreign: str) -> Finding:
-    link = one.link
-    difference = _difference(link) if one.has_one_shape else ""
+def _apart(pair: VisualCollisionPair, context: Context, foreign: str) -> Finding:
+    link = pair.link
+    difference = _difference(link) if pair.has_one_shape else ""
     if foreign:
         difference = f"; the visual is the mesh of '{foreign}'"
-    wrong, right, is_known = _misplaced(one, context)
+    wrong, right, is_known = _misplaced(pair, context)
     if foreign:
         wrong, right, is_known = right, wrong, False
-    is_known = is_known and bool(difference) and not _is_far(one)
+    is_known = is_known and bool(difference) and not _is_far(pair)
     return Finding(
         wrong.at,
         f"link '{link.name}': the bounding boxes of collision and visual have only "
-        f"{one.overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}{difference}",
-        f"name the mesh of '{link.name}'" if foreign else _help(one, wrong, right),
+        f"{pair.overlap:.0%} of their volume in common, less than {LEAST_OVERLAP:.0%}{difference}",
+        f"name the mesh of '{link.name}'" if foreign else _help(pair, wrong, right),
         _fix(wrong.at, right.at) if is_known else None,
         (Related(right.at.span, f"the {right.at.tag}"),),
         confidence=Confidence.INFERRED,
-        weight=1 - one.overlap,
+        weight=1 - pair.overlap,
         group_key="moved" if difference else "apart",
     )
 
 
-def _is_far(one: VisualCollisionPair) -> bool:
-    shift = minus(one.visual.bounds.center, one.collision.bounds.center)
-    return length(shift) > _MAX_RELATIVE_SHIFT * max(one.visual.bounds.edges)
+def _is_far(pair: VisualCollisionPair) -> bool:
+    shift = minus(pair.visual.bounds.center, pair.collision.bounds.center)
+    return length(shift) > _MAX_RELATIVE_SHIFT * max(pair.visual.bounds.edges)
 
 
-def _help(one: VisualCollisionPair, wrong: Body, right: Body) -> str:
+def _help(pair: VisualCollisionPair, wrong: Body, right: Body) -> str:
     """Help: another sign, the origin of the other body, or a distance if both origins are equal."""
-    if axis := one.mirrored_axis:
+    if axis := pair.mirrored_axis:
         return f"write the other sign for {axis} of the collision's <origin>"
     if wrong.origin != right.origin:
         return f"give the {wrong.at.tag} the <origin> of the {right.at.tag}"
-    shift = minus(one.visual.bounds.center, one.collision.bounds.center)
-    if length(shift) < _SAME_CENTER * max(one.visual.bounds.edges):
+    shift = minus(pair.visual.bounds.center, pair.collision.bounds.center)
+    if length(shift) < _SAME_CENTER * max(pair.visual.bounds.edges):
         return "compare the sizes of the two: they have the same centre"
     return f"add {rounded(shift, 4)} to the <origin> of the collision, to center it on the visual"
 
@@ -132,12 +132,12 @@ def _is_in_millimetres(body: Body, context: Context) -> bool:
     return any(use.shape is body.shape for use in uses)
 
 
-def _of_size(one: VisualCollisionPair, wrong: Body) -> Finding:
-    assert one.factor
-    larger, smaller = ("visual", "collision") if one.factor > 1 else ("collision", "visual")
-    factor = max(one.factor, 1 / one.factor)
-    is_visual = wrong is one.link.visuals[0]
-    other = one.link.collisions[0] if is_visual else one.link.visuals[0]
+def _of_size(pair: VisualCollisionPair, wrong: Body) -> Finding:
+    assert pair.factor
+    larger, smaller = ("visual", "collision") if pair.factor > 1 else ("collision", "visual")
+    factor = max(pair.factor, 1 / pair.factor)
+    is_visual = wrong is pair.link.visuals[0]
+    other = pair.link.collisions[0] if is_visual else pair.link.visuals[0]
     times = f"{factor:.3g}" if factor < 999.5 else f"{factor:.0f}"
     mistakes = (
         f", as by {text}"
@@ -147,8 +147,8 @@ def _of_size(one: VisualCollisionPair, wrong: Body) -> Finding:
     mistake = next(mistakes, "")
     return Finding(
         wrong.shape.at if wrong.shape else wrong.at,
-        f"link '{one.link.name}': the {larger} is {times} times as large as the {smaller}"
-        f"{mistake}: {_edges(one.visual.bounds)} (visual), {_edges(one.collision.bounds)} "
+        f"link '{pair.link.name}': the {larger} is {times} times as large as the {smaller}"
+        f"{mistake}: {_edges(pair.visual.bounds)} (visual), {_edges(pair.collision.bounds)} "
         "(collision)",
         "correct the scale or the size of the one that is wrong",
         related=(Related(other.at.span, "the collision" if is_visual else "the visual"),),
@@ -157,23 +157,23 @@ def _of_size(one: VisualCollisionPair, wrong: Body) -> Finding:
     )
 
 
-def _rotated(one: VisualCollisionPair, foreign: str) -> Finding:
-    turn = one.turn
+def _rotated(pair: VisualCollisionPair, foreign: str) -> Finding:
+    turn = pair.turn
     assert turn is not None
-    is_visual = turn.body in one.link.visuals
+    is_visual = turn.body in pair.link.visuals
     role, other = ("visual", "collision") if is_visual else ("collision", "visual")
-    others = one.link.collisions if is_visual else one.link.visuals
+    others = pair.link.collisions if is_visual else pair.link.visuals
     rpy = rounded(turn.rpy, 4)
     return Finding(
         turn.body.at.child_or_self("origin"),
-        f"link '{one.link.name}': the bounding boxes of visual and collision have "
-        f'{one.overlap:.0%} of their volume in common; with rpy="{rpy}" for the {role} it '
+        f"link '{pair.link.name}': the bounding boxes of visual and collision have "
+        f'{pair.overlap:.0%} of their volume in common; with rpy="{rpy}" for the {role} it '
         f"would be {turn.overlap:.0%}"
         + (f"; the visual is the mesh of '{foreign}'" if foreign else ""),
-        f"name the mesh of '{one.link.name}', or correct the <origin>" if foreign else "",
+        f"name the mesh of '{pair.link.name}', or correct the <origin>" if foreign else "",
         related=(Related(others[0].at.span, f"the {other}"),),
         confidence=Confidence.INFERRED,
-        weight=turn.overlap - one.overlap,
+        weight=turn.overlap - pair.overlap,
     )
 
 
@@ -197,27 +197,27 @@ def _diameters(context: Context) -> Findings:
             )
 
 
-def _diameter_of_mesh(one: VisualCollisionPair) -> Findings:
+def _diameter_of_mesh(pair: VisualCollisionPair) -> Findings:
     """A cylinder with twice the radius of the mesh that it replaces, such as a wheel."""
-    if len(one.link.collisions) != 1 or not (shape := one.link.collisions[0].shape):
+    if len(pair.link.collisions) != 1 or not (shape := pair.link.collisions[0].shape):
         return
-    if any(body.shape is None or body.shape.kind != "mesh" for body in one.link.visuals):
+    if any(body.shape is None or body.shape.kind != "mesh" for body in pair.link.visuals):
         return
-    axis = rotate(one.link.collisions[0].origin.rotation, Z_AXIS)
+    axis = rotate(pair.link.collisions[0].origin.rotation, Z_AXIS)
     if shape.kind != "cylinder" or max(map(abs, axis)) < 1 - _PARALLEL:
         return
     along = max(range(3), key=lambda index: abs(axis[index]))
-    edges = zip(one.collision.bounds.edges, one.visual.bounds.edges, strict=True)
+    edges = zip(pair.collision.bounds.edges, pair.visual.bounds.edges, strict=True)
     ratios = [a / b if b > 0 else 0.0 for a, b in edges]
     low, high = sorted(ratios[:along] + ratios[along + 1 :])
     is_double = low > 2 / _DIAMETER_TOLERANCE and high < 2 * _DIAMETER_TOLERANCE
     if is_double and 1 / _MAX_WIDTH_RATIO < ratios[along] < _MAX_WIDTH_RATIO:
         yield Finding(
             shape.at,
-            f"link '{one.link.name}': the radius of the collision, {shape.radius:g} m, is twice "
+            f"link '{pair.link.name}': the radius of the collision, {shape.radius:g} m, is twice "
             f"that of the visual mesh, {shape.radius and shape.radius / (low + high) * 2:.3g} m",
             "write the radius instead of the diameter",
-            related=(Related(one.link.visuals[0].at.span, "the visual"),),
+            related=(Related(pair.link.visuals[0].at.span, "the visual"),),
             confidence=Confidence.INFERRED,
             severity=Severity.INFO,
         )
@@ -225,30 +225,30 @@ def _diameter_of_mesh(one: VisualCollisionPair) -> Findings:
 
 def _radius(body: Body, other: Body) -> float | None:
     """The radius of a shape, if the other shape differs at most in the radius; else None."""
-    one, two = body.shape, other.shape
-    if one is None or two is None or one.kind != two.kind or one.length != two.length:
+    first, second = body.shape, other.shape
+    if first is None or second is None or body.origin != other.origin:
         return None
-    return one.radius if body.origin == other.origin else None
+    return first.radius if (first.kind, first.length) == (second.kind, second.length) else None
 
 
 def _edges(box: BoundingBox) -> str:
     return " x ".join(f"{edge:.3g}" for edge in box.edges) + " m"
 
 
-def _misplaced(one: VisualCollisionPair, context: Context) -> tuple[Body, Body, bool]:
+def _misplaced(pair: VisualCollisionPair, context: Context) -> tuple[Body, Body, bool]:
     """The body that is probably misplaced, the other body, and whether nothing contradicts that.
 
     The misplaced body is the collision, unless the inertia has the same origin. If the tensor fits
     the collision and not the visual, either the tensor was not updated, like the collision, or the
     visual is wrong: only a cylinder on a joint shows which, as it turns about its own axis.
     """
-    link = one.link
+    link = pair.link
     collision, visual = link.collisions[0], link.visuals[0]
     inertial = link.inertial.origin if link.inertial else Transform()
     if Transform() != inertial == collision.origin != visual.origin:
         return visual, collision, True
     inertia = context.masses.by_name.get(link.name)
-    if inertia is None or not inertia.is_of(one.collision) or inertia.is_of(one.visual):
+    if inertia is None or not inertia.is_of(pair.collision) or inertia.is_of(pair.visual):
         return collision, visual, True
     joints = context.tree.parents[link.name]
     if any(_turns_about_own_axis(collision, joint) for joint in joints):
@@ -279,10 +279,10 @@ def _fix(wrong: Element, right: Element) -> Fix | None:
 
 def _difference(link: Link) -> str:
     """The difference between the origins of two equal shapes."""
-    (one,), (other,) = link.collisions, link.visuals
-    shift = [b - a for a, b in zip(one.origin.position, other.origin.position, strict=True)]
+    (collision,), (visual,) = link.collisions, link.visuals
+    shift = [b - a for a, b in zip(collision.origin.position, visual.origin.position, strict=True)]
     parts = []
-    if one.origin.rotation != other.origin.rotation:
+    if collision.origin.rotation != visual.origin.rotation:
         parts.append("rotated")
     if any(shift):
         parts.append("moved by {:.3g} {:.3g} {:.3g} m".format(*shift))

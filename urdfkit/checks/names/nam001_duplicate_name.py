@@ -52,11 +52,11 @@ def _duplicates(
 ) -> Findings:
     given = context.given_facts
     keyed = ((element.get("name"), element) for element in elements)
-    for element, first in repeated(one for one in keyed if one[0]):
+    for element, first in repeated(pair for pair in keyed if pair[0]):
         name = element.attributes["name"]
         is_taken = (
             bool(given)
-            and all(element.tag in one.repeatable_names for one in given)
+            and all(element.tag in facts.repeatable_names for facts in given)
             # An element that is there twice gives its child two parents.
             and (element.tag != "joint" or _child(element) != _child(first))
         )
@@ -78,7 +78,7 @@ def _child(joint: Element) -> str | None:
 def _redefined(context: Context) -> Findings:
     """Materials of visuals whose name has another colour or texture before."""
     model = context.model
-    rejecting = [one for one in context.given_facts if one.rejects_recoloured]
+    rejecting = [facts for facts in context.given_facts if facts.rejects_recoloured]
     effect = "parsers keep the first"
     if rejecting:
         effect = f"{' and '.join(one.title for one in rejecting)} rejects the robot"
@@ -101,7 +101,7 @@ def _redefined(context: Context) -> Findings:
                 related=(Related(known.at.span, "the first"),),
                 group_key=name,
                 severity=Severity.ERROR if rejecting else Severity.WARNING,
-                targets=tuple(one.name for one in rejecting),
+                targets=tuple(facts.name for facts in rejecting),
             )
 
 

@@ -35,7 +35,7 @@ def other_name(name: str, directory: str) -> Findings:
         return
     # With several projects, such as a superbuild around it, one of them is the package.
     every = list(re.finditer(_NAMES[file], source.data))
-    if every and name not in [one.group(1).decode() for one in every]:
+    if every and name not in [match.group(1).decode() for match in every]:
         found = every[0]
         yield Finding(
             Span(source, *found.span(1)),
@@ -71,7 +71,7 @@ def missing_directories(name: str, directory: str) -> Findings:
     is_ament = re.search(rb"(?m)^\s*find_package\s*\(\s*ament_cmake", text)
     if not (is_ament and is_sure) or InstallRules(directory, name).makes_files:
         return
-    for path in dict.fromkeys(one.source for one in read_rules(directory, name)):
+    for path in dict.fromkeys(rule.source for rule in read_rules(directory, name)):
         place = re.search(rb"(?<=[\s\"/])%s(?=[\s\"/)])" % re.escape(path.encode()), text)
         if place and _is_missing(directory, path):
             yield Finding(
@@ -123,7 +123,7 @@ def other_build_type(directory: str) -> Findings:
         yield Finding(
             Span(manifest, *found.span(1)),
             f"build type {kind} needs a {needed}, and the package has a {other}",
-            "write " + next(one for one, (file, _) in _BUILT_BY.items() if file == other),
+            "write " + next(command for command, (file, _) in _BUILT_BY.items() if file == other),
         )
 
 

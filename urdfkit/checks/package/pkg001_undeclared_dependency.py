@@ -91,11 +91,11 @@ def _is_test(path: str, manifest: Manifest) -> bool:
 def _of_ros(context: Context, manifest: Manifest) -> Findings:
     """The packages of ROS that a launch file starts, and that its package does not declare."""
     own = context.source.path
-    used = [(one.name, one.span) for one in context.launch.packages if comes_with_ros(one.name)]
+    used = [(use.name, use.span) for use in context.launch.packages if comes_with_ros(use.name)]
     used += [
-        ("xacro", one.frame.call.span)
-        for one in context.launch.descriptions
-        if one.path.endswith(".xacro")
+        ("xacro", description.frame.call.span)
+        for description in context.launch.descriptions
+        if description.path.endswith(".xacro")
     ]
     used += _loaded(context)
     seen = {manifest.package}
@@ -125,8 +125,8 @@ def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
         own = manifest_of(context.resolver, description.path)
         if own is None:
             continue
-        names = [one.kind for one in control_plugins(robot.model)]
-        types = [one.type for _, one in robot.controllers if one.ros == 2]
+        names = [plugin.kind for plugin in control_plugins(robot.model)]
+        types = [controller.type for _, controller in robot.controllers if controller.ros == 2]
         names += [type.partition("/")[0] for type in types]
         for name in names if names and "ros2_controllers" not in own.dependencies else ():
             if comes_with_ros(name) and not _is_brought(name, own.dependencies):

@@ -44,7 +44,7 @@ def check(context: Context) -> Findings:
 
 def _duplicate_names(blocks: list[Component]) -> Findings:
     keyed = ((block.name, block) for block in blocks)
-    for block, first in repeated(one for one in keyed if one[0] and not is_expression(one[0])):
+    for block, first in repeated(pair for pair in keyed if pair[0] and not is_expression(pair[0])):
         yield Finding(
             block.at.attributes["name"],
             f"duplicate <ros2_control> name '{block.name}'",

@@ -60,7 +60,7 @@ def _comparisons(source: Source, pattern: bytes) -> Iterator[tuple[str, str, Spa
 def _default(name: str, context: Context) -> str:
     """The default of an argument, if all files that declare it agree on true or false."""
     pattern = _DEFAULT.format(name).encode()
-    found = {one for source in context.xacro.sources for one in re.findall(pattern, source.data)}
+    found = {text for source in context.xacro.sources for text in re.findall(pattern, source.data)}
     return found.pop().decode() if len(found) == 1 else ""
 
 

@@ -91,7 +91,7 @@ def fit_spheres(
     fitted = fit(
         [*coverings.values()],
         margin,
-        most - sum(len(one.radii) for one in exact.values()),
+        most - sum(len(cover.radii) for cover in exact.values()),
         lambda done: report(steps // 2 + done, steps),
     )
     return _measured(found, {**exact, **dict(zip(coverings, fitted, strict=True))})
@@ -131,7 +131,7 @@ def fit_capsules(
         [*others.values()],
         coverage=coverage,
         margin=margin,
-        most=most - sum(len(one.radii) for one in exact.values()),
+        most=most - sum(len(cover.radii) for cover in exact.values()),
         report=lambda done: report(len(exact) + done, steps),
     )
     return _measured(found, {**exact, **dict(zip(others, fitted, strict=True))})
@@ -147,7 +147,7 @@ def _measured(found: Solids, covers: Mapping[str, _Shapes]) -> RobotCover:
         LinkCover(name, covers[name], measure(triangles, covers[name]))
         for name, triangles in found.triangles.items()
     ]
-    whole = total([one.quality for one in links])
+    whole = total([cover.quality for cover in links])
     return RobotCover(tuple(links), whole, tuple(found.left_out), tuple(found.replaced))
 
 

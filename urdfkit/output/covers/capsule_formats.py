@@ -39,15 +39,15 @@ def _with(
     return replaced(
         robot,
         {
-            one.link: [shape for ends in _capsules(one) for shape in shapes(*ends)]
-            for one in found.links
+            cover.link: [shape for ends in _capsules(cover) for shape in shapes(*ends)]
+            for cover in found.links
         },
     )
 
 
-def _capsules(one: LinkCover) -> Iterator[tuple[Vector, Vector, float]]:
+def _capsules(cover: LinkCover) -> Iterator[tuple[Vector, Vector, float]]:
     """The ends of each axis, and the radius."""
-    shapes = one.shapes._asdict()
+    shapes = cover.shapes._asdict()
     for (start, end), radius in zip(shapes["segments"], shapes["radii"], strict=True):
         yield vector(start), vector(end), float(radius)
 

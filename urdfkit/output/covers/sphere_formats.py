@@ -26,7 +26,7 @@ def curobo(robot: Context, found: RobotCover) -> str:
     Raises:
         Unavailable: coal is not installed, which compares links.
     """
-    names = [one.link for one in found.links]
+    names = [cover.link for cover in found.links]
     kinematics = {
         "base_link": robot.tree.roots[0].name,
         "collision_link_names": names,
@@ -46,7 +46,7 @@ def xrdf(robot: Context, found: RobotCover) -> str:
     Raises:
         Unavailable: coal is not installed, which compares links.
     """
-    names = [one.link for one in found.links]
+    names = [cover.link for cover in found.links]
     joints = [joint.name for joint in robot.model.joints if joint.degrees_of_freedom == 1]
     parents = {joint.parent_name for joint in robot.model.joints}
     buffers = dict.fromkeys(names, 0.0)
@@ -74,11 +74,11 @@ def xrdf(robot: Context, found: RobotCover) -> str:
 def urdf(robot: Context, found: RobotCover) -> str:
     """The robot without xacro, with spheres as collisions, as for VAMP and foam."""
     shapes = {
-        one.link: [
+        cover.link: [
             collision("sphere", Transform(IDENTITY, vector(at["center"])), radius=at["radius"])
-            for at in _plain(one)
+            for at in _plain(cover)
         ]
-        for one in found.links
+        for cover in found.links
     }
     return replaced(robot, shapes)
 
@@ -88,11 +88,11 @@ FORMATS = {"curobo": curobo, "xrdf": xrdf, "urdf": urdf}
 
 
 def _spheres(found: RobotCover) -> dict[str, list[dict[str, Any]]]:
-    return {one.link: _plain(one) for one in found.links}
+    return {cover.link: _plain(cover) for cover in found.links}
 
 
-def _plain(one: LinkCover) -> list[dict[str, Any]]:
-    shapes = one.shapes._asdict()
+def _plain(cover: LinkCover) -> list[dict[str, Any]]:
+    shapes = cover.shapes._asdict()
     centers, radii = shapes["centers"].tolist(), shapes["radii"].tolist()
     return [
         {"center": [round(x, DECIMALS) + 0.0 for x in center], "radius": round(r, DECIMALS)}
@@ -109,9 +109,9 @@ def _ignored(robot: Context, links: Sequence[str]) -> dict[str, list[str]]:
     matrix: Matrix = robot.collisions.matrix(samples=_SAMPLES, seed=0, begin={})
     checked = (PairVerdict.SOMETIMES, PairVerdict.UNKNOWN)
     pairs = {
-        frozenset((one.first, one.second))
-        for one in matrix.pairs
-        if one.verdict not in checked and not one.is_seldom
+        frozenset((pair.first, pair.second))
+        for pair in matrix.pairs
+        if pair.verdict not in checked and not pair.is_seldom
     }
     joints = robot.model.joints
     pairs |= {frozenset((j.parent_name, j.child_name)) for j in joints if j.parent and j.child}

@@ -39,7 +39,7 @@ def _suite(root: Element, path: str, report: Report) -> None:
             by_rule.setdefault(f"{diagnostic.code} {diagnostic.name}", []).append(diagnostic)
     for name, diagnostics in sorted(by_rule.items()):
         _case(suite, path, name, diagnostics)
-    skipped = [(one.code, one.reason) for one in report.skipped if posix(one.path) == path]
+    skipped = [(skip.code, skip.reason) for skip in report.skipped if posix(skip.path) == path]
     if unchecked:
         skipped = [*filter(itemgetter(0), skipped), ("", "\n".join(unchecked))]
     for code, reason in skipped:

@@ -70,18 +70,18 @@ def planner_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, lis
     defined = [str(key) for key in mapping(root, "planner_configs")]
     for key, group in _mappings(root):
         named = [group.get("default_planner_config"), *scalars(group.get("planner_configs"))]
-        for one in named if key != "planner_configs" else ():
-            if isinstance(one, Value) and one.text and not one.text.startswith(_OPEN):
-                yield one, defined
+        for value in named if key != "planner_configs" else ():
+            if isinstance(value, Value) and value.text and not value.text.startswith(_OPEN):
+                yield value, defined
 
 
 def planning_plugins(srdf: Srdf, resolver: Resolver) -> Iterator[Value]:
     """The plugins of the planning pipelines in the files of pipelines such as OMPL."""
     for file in _PIPELINES:
         root = load_next_to(srdf, file, resolver)
-        for one in (root.get("planning_plugin"), *scalars(root.get("planning_plugins"))):
-            if isinstance(one, Value):
-                yield one
+        for value in (root.get("planning_plugin"), *scalars(root.get("planning_plugins"))):
+            if isinstance(value, Value):
+                yield value
 
 
 def adapters(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, str, Value]]:

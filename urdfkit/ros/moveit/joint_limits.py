@@ -46,6 +46,6 @@ def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
         return
     root = load_next_to(description.srdf, _FILE, description.resolver)
     for name, entry in mapping(root, "joint_limits").items():
-        given = {key: one for key, one in mapping(entry).items() if isinstance(one, Value)}
+        given = {key: value for key, value in mapping(entry).items() if isinstance(value, Value)}
         if given and isinstance(name, Key):
             yield PlannedLimit(name, name.at, given)
