@@ -10,7 +10,7 @@ from functools import lru_cache
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Vector
-from urdfkit.robot.model import Joint
+from urdfkit.robot.model import Joint, Link
 from urdfkit.robot.tree import KinematicTree
 
 #: The words of a name; ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.
@@ -120,6 +120,21 @@ def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
     links = [(children[a], children[b]) for a, b in names]
     separate = on_separate_branches(links, {child: parent for child, (_, parent) in above.items()})
     return [(above[a][0], above[b][0]) for a, b in separate]
+
+
+def have_same_meshes(one: Link | None, other: Link | None) -> bool:
+    """True for two links with the same meshes: both sides have the same product, such as an arm.
+
+    They are copies, not mirror images.
+    """
+    meshes = _visual_meshes(one)
+    return bool(meshes) and meshes == _visual_meshes(other)
+
+
+def _visual_meshes(link: Link | None) -> list[tuple[str, Vector]]:
+    """The meshes of the visuals with their scales, also those that do not exist."""
+    shapes = [body.shape for body in link.visuals] if link else []
+    return [(one.filename.value, one.scale) for one in shapes if one and one.filename]
 
 
 def on_separate_branches(

@@ -342,6 +342,24 @@ def test_limits_that_do_not_follow_the_axes(
     assert [message.partition(":")[0] for message in found] == [f"joint '{one}'" for one in names]
 
 
+def with_mesh(text: str, *links: str) -> str:
+    """The robot with one mesh as the visual of several links."""
+    for name in links:
+        mesh = '<visual><geometry><mesh filename="package://p/a.stl"/></geometry></visual>'
+        assert f'<link name="{name}"/>' in text
+        text = text.replace(f'<link name="{name}"/>', f'<link name="{name}">{mesh}</link>')
+    return text
+
+
+def test_the_same_arm_on_both_sides() -> None:
+    """An ARX Lift, an ALOHA and a bimanual SO-101: an arm is no mirror image of itself."""
+    same = with_mesh(arms("right_shoulder_link"), "left_elbow_link", "right_elbow_link")
+    assert messages("JNT025", same) == []
+    assert messages("JNT025", with_mesh(corners("0.1"), "fl_arm_link", "fr_arm_link")) == []
+    wheels = with_mesh(corners("0.1"), "fl_wheel_link", "fr_wheel_link")
+    assert len(messages("JNT025", wheels)) == 1
+
+
 def test_the_same_place_as_the_other_side_with_its_rotation() -> None:
     front = PART.format(side="front_left", xyz="1 1 0", rpy="0 0 0")
     front += PART.format(side="front_right", xyz="1 -1 0", rpy="3.14 0 0")

@@ -36,6 +36,7 @@ from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import hand_xml
+from urdfkit.robot.symmetry import have_same_meshes
 from urdfkit.robot.values import number
 
 _AXIS = '<axis xyz="0 1 0"/>'
@@ -174,9 +175,12 @@ def _ranges(context: Context) -> Findings:
     """The only pair of several whose limits are not mirrored as the axes require."""
     wrong, consistent = [], 0
     leaders = {joint.leader for joint in context.model.joints}
+    links = context.model.links_by_name
     for one, other in context.symmetric_joints:
         if not leaders.isdisjoint((one.name, other.name)):
             continue  # the same gripper on both sides, which opens alike
+        if have_same_meshes(links.get(one.child_name), links.get(other.child_name)):
+            continue
         ours, theirs, is_opposite = bounds(one), bounds(other), _is_opposite(context, one, other)
         if ours is None or theirs is None or is_opposite is None:
             continue

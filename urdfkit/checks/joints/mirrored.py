@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Rotation, Transform, Vector
+from urdfkit.core.spatial import Rotation, Vector
 from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
 from urdfkit.robot.model import Joint, RobotModel
-from urdfkit.robot.symmetry import pairs
+from urdfkit.robot.symmetry import have_same_meshes, pairs
 
 #: In m: tolerance for rounding.
 _TOLERANCE = 1e-4
@@ -48,7 +48,7 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
     for left, right, _ in on_the_other_side(context):
         reported |= {left.name, right.name}
     joints = by_key((joint.parent_name, joint) for joint in context.model.joints)
-    for pair in _asymmetric(list(_pairs(context)), context.tree.frames, joints):
+    for pair in _asymmetric(list(_pairs(context)), context, joints):
         if pair.right.name in reported:
             continue
         if _is_left_misplaced(context.model, pair.left, pair.right):
@@ -136,7 +136,7 @@ def _pairs(context: Context) -> Iterator[_Pair]:
 
 
 def _asymmetric(
-    counterparts: list[_Pair], frames: Mapping[str, Transform], joints: Mapping[str, list[Joint]]
+    counterparts: list[_Pair], context: Context, joints: Mapping[str, list[Joint]]
 ) -> list[_Pair]:
     """The pairs that are not mirror images although their parents are."""
     known = {pair.right.child_name: pair.distance for pair in counterparts}
@@ -156,14 +156,15 @@ def _asymmetric(
     return [
         pair
         for pair in odd
-        if _is_shifted_along_one_axis(pair) or (exact and _has_copied_offset(pair, frames, joints))
+        if _is_shifted_along_one_axis(pair) or (exact and _has_copied_offset(pair, context, joints))
     ]
 
 
-def _has_copied_offset(
-    pair: _Pair, frames: Mapping[str, Transform], joints: Mapping[str, list[Joint]]
-) -> bool:
+def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[Joint]]) -> bool:
     """True for counterparts on mirrored links, to the same side of them."""
+    frames, links = context.tree.frames, context.model.links_by_name
+    if have_same_meshes(links.get(pair.left.parent_name), links.get(pair.right.parent_name)):
+        return False
     one, other = frames.get(pair.left.parent_name), frames.get(pair.right.parent_name)
     if one is None or other is None or pair.left.parent_name == pair.right.parent_name:
         return False

@@ -10,6 +10,7 @@ from urdfkit.robot.inertia import rotated
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
 from urdfkit.robot.model import Tensor
+from urdfkit.robot.symmetry import have_same_meshes
 from urdfkit.text.document import Element
 
 #: Tolerance of the positions of mirrored links, in m.
@@ -58,19 +59,13 @@ def wrong_signs(masses: Masses) -> Iterator[WrongSign]:
 
 
 def _are_mirrored(masses: Masses, left: LinkInertia, right: LinkInertia) -> bool:
-    if _meshes(left) and _meshes(left) == _meshes(right):
-        return False  # the same part on both sides, such as a camera
+    if have_same_meshes(left.link, right.link):
+        return False
     one, other = (masses.tree.frames.get(link.name) for link in (left, right))
     if one is None or other is None:
         return False
     (x, y, z), (a, b, c) = one.position, other.position
     return max(abs(x - a), abs(y + b), abs(z - c)) <= _MAX_OFFSET
-
-
-def _meshes(link: LinkInertia) -> list[tuple[str, Vector]]:
-    """The meshes of a link with their scales, without those that are missing."""
-    shapes = (body.shape for body in link.link.visuals)
-    return [(one.filename.value, one.scale) for one in shapes if one and one.filename]
 
 
 def _product(
