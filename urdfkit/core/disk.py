@@ -76,14 +76,14 @@ def state(path: str) -> os.stat_result:
         ValueError: the path contains a NUL.
     """
     try:
-        found = os.stat(path)
+        status = os.stat(path)
     except OSError:
         if _log is not None:
             _log.state("s", path, None)
         raise
     if _log is not None:
-        _log.state("s", path, found)
-    return found
+        _log.state("s", path, status)
+    return status
 
 
 def version(path: str) -> tuple[int, ...]:
@@ -92,8 +92,8 @@ def version(path: str) -> tuple[int, ...]:
     Raises:
         OSError, ValueError: as of `state`.
     """
-    found = os.stat(path)
-    return found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns
+    status = os.stat(path)
+    return status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns
 
 
 def exists(path: str) -> bool:
@@ -143,8 +143,8 @@ def entries(directory: str) -> list[os.DirEntry[str]]:
         ValueError: the path contains a NUL.
     """
     try:
-        with os.scandir(directory) as found:
-            inside = list(found)
+        with os.scandir(directory) as scanned:
+            inside = list(scanned)
     except OSError:
         if _log is not None:
             _log.listed(directory, None)
@@ -176,10 +176,10 @@ def walk(directory: str) -> Iterator[tuple[str, list[str], list[str]]]:
 
 def real(path: str) -> str:
     """Absolute path with all symbolic links resolved."""
-    found = os.path.realpath(path)
+    target = os.path.realpath(path)
     if _log is not None:
-        _log.real(path, found)
-    return found
+        _log.real(path, target)
+    return target
 
 
 class Environment(Mapping[str, str]):
@@ -200,9 +200,9 @@ class Environment(Mapping[str, str]):
 def _mode(path: str, *, follow: bool = True) -> int:
     """``st_mode`` of a file or a link; 0 if it does not exist."""
     try:
-        found = os.stat(path, follow_symlinks=follow)
+        status = os.stat(path, follow_symlinks=follow)
     except (OSError, ValueError):
-        found = None
+        status = None
     if _log is not None:
-        _log.state("k" if follow else "l", path, found)
-    return found.st_mode if found is not None else 0
+        _log.state("k" if follow else "l", path, status)
+    return status.st_mode if status is not None else 0

@@ -144,8 +144,8 @@ class Suggester:
             return name
         space += slash
         inside = [known.removeprefix(space) for known in self._known if known.startswith(space)]
-        found = nearest(name, inside, self._cutoff)
-        return space + found if found and not _are_siblings(name, found) else ""
+        suggestion = nearest(name, inside, self._cutoff)
+        return space + suggestion if suggestion and not _are_siblings(name, suggestion) else ""
 
 
 def _are_siblings(word: str, other: str) -> bool:

@@ -55,18 +55,18 @@ def with_values(problems: Iterable[Problem], xacro: Xacro, resolver: Resolver) -
         yield problem._replace(help=f"{problem.help}; {reported(found)}") if found else problem
 
 
-def reported(found: ArgumentValues) -> str:
+def reported(possible: ArgumentValues) -> str:
     """A message with the origin and values of an argument."""
-    verb = "has" if disk.is_directory(found.origin) else "gives"
-    values = [value or "''" for value in found.values]
-    return f"{shown(found.origin)} {verb} {few(values, _FEW)}"
+    verb = "has" if disk.is_directory(possible.origin) else "gives"
+    values = [value or "''" for value in possible.values]
+    return f"{shown(possible.origin)} {verb} {few(values, _FEW)}"
 
 
 def found_values(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
     """The possible values of an argument of a description; None if there are none."""
     robot = xacro.sources[0].path
     if sets := passed_arguments(robot, (name,), resolver):
-        values = dict.fromkeys(each.arguments[name] for each in sets)
+        values = dict.fromkeys(robot.arguments[name] for robot in sets)
         return ArgumentValues(tuple(values), sets[0].launch)
     for launch, choices in declared(robot, resolver):
         if name in choices:

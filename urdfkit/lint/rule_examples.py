@@ -94,8 +94,8 @@ def assert_examples(rule: Rule) -> None:
     bad, good = _example(rule, "BAD"), _example(rule, "GOOD")
     if not diagnose_example(rule, bad):
         raise AssertionError(f"{rule.code} finds nothing in BAD")
-    if found := diagnose_example(rule, good):
-        raise AssertionError(f"{rule.code} finds in GOOD: {found[0].message}")
+    if findings := diagnose_example(rule, good):
+        raise AssertionError(f"{rule.code} finds in GOOD: {findings[0].message}")
     fixed = rule.example("FIXED")
     fixed_files: Mapping[str, bytes] = getattr(sys.modules[rule.module], "FIXED_FILES", {})
     if rule.fixable is (fixed is None and not fixed_files):
@@ -105,18 +105,18 @@ def assert_examples(rule: Rule) -> None:
     expected |= {name: data.decode() for name, data in fixed_files.items()}
     if given != expected:
         raise AssertionError(f"{rule.code}: the fixes of BAD give\n{given}\nnot\n{expected}")
-    if fixed and (found := diagnose_example(rule, fixed)):
-        raise AssertionError(f"{rule.code} finds in FIXED: {found[0].message}")
+    if fixed and (findings := diagnose_example(rule, fixed)):
+        raise AssertionError(f"{rule.code} finds in FIXED: {findings[0].message}")
 
 
 def apply_fixes(rule: Rule, text: str) -> dict[str, str]:
     """The files that the fixes of an example change, by relative path; "" is the robot."""
     with laid_out(rule, text) as source:
-        found = diagnose(rule, list(rule.check(context_of(rule, source))))
+        findings = diagnose(rule, list(rule.check(context_of(rule, source))))
         directory = source.path.removesuffix(_file_name(rule)).rstrip(os.sep)
         edits: dict[str, dict[Edit, None]] = {}
-        for one in found:
-            for edit in one.fix.edits if one.fix else ():
+        for finding in findings:
+            for edit in finding.fix.edits if finding.fix else ():
                 path = edit.span.source.path
                 name = "" if path == source.path else os.path.relpath(path, directory)
                 edits.setdefault(name, {})[edit] = None

@@ -58,20 +58,20 @@ def mass_properties(context: Context, pose: Mapping[str, float] | None = None) -
         pose: positions of joints in rad or m, for the whole; the others are at 0.
     """
     links = context.model.links_by_name.values()
-    found = composite_body(context.tree, frames(context.tree, pose or {}))
-    body = found.properties
+    robot_body = composite_body(context.tree, frames(context.tree, pose or {}))
+    body = robot_body.properties
     moments, axes = principal_axes(body.tensor) if body else (None, None)
     rows = [_row(context, link) for link in links if not link.is_frame]
-    return MassTable(tuple(rows), found, moments, axes)
+    return MassTable(tuple(rows), robot_body, moments, axes)
 
 
 def _row(context: Context, link: Link) -> MassRow:
     properties = properties_of(link, Transform())
     moments, axes = principal_axes(properties.tensor)
     try:
-        found = shape_mass(link, "auto", context.measures)
+        measured = shape_mass(link, "auto", context.measures)
     except ImportError:
-        found = without_meshes()
-    if isinstance(found, str):
-        return MassRow(link.name, properties, moments, axes, None, found)
-    return MassRow(link.name, properties, moments, axes, found, "")
+        measured = without_meshes()
+    if isinstance(measured, str):
+        return MassRow(link.name, properties, moments, axes, None, measured)
+    return MassRow(link.name, properties, moments, axes, measured, "")

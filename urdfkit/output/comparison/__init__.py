@@ -124,16 +124,16 @@ def compare(
             where = os.path.join(os.path.realpath(directory), name)
             states.append(RobotState(word, where, options))
         advance(2, steps)
-        found = _compare(states[0], states[1], tolerances or Tolerances())
+        comparison = _compare(states[0], states[1], tolerances or Tolerances())
         if has_images:
             from urdfkit.output.comparison.images import images
 
             advance(3, steps)
-            rendered = images(states[0].context, states[1].context, found)
-            found = found._replace(images=rendered)
+            rendered = images(states[0].context, states[1].context, comparison)
+            comparison = comparison._replace(images=rendered)
         for state in states:
             state.rename_sources()
-    return found
+    return comparison
 
 
 def _compare(before: RobotState, after: RobotState, allowed: Tolerances) -> Comparison:

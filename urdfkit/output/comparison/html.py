@@ -18,7 +18,7 @@ def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> 
         language: of headings and other fixed texts: ``en`` or ``zh``.
     """
     by_kind = {
-        kind: [found for found in comparison.differences if found.kind == kind] for kind in KINDS
+        kind: [change for change in comparison.differences if change.kind == kind] for kind in KINDS
     }
     page = render_plain(
         "diff.html.j2",
@@ -27,8 +27,8 @@ def render(comparison: Comparison, *, width: int = 80, language: str = "en") -> 
         differs=[kind for kind in KINDS if kind in comparison.kinds],
         sections=[(kind, found[:MAX_ROWS]) for kind, found in by_kind.items() if found],
         moved=[
-            (one.link, 1000 * one.distance, degrees(one.angle), one.carried)
-            for one in comparison.moved[:MAX_ROWS]
+            (move.link, 1000 * move.distance, degrees(move.angle), move.carried)
+            for move in comparison.moved[:MAX_ROWS]
         ],
         findings=[
             (title, found[:MAX_ROWS])

@@ -11,7 +11,7 @@ _GONE, _NEW, _CHANGED = (0.86, 0.15, 0.12, 1.0), (0.16, 0.62, 0.3, 1.0), (0.96, 
 _SAME = (0.8, 0.82, 0.85, 1.0)
 
 
-def images(before: Context, after: Context, found: Comparison) -> tuple[str, ...]:
+def images(before: Context, after: Context, compared: Comparison) -> tuple[str, ...]:
     """URIs of two images; empty if the required libraries or the shapes are missing.
 
     Removed links are red, added links green, and changed or moved links amber.
@@ -27,8 +27,8 @@ def images(before: Context, after: Context, found: Comparison) -> tuple[str, ...
     if not all(scene.items for scene in scenes):
         return ()
     camera = render.place_camera(np.concatenate([scene.points() for scene in scenes]), size=SIZE)
-    colours = _colours(found, after)
-    renamed = found.names.links
+    colours = _colours(compared, after)
+    renamed = compared.names.links
     both = {renamed.get(name, name) for name in scenes[0].frames} & scenes[1].frames.keys()
     addresses = []
     for scene, only, names in ((scenes[0], _GONE, renamed), (scenes[1], _NEW, {})):
@@ -42,10 +42,10 @@ def images(before: Context, after: Context, found: Comparison) -> tuple[str, ...
     return tuple(addresses)
 
 
-def _colours(found: Comparison, after: Context) -> dict[str, tuple[float, float, float, float]]:
+def _colours(compared: Comparison, after: Context) -> dict[str, tuple[float, float, float, float]]:
     """Colours of changed links; a change of a joint counts for its child link."""
     children = {joint.name: joint.child_name for joint in after.model.joints}
-    names = {moved.link for moved in found.moved}
-    for one in found.differences:
-        names.add(one.name if one.what == "link" else children.get(one.name, ""))
+    names = {moved.link for moved in compared.moved}
+    for change in compared.differences:
+        names.add(change.name if change.what == "link" else children.get(change.name, ""))
     return dict.fromkeys(names, _CHANGED)

@@ -20,7 +20,7 @@ def render(comparison: Comparison, *, width: int = 80) -> str:
         "kinds": [kind for kind in KINDS if kind in comparison.kinds],
         "tolerances": comparison.tolerances._asdict(),
         "differences": [
-            {**found._asdict(), "sentence": str(found)} for found in comparison.differences
+            {**change._asdict(), "sentence": str(change)} for change in comparison.differences
         ],
         "moved": [moved._asdict() for moved in comparison.moved],
         "total": {
@@ -30,8 +30,8 @@ def render(comparison: Comparison, *, width: int = 80) -> str:
             "differs": comparison.total_differs,
         },
         "findings": {
-            "came": [_finding(found) for found in comparison.new_findings],
-            "went": [_finding(found) for found in comparison.fixed_findings],
+            "came": [_finding(finding) for finding in comparison.new_findings],
+            "went": [_finding(finding) for finding in comparison.fixed_findings],
         },
         "notes": list(comparison.notes),
     }
@@ -47,13 +47,13 @@ def _total(whole: CompositeBody) -> dict[str, Any]:
     }
 
 
-def _finding(found: Diagnostic) -> dict[str, Any]:
+def _finding(finding: Diagnostic) -> dict[str, Any]:
     return {
-        "code": found.code,
-        "severity": found.severity.value,
-        "message": found.message,
-        "element": found.element,
-        "path": shown(found.span.source.path),
-        "line": found.span.line,
-        "column": found.span.column,
+        "code": finding.code,
+        "severity": finding.severity.value,
+        "message": finding.message,
+        "element": finding.element,
+        "path": shown(finding.span.source.path),
+        "line": finding.span.line,
+        "column": finding.span.column,
     }

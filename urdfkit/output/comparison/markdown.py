@@ -29,9 +29,11 @@ def _sections(comparison: Comparison) -> Iterator[str]:
             rows.append(["centre of mass / m", *(spaced(center, 4) for center in centers), moved])
         yield _section("Total", table(["", "before", "after", "change"], rows))
     for kind in KINDS:
-        found = [one for one in comparison.differences if one.kind == kind]
-        if found:
-            rows = [[f"{one.what} {code(one.name)}", escape(one.text)] for one in found]
+        changes = [change for change in comparison.differences if change.kind == kind]
+        if changes:
+            rows = [
+                [f"{change.what} {code(change.name)}", escape(change.text)] for change in changes
+            ]
             title = "Joint frames" if kind == "frames" else kind.capitalize()
             yield _section(title, table(["", "what"], rows))
     if comparison.moved:
@@ -57,9 +59,9 @@ def _sections(comparison: Comparison) -> Iterator[str]:
 
 
 def _findings(findings: Iterable[Diagnostic]) -> Iterator[list[str]]:
-    for found in findings:
-        what = f"{found.severity.value} {found.code}"
-        yield [what, code(str(found.span)), escape(found.message)]
+    for finding in findings:
+        what = f"{finding.severity.value} {finding.code}"
+        yield [what, code(str(finding.span)), escape(finding.message)]
 
 
 def _section(title: str, body: str) -> str:

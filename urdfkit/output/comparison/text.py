@@ -26,7 +26,7 @@ def _body(comparison: Comparison, width: int) -> Iterator[str]:
         yield "\ntotal"
         yield from _total(comparison, width)
     for kind in KINDS:
-        lines = [str(found) for found in comparison.differences if found.kind == kind]
+        lines = [str(change) for change in comparison.differences if change.kind == kind]
         if lines:
             yield f"\n{kind}"
             yield from _some(wrap(printable(line), width - 2, indent=4) for line in lines)
@@ -53,9 +53,9 @@ def _some(lines: Iterable[str]) -> Iterator[str]:
 
 def _moved(moved: Iterable[MovedLink]) -> Iterator[str]:
     """A table of links that moved relative to their parents, and the number of links carried."""
-    own = [one for one in moved if not one.carried]
-    carried = [one for one in moved if one.carried]
-    names = [printable(one.link) for one in own]
+    own = [move for move in moved if not move.carried]
+    carried = [move for move in moved if move.carried]
+    names = [printable(move.link) for move in own]
     size = max(map(columns, names[:MAX_LINES]), default=4)
     yield f"  {'link':<{size}}  {'mm':>9}  {'deg':>8}"
     yield from _some(
@@ -82,6 +82,6 @@ def _total(comparison: Comparison, width: int) -> Iterator[str]:
 
 
 def _findings(sign: str, findings: Iterable[Diagnostic], width: int) -> Iterator[str]:
-    for found in findings:
-        words = f"{found.span}: {found.severity.value} {found.code} {found.message}"
+    for finding in findings:
+        words = f"{finding.span}: {finding.severity.value} {finding.code} {finding.message}"
         yield f"{sign} {wrap(printable(words), width - 4, indent=6)}"

@@ -14,7 +14,7 @@ VERSION = 1
 
 def render(tree: KinematicTree) -> str:
     """Links with their parents, and joints with type, axis, limits and origin."""
-    found = list(rows(tree))
+    tree_rows = list(rows(tree))
     links = tree.model.links_by_name
     document = {
         "version": VERSION,
@@ -27,10 +27,10 @@ def render(tree: KinematicTree) -> str:
                 "depth": row.depth,
                 "mass": links[row.link].mass,
             }
-            for row in found
+            for row in tree_rows
             if not row.is_again
         ],
-        "joints": [_joint(row.joint, row.parent, row.link) for row in found if row.joint],
+        "joints": [_joint(row.joint, row.parent, row.link) for row in tree_rows if row.joint],
     }
     return dumped(document)
 

@@ -36,10 +36,10 @@ _STYLE = (
 
 def render(tree: KinematicTree) -> str:
     """The tree as an SVG document."""
-    found = list(rows(tree))
-    body = list(_body(found))
-    width = max((_right(row) for row in found), default=0.0) + MARGIN
-    height = len(found) * ROW + 2 * MARGIN
+    tree_rows = list(rows(tree))
+    body = list(_body(tree_rows))
+    width = max((_right(row) for row in tree_rows), default=0.0) + MARGIN
+    height = len(tree_rows) * ROW + 2 * MARGIN
     size = f'width="{width:.0f}" height="{height}" viewBox="0 0 {width:.0f} {height}"'
     return "\n".join(
         [
@@ -54,14 +54,14 @@ def render(tree: KinematicTree) -> str:
     )
 
 
-def _body(found: list[TreeRow]) -> Iterator[str]:
+def _body(tree_rows: list[TreeRow]) -> Iterator[str]:
     above: list[int] = []  # the row of the open link at each depth
-    for number, row in enumerate(found):
+    for number, row in enumerate(tree_rows):
         del above[row.depth :]
         if row.joint is not None:
             yield _line(row, above[row.depth - 1], number)
         above.append(number)
-    for number, row in enumerate(found):
+    for number, row in enumerate(tree_rows):
         yield from _box(row, number)
 
 

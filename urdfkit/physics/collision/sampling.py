@@ -87,7 +87,7 @@ def collisions(
     return Matrix(
         robot.model.name,
         tuple(results),
-        max((each.samples for each in findings.values() if each is not None), default=0),
+        max((result.samples for result in findings.values() if result is not None), default=0),
         samples,
         counted,
         seed,
@@ -141,31 +141,31 @@ def _result(
     moving: TreeArrays,
     pair: Pair,
     names: tuple[str, str],
-    found: PairFindings | None,
+    findings: PairFindings | None,
     counted: int,
     *,
     moves: bool,
 ) -> PairResult:
     """The result for a pair; ``found`` is None if it crashes coal."""
     verdict, frequency, nearest = PairVerdict.UNKNOWN, None, None
-    if found is not None:
-        verdict = _verdict(found, counted, moves=moves)
-        if found.samples:
-            frequency = found.hits / counted
-        if found.configuration is not None:
-            pose = moving.pose(found.configuration, *pair)
-            nearest = ClosestApproach(found.distance, pose)
+    if findings is not None:
+        verdict = _verdict(findings, counted, moves=moves)
+        if findings.samples:
+            frequency = findings.hits / counted
+        if findings.configuration is not None:
+            pose = moving.pose(findings.configuration, *pair)
+            nearest = ClosestApproach(findings.distance, pose)
     return PairResult(*names, verdict, moves, frequency, nearest)
 
 
-def _verdict(found: PairFindings, counted: int, *, moves: bool) -> PairVerdict:
-    if found is _ADJACENT:
+def _verdict(findings: PairFindings, counted: int, *, moves: bool) -> PairVerdict:
+    if findings is _ADJACENT:
         return PairVerdict.ADJACENT
-    if found.hits_at_start:
+    if findings.hits_at_start:
         return PairVerdict.DEFAULT
-    if not moves or found.is_free:
+    if not moves or findings.is_free:
         return PairVerdict.NEVER
-    return PairVerdict.ALWAYS if found.hits > ALWAYS * counted else PairVerdict.SOMETIMES
+    return PairVerdict.ALWAYS if findings.hits > ALWAYS * counted else PairVerdict.SOMETIMES
 
 
 def _pairs(moving: TreeArrays, links: Sequence[int]) -> list[Pair]:
