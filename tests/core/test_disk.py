@@ -24,6 +24,7 @@ _ASKS = {
 }
 #: Modules that ask for files themselves, and why: none is named by a robot, or it is not read.
 WITHOUT_GATE = {
+    "core/cache_entries.py": "entries of the cache",
     "core/disk.py": "the gate",
     "core/file_log.py": "the gate, asked again",
     "core/atomic.py": "writes",
@@ -36,7 +37,6 @@ WITHOUT_GATE = {
     "lint/rule_examples.py": "writes examples",
     "lint/rule_index.py": "urdfkit's own",
     "lsp": "places of files that are open or were read",
-    "mesh/measure_cache.py": "entries of the cache",
     "output/comparison/states.py": "files that the user names on the command line",
     "output/formats/__init__.py": "urdfkit's own",
     "output/package_templates/__init__.py": "urdfkit's own, and its output",
