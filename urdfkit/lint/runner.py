@@ -211,10 +211,10 @@ class _RuleRun:
             facts.name: Severity(facts.severities.get(rule.code) or severity)
             for facts in self.context.given_facts
         }
-        worst = min(by_target.values(), key=lambda each: each.rank)
+        worst = min(by_target.values(), key=lambda severity: severity.rank)
         if worst is severity or (finding.severity and worst.rank < severity.rank):
             return finding
-        affected = tuple(name for name, each in by_target.items() if each is worst)
+        affected = tuple(name for name, severity in by_target.items() if severity is worst)
         return finding._replace(severity=worst, targets=affected)
 
     def _configured(self, diagnostic: Diagnostic) -> Diagnostic:

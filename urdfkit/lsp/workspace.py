@@ -204,7 +204,7 @@ class Workspace:
             except UrdfkitError as error:
                 failure, diagnostics = failure or str(error), []
             self._diagnostics[root] = by_key(
-                (os.path.realpath(each.span.source.path), each) for each in diagnostics
+                (os.path.realpath(finding.span.source.path), finding) for finding in diagnostics
             )
         files = files_before | set(self._files()) | {path}
         return CheckResult({file: list(self._findings(file)) for file in sorted(files)}, failure)
@@ -249,7 +249,7 @@ class Workspace:
         """The findings in a file; a finding of several robots has the message of the first."""
         reported: set[tuple[str, int, int]] = set()
         for by_file in self._diagnostics.values():
-            new = [each for each in by_file.get(file, ()) if _key(each) not in reported]
+            new = [finding for finding in by_file.get(file, ()) if _key(finding) not in reported]
             reported.update(map(_key, new))
             yield from new
 

@@ -59,12 +59,12 @@ def _outside_namespace(context: Context) -> Findings:
     for plugin in control_plugins(context.model):
         element = namespace_of(plugin.at)
         namespace = element.text.strip().strip("/") if element else ""
-        paths = [each.text.strip() for each in plugin.at.all("parameters")]
+        paths = [tag.text.strip() for tag in plugin.at.all("parameters")]
         named = [files[path] for path in paths if namespace and path in files]
         sources = (context.resolver.readable(file.found) for file in named if file.found)
         sections = [section for source in sources if source for section in node_parameters(source)]
         written = {f"{section.namespace}/{section.name}".strip("/") for section in sections}
-        lost = next((each for each in sections if each.name == _MANAGER), None)
+        lost = next((section for section in sections if section.name == _MANAGER), None)
         node = f"{namespace}/{_MANAGER}"
         if element and lost and node not in written and not any("*" in name for name in written):
             yield Finding(

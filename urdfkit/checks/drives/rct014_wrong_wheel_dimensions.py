@@ -68,7 +68,7 @@ def check(context: Context) -> Findings:
 
     for file, controllers in by_file(context.controllers):
         for alternatives in _by_wheels(controllers):
-            findings = [list(_check_controller(each, context)) for each in alternatives]
+            findings = [list(_check_controller(controller, context)) for controller in alternatives]
             fewest = min(map(len, findings))
             for finding in chain.from_iterable(each for each in findings if len(each) == fewest):
                 yield finding._replace(related=(file.note,))

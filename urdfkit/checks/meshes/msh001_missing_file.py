@@ -86,8 +86,8 @@ def check(context: Context) -> Findings:
             message = f"{mesh.who} has backslashes: not found on Linux"
             fix = _fix(mesh, right, "write / instead of backslashes")
             yield Finding(mesh.at, message, "write / instead", fix)
-        elif (found := _CUT_SCHEME.match(mesh.at.value)) and id(mesh) in missing:
-            yield _cut_scheme(mesh, found)
+        elif (match := _CUT_SCHEME.match(mesh.at.value)) and id(mesh) in missing:
+            yield _cut_scheme(mesh, match)
         elif colon and scheme not in _SCHEMES and scheme.lower() not in _REMOTE:
             yield _unknown_scheme(mesh, scheme, rest)
         elif mesh.located.package == "":
@@ -115,12 +115,12 @@ def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: s
     return Finding(mesh.at, message, f"write {right}", fix, group_key=scheme)
 
 
-def _cut_scheme(mesh: MeshReference, found: re.Match[str]) -> Finding:
+def _cut_scheme(mesh: MeshReference, match: re.Match[str]) -> Finding:
     """Finding about ``package:/name/...``, which programs read as a relative path."""
-    right = f"{found[1]}://"
-    message = f"{mesh.who} begins with '{found[0]}', not with '{right}'"
-    fix = _fix(mesh, right + mesh.at.value[found.end() :], f"write {right}")
-    return Finding(mesh.at, message, f"write {right}", fix, group_key=found[0])
+    right = f"{match[1]}://"
+    message = f"{mesh.who} begins with '{match[0]}', not with '{right}'"
+    fix = _fix(mesh, right + mesh.at.value[match.end() :], f"write {right}")
+    return Finding(mesh.at, message, f"write {right}", fix, group_key=match[0])
 
 
 def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:
@@ -134,10 +134,10 @@ def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:
 def _of_installation(mesh: MeshReference) -> Finding | None:
     """Finding about a file of an installation that does not exist on this computer; else None."""
     located = mesh.located
-    found = _INSTALLATION.match(located.tried[0]) if located.scheme == "absolute" else None
-    if found is None or disk.is_directory(found[0]):
+    match = _INSTALLATION.match(located.tried[0]) if located.scheme == "absolute" else None
+    if match is None or disk.is_directory(match[0]):
         return None
-    directory = found[0].rstrip("/")
+    directory = match[0].rstrip("/")
     message = f"{mesh.who} is in {directory}, which is not on this computer: not checked"
     help = "write package://PACKAGE/..., which is found wherever the package is installed"
     return Finding(mesh.at, message, help, severity=Severity.WARNING, group_key=directory)
@@ -168,8 +168,8 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
         message = f"{mesh.who} is found by MuJoCo alone, which looks in {shown(directory)}"
         help = "for other programs, write a path relative to the URDF, or package://PACKAGE/..."
         return Finding(mesh.at, message, help, group_key=directory, severity=Severity.INFO)
-    if found := _without_slash(context, mesh):
-        return found
+    if finding := _without_slash(context, mesh):
+        return finding
     where = f" in package '{located.package}'" if located.package else ""
     # An absolute path in the message is the path that was tried.
     tried = "" if located.scheme == "absolute" else f"; tried {located.tried_paths}"

@@ -36,10 +36,10 @@ def other_name(name: str, directory: str) -> Findings:
     # With several projects, such as a superbuild around it, one of them is the package.
     every = list(re.finditer(_NAMES[file], source.data))
     if every and name not in [match.group(1).decode() for match in every]:
-        found = every[0]
+        project = every[0]
         yield Finding(
-            Span(source, *found.span(1)),
-            f"project name '{found.group(1).decode()}' in {file} differs from the package name "
+            Span(source, *project.span(1)),
+            f"project name '{project.group(1).decode()}' in {file} differs from the package name "
             f"'{name}' in package.xml",
             "use the same name in both files",
             severity=Severity.WARNING,
@@ -52,10 +52,10 @@ def not_finished(directory: str) -> Findings:
     if source is None:
         return
     text = re.sub(rb"#.*", b"", source.data)
-    found = re.search(rb"(?m)^\s*find_package\s*\(\s*(ament_cmake)\b", source.data)
-    if found and not re.search(rb"ament\w*_package\s*\(|\b(include|macro)\s*\(", text):
+    match = re.search(rb"(?m)^\s*find_package\s*\(\s*(ament_cmake)\b", source.data)
+    if match and not re.search(rb"ament\w*_package\s*\(|\b(include|macro)\s*\(", text):
         yield Finding(
-            Span(source, *found.span(1)),
+            Span(source, *match.span(1)),
             "ament_package() is not called: ROS does not find the package after the build",
             "write ament_package() as the last line",
         )
@@ -96,11 +96,11 @@ def finds_catkin(directory: str) -> Findings:
     if manifest is None or source is None or b"ament_cmake" not in manifest.data:
         return
     kinds = re.findall(rb"<build_type\b([^>]*)>\s*(\w+)", blank_comments(manifest.data))
-    found = re.search(rb"(?m)^[ \t]*find_package\s*\(\s*(catkin)\b", source.data)
+    match = re.search(rb"(?m)^[ \t]*find_package\s*\(\s*(catkin)\b", source.data)
     has_other = re.search(rb"(?m)^[ \t]*find_package\s*\(\s*ament_cmake|ROS_VERSION", source.data)
-    if kinds == [(b"", b"ament_cmake")] and found and not has_other:
+    if kinds == [(b"", b"ament_cmake")] and match and not has_other:
         yield Finding(
-            Span(source, *found.span(1)),
+            Span(source, *match.span(1)),
             "CMakeLists.txt finds catkin, and package.xml has build type ament_cmake: ROS 2 has "
             "no catkin",
             "write find_package(ament_cmake REQUIRED), and ament_package() as the last line",
@@ -113,15 +113,15 @@ def other_build_type(directory: str) -> Findings:
     if manifest is None or b"<build_type" not in manifest.data:
         return
     data = bytes(blank_comments(manifest.data))
-    found = re.search(rb"<build_type\b[^>]*>\s*(\w+)\s*<", data)
-    if found is None or len(re.findall(rb"<build_type\b", data)) > 1:
+    match = re.search(rb"<build_type\b[^>]*>\s*(\w+)\s*<", data)
+    if match is None or len(re.findall(rb"<build_type\b", data)) > 1:
         return
-    kind = found.group(1).decode()
+    kind = match.group(1).decode()
     needed, other = _BUILT_BY.get(kind, ("", ""))
     has = {file: disk.exists(os.path.join(directory, file)) for file in _NAMES}
     if needed and not has[needed] and has[other]:
         yield Finding(
-            Span(manifest, *found.span(1)),
+            Span(manifest, *match.span(1)),
             f"build type {kind} needs a {needed}, and the package has a {other}",
             "write " + next(command for command, (file, _) in _BUILT_BY.items() if file == other),
         )

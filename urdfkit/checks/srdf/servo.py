@@ -23,7 +23,7 @@ _MAX_NAMED = 4
 
 
 def unknown_in_servo(context: Context, srdf: Srdf) -> Findings:
-    above = {each.get("parent_frame") or "" for each in srdf.root.all("virtual_joint")}
+    above = {joint.get("parent_frame") or "" for joint in srdf.root.all("virtual_joint")}
     for source, values in servo_values(srdf, context.resolver):
         file = os.path.basename(source.path)
         known = {_GROUP: srdf.known("group"), **dict.fromkeys(_FRAMES, srdf.known("link") | above)}
@@ -43,8 +43,8 @@ def _unknown_controller(context: Context, srdf: Srdf, topic: Value) -> Findings:
     """A topic that no controller of the workspace reads."""
     owner, _, output = topic.text.strip("/").rpartition("/")
     name = owner.rpartition("/")[2]
-    defined = {each.name: each for each in defined_controllers(context, srdf)}
-    users = [each.name for each in defined.values() if each.values(["joints"])]
+    defined = {controller.name: controller for controller in defined_controllers(context, srdf)}
+    users = [controller.name for controller in defined.values() if controller.values(["joints"])]
     moving = [user for user in users if "broadcaster" not in defined[user].type]
     if name and output in _OUTPUTS and name not in defined and moving:
         yield Finding(

@@ -103,7 +103,7 @@ def _branch(context: Context, links: set[str]) -> tuple[Joint, Joint] | None:
     for joint in context.model.joints:
         if joint.kind != "fixed" and joint.child_name in links:
             above = context.tree.path(joint.child_name)
-            paths.append([each for each in above if each.kind != "fixed"])
+            paths.append([joint for joint in above if joint.kind != "fixed"])
     paths.sort(key=len)
     for before, path in pairwise(paths):
         if path[:-1] != before:

@@ -68,9 +68,9 @@ def _uncommanded(
     reported: set[str] = set()
     for name in srdf.groups_by_name:
         links = srdf.links_of(name)
-        chain = [each for each in model.joints if each.child_name in links]
-        parents = [each.parent_name for each in chain]
-        moved = {each.name for each in chain} - omitted
+        chain = [joint for joint in model.joints if joint.child_name in links]
+        parents = [joint.parent_name for joint in chain]
+        moved = {joint.name for joint in chain} - omitted
         missing = moved - commanded.keys()
         owners = {commanded[joint] for joint in moved - missing}
         is_chain = len(set(parents)) == len(parents)

@@ -213,7 +213,7 @@ def _classes(opened: OpenedWorld, plugin: Element, title: str) -> Findings:
     """A class that the library does not have."""
     name = plugin.attributes.get("name")
     known = find((plugin.get("filename") or "").strip())
-    classes = [each.class_name for each in known if each.generation == GZ]
+    classes = [plugin.class_name for plugin in known if plugin.generation == GZ]
     written = re.sub(r"::v\d+\b", "", name.value if name else "")
     if name is None or not classes or not all(classes):
         return

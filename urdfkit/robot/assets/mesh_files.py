@@ -212,9 +212,9 @@ class MeshFiles:
 
     def _installed(self, located: ResolvedReference) -> Suggestion | None:
         """The file of a package at an absolute path of its installation on another computer."""
-        if located.scheme != "absolute" or not (found := _INSTALLED.search(located.reference)):
+        if located.scheme != "absolute" or not (match := _INSTALLED.search(located.reference)):
             return None
-        reference = f"package://{found[1]}/{found[2]}"
+        reference = f"package://{match[1]}/{match[2]}"
         path = self.resolver.locate(reference, self.top).path
         return Suggestion(reference, sure=True) if path else None
 
@@ -271,10 +271,10 @@ class MeshFiles:
             base = package[1] if package else self.resolver.packages.workspace(self.top)
         directory, expected = os.path.split(located.relative)
         by_common: dict[int, list[str]] = {}
-        found = self._names_below(base).get(expected.casefold(), [])
+        paths = self._names_below(base).get(expected.casefold(), [])
         if any_format:
-            found = [*{*found, *self._stems_below(base).get(stem(expected), ())}]
-        for path in found:
+            paths = [*{*paths, *self._stems_below(base).get(stem(expected), ())}]
+        for path in paths:
             common, ours, theirs = _without_common_end(directory, _relative(path, base))
             # Exclude the same part of another model of the series.
             if not (own := numbers_in(ours)) or numbers_in(theirs) in ([], own):
