@@ -28,6 +28,24 @@ def test_they_never_come_closer(axis: str, multiplier: str) -> None:
     ]
 
 
+def at_one_place(rpy: str, multiplier: str, names: str = "finger") -> str:
+    text = robot("0 1 0", multiplier).replace('xyz="0 -0.01 0"', f'xyz="0 0.01 0" rpy="{rpy}"')
+    for side in ("left", "right"):
+        text = text.replace(f'link="{side}"', f'link="{side}_{names}"')
+        text = text.replace(f'<link name="{side}"', f'<link name="{side}_{names}"')
+    return text
+
+
+@pytest.mark.parametrize(
+    ("rpy", "multiplier", "count"),
+    [("0 0 0", "1", 1), ("0 0 0", "-1", 0), ("0 0 3.14159", "1", 0), ("0 0 3.14159", "-1", 1)],
+)
+def test_fingers_of_which_one_is_turned(rpy: str, multiplier: str, count: int) -> None:
+    """Franka's hand: both fingers have the same origin, and the right one half a turn."""
+    assert len(messages("JNT016", at_one_place(rpy, multiplier))) == count
+    assert messages("JNT016", at_one_place(rpy, multiplier, "rail")) == []
+
+
 @pytest.mark.parametrize(
     ("axis", "multiplier", "kind"),
     [

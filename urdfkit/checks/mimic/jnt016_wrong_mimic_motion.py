@@ -21,6 +21,7 @@ from urdfkit.robot.joints import bounds, overshoot
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint, Mimic
 from urdfkit.robot.samples import hand_xml
+from urdfkit.robot.symmetry import pairs
 from urdfkit.robot.values import number
 
 _LIMIT = '<limit lower="0" upper="0.8" effort="20" velocity="2"/>'
@@ -120,7 +121,12 @@ def _fingers(joint: Joint, mimic: Mimic, leader: Joint) -> Findings:
     ways = (rotate(one.origin.rotation, direction(one)) for one in (joint, leader))
     ours, theirs = (dot(way, gap) for way in ways)
     along = min(abs(ours), abs(theirs)) > _ALONG_GAP * length(gap) > _ALONG_GAP * _MIN_GAP
-    if along and ours * theirs * mimic.multiplier > 0:
+    ways_agree = ours * theirs > 0
+    if length(gap) < _MIN_GAP and _are_named_fingers(joint, leader):  # only one is turned
+        first, second = (rotate(one.origin.rotation, direction(one)) for one in (joint, leader))
+        ways_agree = dot(first, second) > 0
+        along = abs(dot(first, second)) > _ALONG_GAP
+    if along and ways_agree is (mimic.multiplier > 0):
         yield Finding(
             mimic.at,
             f"joint '{joint.name}' mimics '{leader.name}' and moves in the same direction: the "
@@ -129,6 +135,12 @@ def _fingers(joint: Joint, mimic: Mimic, leader: Joint) -> Findings:
             related=(Related(leader.at.span, f"joint '{leader.name}'"),),
             confidence=Confidence.INFERRED,
         )
+
+
+def _are_named_fingers(joint: Joint, leader: Joint) -> bool:
+    """True for a left and a right finger, by the names of their links."""
+    names = joint.child_name, leader.child_name
+    return bool(pairs(names)) and all("finger" in name.lower() for name in names)
 
 
 def _are_fingers(joint: Joint, leader: Joint) -> bool:

@@ -209,9 +209,12 @@ def diagnose_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
         if is_possible(mirrored):
             cause = f"of its counterpart '{counterpart.name}' is possible"
             return Diagnosis(cause, mirrored, Confidence.INFERRED)
-    if link.is_measured:
-        tensor = _with_another_moment(link) or _of_shape(link)
+    if link.is_measured and (tensor := _with_another_moment(link)):
         return Diagnosis("", tensor, Confidence.INFERRED)
+    for cause, tensor in _with_a_tenth(link):
+        return Diagnosis(cause, tensor, Confidence.GUESSED)
+    if link.is_measured:
+        return Diagnosis("", _of_shape(link), Confidence.INFERRED)
     return Diagnosis("", None, Confidence.GUESSED)
 
 
@@ -265,6 +268,10 @@ def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
     turned = Tensor(a, -b, -c, d, -e, f)
     if turned != link.tensor and is_possible(turned):
         yield "has products of inertia with the opposite sign", turned
+
+
+def _with_a_tenth(link: LinkInertia) -> Iterator[tuple[str, Tensor]]:
+    """A moment with the decimal point one digit too far to the right."""
     for key in ("ixx", "iyy", "izz"):
         tenth = link.tensor._replace(**{key: getattr(link.tensor, key) / 10})
         diagonal = (tenth.ixx, tenth.iyy, tenth.izz)
