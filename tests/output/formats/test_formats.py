@@ -35,5 +35,7 @@ def test_every_format_obeys_the_law(name: str) -> None:
         assert text == "" or (text.endswith("\n") and not text.endswith("\n\n"))
         assert text == render(checked), "it depends on the report alone"
         assert "\x1b" not in text
+        quiet = "".join(formats.stream(name, checked, quiet=True))
+        assert (quiet == text) is not hasattr(module, "findings")
     assert written.__doc__
     assert module.__doc__
