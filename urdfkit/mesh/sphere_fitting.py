@@ -36,6 +36,8 @@ _MAX_ROUGH, _MAX_POINTS, _MAX_ALL_ROUGH = 10_000, 24_000, 200_000
 #: may stay uncovered. Spheres that cover these points cover the others too, and too few of all
 #: points are near the surface.
 _SHALLOW, _OUTER = 1 / 3, 8
+#: Number of points for estimating the depth of that part, and the factor that makes it sufficient.
+_ESTIMATE, _BEYOND_ESTIMATE = 1000, 1.2
 #: Ratio between a sufficient margin and an insufficient one at which the search ends.
 _MAX_SEARCH_RATIO = 1.03
 #: A ball of the medial axis contains surface points up to this distance, relative to its radius.
@@ -97,8 +99,7 @@ class Covering:
         # The centers fit their own points better than others, so the radii use separate points.
         points = solid_points(triangles, _COLUMNS, _SEED + _COLUMNS, surface[:_MEDIAL])
         share = min(1.0, max(_SHALLOW, _OUTER * (1 - coverage)))
-        below, _ = self._tree.query(points)
-        shallow = points[np.argsort(below)[: round(share * len(points))]]
+        shallow = points[self._nearest_to_surface(points, share)]
         self._points = np.random.default_rng(_SEED).permutation(shallow)[:_MAX_POINTS]
         #: Number of points that may stay uncovered.
         self._allowed = int((1 - coverage) / share * len(self._points))
@@ -123,6 +124,20 @@ class Covering:
             needed -= self._depths
             needed /= size * _UNIT
             self._protrusions[start : start + _BLOCK] = needed
+
+    def _nearest_to_surface(self, points: Floats, share: float) -> Integers:
+        """Indices of a share of the points, those nearest to the surface, in ascending order.
+
+        The nearest neighbour of a deep point takes longest to find, so that the depth at which the
+        share ends is estimated first, and deeper points are not measured.
+        """
+        count = round(share * len(points))
+        some, _ = self._tree.query(points[:: max(1, len(points) // _ESTIMATE)])
+        bound = _BEYOND_ESTIMATE * float(np.quantile(some, share))
+        depths, _ = self._tree.query(points, distance_upper_bound=bound)
+        if np.count_nonzero(np.isfinite(depths)) < count:
+            depths, _ = self._tree.query(points)
+        return np.asarray(np.argsort(depths)[:count])
 
     def _medial(self, points: Floats, normals: Floats, size: float) -> Floats:
         """Centres of the balls that touch the surface at the points and at a second point.
