@@ -114,6 +114,7 @@ def model_id(entry: object) -> str | None:
 SLOW = (
     "tests/checks/checking/test_cfg003_robot_not_checked.py::test_the_gate_fails_for_an_arm",
     "tests/checks/gazebo_sensors/test_gaz072_view_blocked.py::test_primitives_agree",
+    "tests/cli/mesh/test_capsules.py",
     "tests/cli/mesh/test_shaping.py",
     "tests/cli/mesh/test_spheres.py",
     "tests/cli/test_collisions.py",
@@ -210,6 +211,7 @@ SAMPLED = {
     "tests/lint/test_formatting.py::test_real_robots": 0,
     "tests/lint/test_rule_packages.py::test_the_tests_of_the_example": 0,
     "tests/mesh/parts/test_parts.py::test_every_part_can": 4,
+    "tests/mesh/test_capsule_fitting.py::test_boxes": 0,
     "tests/mesh/test_containment.py": 3,
     "tests/mesh/test_load_corpus.py": 0,
     "tests/mesh/test_native_crashes.py::test_vhacdx": 0,

@@ -66,6 +66,7 @@ def test_a_corner_is_two_capsules_if_the_margin_demands_it(
         assert measure(CORNER, found).protrusion_p95 < 0.02
 
 
+@pytest.mark.usefixtures("rough_meshes")
 def test_the_number_is_shared_and_each_solid_has_one() -> None:
     solid = ROD.vertices[ROD.faces]
     numbers = [
@@ -79,6 +80,7 @@ def test_the_number_is_shared_and_each_solid_has_one() -> None:
     ]
 
 
+@pytest.mark.usefixtures("rough_meshes")
 def test_the_same_every_time() -> None:
     first, second = covered(CORNER), covered(CORNER)
     assert np.array_equal(first.segments, second.segments)
