@@ -418,3 +418,42 @@ def test_a_file_that_is_half_ported(tmp_path: Path, build: str, messages: list[s
     (tmp_path / "arm/package.xml").write_text(MANIFEST.replace("</package>", depend))
     found = check(tmp_path / "arm/launch/a.launch", select=["LAU010"]).diagnostics
     assert [one.message for one in found if "type" not in one.message] == messages
+
+
+@pytest.mark.parametrize(("default", "count"), [(", default='laser'", 0), (", default='rotor'", 1)])
+def test_an_argument_whose_default_is_its_own_configuration(
+    tmp_path: Path, default: str, count: int
+) -> None:
+    """rplidar_ros: the node stamps its scans with the frame, which no transform has."""
+    robot = '<robot name="r"><link name="base_link"/></robot>'
+    display = "Visualization Manager:\n  Global Options:\n    Fixed Frame: laser\n"
+    files = {"r.urdf": robot, "r.rviz": display}
+    add_package(tmp_path / "rplidar_ros", "rplidar_ros")
+    text = (
+        "from launch import LaunchDescription\n"
+        "from launch.actions import DeclareLaunchArgument\n"
+        "from launch.substitutions import LaunchConfiguration\n"
+        "from launch_ros.actions import Node\n"
+        "def generate_launch_description():\n"
+        f"    frame_id = LaunchConfiguration('frame_id'{default})\n"
+        "    return LaunchDescription([\n"
+        "        DeclareLaunchArgument('frame_id', default_value=frame_id),\n"
+        "        Node(package='robot_state_publisher', executable='robot_state_publisher',\n"
+        "             parameters=[{'robot_description': open('../r.urdf').read()}]),\n"
+        "        Node(package='rplidar_ros', executable='rplidar_node',\n"
+        "             parameters=[{'frame_id': frame_id}]),\n"
+        "        Node(package='rviz2', executable='rviz2', arguments=['-d', '../r.rviz'])])\n"
+    )
+    assert len(reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)) == count
+
+
+@pytest.mark.parametrize(("word", "count"), [("[GENERATED_NAME]", 0), ("r", 1)])
+def test_templates_of_the_setup_assistant(tmp_path: Path, word: str, count: int) -> None:
+    """MoveIt's setup assistant writes launch files and xacros from those in its sources."""
+    templates = tmp_path / "setup" / "templates"
+    add_file(templates / "launch" / "a.launch", f"<launch {word}/>".encode())
+    robot = f'<robot name="{word}"><link name="a"/>text</robot>'
+    add_file(templates / "config" / "a.urdf", robot.encode())
+    add_file(tmp_path / "b.urdf", b'<robot name="b"><link name="a"/></robot>')
+    report = check(tmp_path, select=["LAU001", "URD017"])
+    assert [one.code for one in report.diagnostics] == ["URD017", "LAU001"][: 2 * count]

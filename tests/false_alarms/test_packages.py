@@ -164,3 +164,14 @@ def test_a_launch_file_in_a_directory_of_the_model(
     text = f"project(arm)\ninstall(DIRECTORY {installed} DESTINATION {place})\n"
     found = reported(tmp_path / "arm", "PKG002", "a.launch.py", "", {"CMakeLists.txt": text})
     assert len(found) == count
+
+
+@pytest.mark.parametrize(("mark", "count"), [("COLCON_IGNORE", 0), ("README", 1)])
+def test_a_package_that_the_build_skips(tmp_path: Path, mark: str, count: int) -> None:
+    """dm_imu_python in a biped's workspace lacks the file of its name in resource/."""
+    setup = (
+        "from setuptools import setup\nsetup(name='arm', data_files=["
+        "('share/ament_index/resource_index/packages', ['resource/arm'])])\n"
+    )
+    files = {"setup.py": setup, mark: ""}
+    assert len(reported(tmp_path / "arm", "PKG005", "a.launch", "", files)) == count

@@ -172,3 +172,21 @@ def test_an_include_from_the_directory_where_xacrodoc_runs(
     path = add_file(tmp_path / "xacro/robot.xacro", text)
     (found,) = engine.check(path, select=["XAC001"]).diagnostics
     assert (found.severity, str(found.help)[: len(help)]) == (severity, help)
+
+
+@pytest.mark.parametrize(
+    ("content", "severity"),
+    [
+        (b'<ros2_control name="c" type="system"/>', Severity.INFO),
+        (b"<gazebo/>", Severity.INFO),
+        (b'<material name="m"/>', Severity.ERROR),
+        (b"", Severity.ERROR),
+    ],
+)
+def test_the_hardware_of_a_robot_in_a_file_of_its_own(
+    tmp_path: Path, content: bytes, severity: Severity
+) -> None:
+    """A biped has five of them; a sixth, of its first version, is left."""
+    path = add_file(tmp_path / "v1.urdf", b'<robot name="biped">' + content + b"</robot>")
+    (found,) = check(path, select=["TRE001"]).diagnostics
+    assert found.severity is severity

@@ -109,3 +109,48 @@ def test_the_robot_of_moveit_in_a_large_repository(tmp_path: Path, name: str, co
     reported(tmp_path / "arm", "SRD001", "a.launch", launch, files)
     found = check(tmp_path / "arm" / "r.urdf", select=["SRD001"]).diagnostics
     assert len(found) == count
+
+
+NAMED = """\
+Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[{
+    "robot_description": Command(["xacro ", FindPackageShare("arm"), "/r.urdf.xacro name:=r2"])}])
+Node(package="moveit_ros_move_group", executable="move_group", parameters=[{
+    "robot_description_semantic": Command([
+        "xacro ", FindPackageShare("arm"), "/r.srdf.xacro WORDS"])}])
+"""
+
+
+@pytest.mark.parametrize(("words", "count"), [("name:=r", 0), ("name:=q", 1)])
+def test_the_name_of_the_srdf_is_not_that_of_the_variant(
+    tmp_path: Path, words: str, count: int
+) -> None:
+    """Elite Robots: the driver calls the robot by its model, MoveIt's launch file always `cs`."""
+    urdf = '<xacro:arg name="name" default="r"/><link name="base"/>'
+    srdf = '<xacro:arg name="name" default="r"/><group name="$(arg name)_arm"><link name="base"/>'
+    named = 'name="r"', 'name="$(arg name)"'
+    files = {
+        "r.urdf.xacro": xacro(urdf).replace(*named, 1),
+        "r.srdf.xacro": xacro(srdf + "</group>").replace(*named, 1),
+        "ompl_planning.yaml": "r_arm:\n  planner_configs: []\n",
+    }
+    text = NAMED.replace("WORDS", words)
+    reported(tmp_path / "arm", "SRD001", "a.launch.py", text, files)
+    path = tmp_path / "arm" / "r.urdf.xacro"
+    report = check(path, select=["SRD001", "SRD011"], arguments={"name": "r2"})
+    assert report.crashed == ()
+    assert len(report.diagnostics) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("tip", 0), ("tipp", 2)])
+def test_the_urdf_is_an_older_output_of_the_xacro(tmp_path: Path, name: str, count: int) -> None:
+    """Keio's catch robot: MoveIt reads the xacro, whose arguments its launch file computes."""
+    (tmp_path / "r.urdf").write_text(
+        '<robot name="r"><link name="base"/><link name="tool"/></robot>'
+    )
+    (tmp_path / "r.urdf.xacro").write_text(
+        xacro('<xacro:arg name="offset"/><link name="base"/><link name="tool"/><link name="tip"/>')
+    )
+    (tmp_path / "r.srdf").write_text(SRDF.replace("NAME", name))
+    report = check(tmp_path / "r.urdf", select=["SRD001"])
+    assert report.crashed == ()
+    assert len(report.diagnostics) == count

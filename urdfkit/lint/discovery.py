@@ -6,6 +6,7 @@ milliseconds per file.
 """
 
 import os
+import re
 from collections.abc import Iterable, Iterator
 from itertools import islice
 
@@ -36,6 +37,9 @@ _NO_ROBOTS = frozenset(
 #: Number of bytes at the start of a file that are searched for the root element.
 _HEAD = 4096
 _MARK = b"\xef\xbb\xbf"
+#: A placeholder in a template of MoveIt's setup assistant.
+_PLACEHOLDER = re.compile(rb"\[[A-Z]+(?:_[A-Z]+)+\]")
+_MAX_TEMPLATE = 65_536
 _NOT_CONFIGURED = "no [[robot]] in the configuration for it"
 
 
@@ -92,7 +96,15 @@ def launch_files(directory: str, config: Config, directories: Directories) -> It
 def _is_readable_launch(path: str, config: Config) -> bool:
     if not is_launch(path) or matches(config.relative(path), config.exclude):
         return False
-    return disk.is_file(path) and os.access(path, os.R_OK)
+    return disk.is_file(path) and os.access(path, os.R_OK) and not _is_template(path)
+
+
+def _is_template(path: str) -> bool:
+    """True for a file in a directory of templates, from which a program writes another file."""
+    directory = os.path.dirname(path)
+    if f"templates{os.sep}" not in f"{directory}{os.sep}":
+        return False
+    return _PLACEHOLDER.search(read_head(path, _MAX_TEMPLATE)) is not None
 
 
 def affected(files: Iterable[str], config: Config, resolver: Resolver) -> DirectoryContents:
@@ -159,7 +171,7 @@ def descriptions(directory: str, config: Config, directories: Directories) -> It
         is_part = path.lower().endswith(_INCLUDED)
         is_chosen = is_part and not matches(config.relative(path), config.exclude)
         # Broken links are reported; pipes and devices may be endless.
-        if is_chosen and (disk.is_file(path) or not disk.exists(path)):
+        if is_chosen and (disk.is_file(path) or not disk.exists(path)) and not _is_template(path):
             count += 1
             if count > MAX_FILES:
                 raise UnreadableFile(f"{directory}: more than {MAX_FILES} descriptions")

@@ -85,3 +85,13 @@ def test_no_gazebo_no_package_no_file(tmp_path: Path) -> None:
     assert reported(tmp_path, launch="Node(package='rviz2')") == []
     assert reported(tmp_path, "../meshes/a.stl") == []
     assert reported(tmp_path, "package://arm/meshes/b.stl") == []
+
+
+@pytest.mark.parametrize(("find", "count"), [("$(find arm)", 0), ("$(find-pkg-share arm)", 1)])
+def test_a_launch_file_of_ros_1_starts_another_gazebo(
+    tmp_path: Path, find: str, count: int
+) -> None:
+    """The export of SolidWorks beside the ROBOTIS arms of Mani-P."""
+    text = f'<launch><node pkg="gazebo_ros" exec="spawn_entity" args="{find}"/></launch>'
+    add_file(tmp_path / "src" / "arm" / "launch" / "gazebo.launch", text.encode())
+    assert len(reported(tmp_path, launch="")) == count

@@ -4,6 +4,7 @@ import os
 import re
 
 from urdfkit.core import disk
+from urdfkit.core.paths import upwards
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
@@ -24,7 +25,19 @@ _BUILT_BY = {
     "ament_cmake": ("CMakeLists.txt", "setup.py"),
     "ament_python": ("setup.py", "CMakeLists.txt"),
 }
+#: Files that exclude a directory from a build.
+_IGNORED = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 _INDEX = "share/ament_index/resource_index/packages"
+
+
+def is_ignored(directory: str) -> bool:
+    """True for a package that the build skips, as a file in its directory or above it says."""
+    for above in upwards(directory):
+        if any(disk.exists(os.path.join(above, mark)) for mark in _IGNORED):
+            return True
+        if disk.exists(os.path.join(above, ".git")):
+            break
+    return False
 
 
 def other_name(name: str, directory: str) -> Findings:

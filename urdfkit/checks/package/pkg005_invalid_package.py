@@ -33,6 +33,7 @@ Sources:
 
 from urdfkit.checks.package.build_files import (
     finds_catkin,
+    is_ignored,
     missing_directories,
     not_finished,
     not_registered,
@@ -76,7 +77,8 @@ def check(context: Context) -> Findings:
     path, resolver = context.source.path, context.resolver
     if not (is_launch(path) or have_references(context.document.sources)):
         return
-    if home := resolver.packages.enclosing(path):
+    home = resolver.packages.enclosing(path)
+    if home and not is_ignored(home[1]):
         others = list(other_name(*home))
         yield from others or not_registered(*home)  # which has the name of package.xml
         yield from missing_directories(*home)

@@ -57,6 +57,7 @@ from urdfkit.robot.samples import link_xml
 from urdfkit.ros.launch.robot_arguments import launches_of_package, launches_of_workspace
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf, is_free_flyer
+from urdfkit.ros.moveit.srdf_variant import names_of_namesakes
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 
@@ -79,7 +80,9 @@ _MAX_STARTED = 32
 )
 def check(context: Context) -> Findings:
     srdf = context.required_srdf
-    elsewhere = _names_with_other_arguments(context, srdf) if srdf.unknown else set()
+    elsewhere = set[str]()
+    if srdf.unknown:
+        elsewhere = _names_with_other_arguments(context, srdf) | names_of_namesakes(context)
     suggestions = _Suggestions(context, srdf)
     for kind, attribute in srdf.references():
         if kind != "group" and attribute.value in elsewhere:

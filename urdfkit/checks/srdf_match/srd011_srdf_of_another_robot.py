@@ -30,7 +30,7 @@ def check(context: Context) -> Findings:
     if context.other_variant:
         help = "check the variant that the SRDF is for, or generate an SRDF for this variant"
         yield Finding(srdf.root, context.other_variant, help, severity=Severity.INFO)
-    elif name is not None and name.value != context.model.name:
+    elif name is not None and name.value != context.model.name and not srdf.is_shared:
         message = (
             f"robot name '{name.value}' in the SRDF differs from '{context.model.name}' in the URDF"
         )

@@ -55,7 +55,8 @@ def survey(root: str, directories: Directories) -> ResourcePaths:
         data = read_head(path, MAX_BYTES)
         if any(word in data for word in _VARIABLES) or _REPLACES.search(data):
             return ResourcePaths(starter, True)
-        if starter is None and _is_launch(path) and any(word in data for word in _STARTERS):
+        is_starter = any(word in data for word in _STARTERS) and b"$(find " not in data  # ROS 1
+        if starter is None and _is_launch(path) and is_starter:
             starter = path
     return ResourcePaths(starter, len(files) > MAX_FILES)
 

@@ -48,7 +48,8 @@ class ArgumentUses:
 
         ``<arg name="a" default="$(arg a)"/>`` passes on what the including file gives.
         """
-        own = element.get("name") if element.tag == "arg" else None
+        is_passed_on = element.tag == "arg" and "default" in element.attributes
+        own = element.get("name") if is_passed_on else None
         for name in names:
             attribute = element.attributes.get(name)
             for used in USE.findall(attribute.value) if attribute else ():

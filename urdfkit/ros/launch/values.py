@@ -138,7 +138,9 @@ class Values:
 
     def _of_configuration(self, call: ast.Call, depth: int) -> str | None:
         name = self.text(argument(call, 0, "variable_name"), depth + 1)
-        if name not in self.arguments:
+        declared = self.arguments.get(name or "")
+        is_own = isinstance(declared, ast.expr) and self.suggested(declared) is call
+        if is_own or name not in self.arguments:
             return self.text(argument(call, None, "default"), depth + 1)
         return self.configuration(name, depth)
 

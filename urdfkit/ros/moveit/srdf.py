@@ -29,6 +29,8 @@ class Srdf:
         self.path = path  # of the file
         self.root = root  # its ``<robot>`` element
         self.tree = tree
+        #: True if a launch file passes it other arguments than this robot has.
+        self.is_shared = False
         #: groups, states, end_effectors, virtual_joints: elements.
         self.groups = tuple(root.all("group"))
         self.states = tuple(root.all("group_state"))
@@ -205,12 +207,21 @@ def read(path: str, robot: RosDescription) -> Srdf | None:
     """An SRDF file of a robot; None if it cannot be read.
 
     A xacro is expanded with the arguments of the robot that have the same names, and with the
-    arguments from launch files, unless it then fits the robot worse.
+    arguments from launch files, unless it then fits the robot worse. Where both pass an argument
+    that changes no link and no joint, such as the name of a group, the launch file decides.
     """
-    srdf, names = _expanded(path, robot, {})
-    for arguments in _launched(path, robot, names) if names else ():
-        launched, _ = _expanded(path, robot, arguments)
+    srdf, names = _expanded(path, robot, robot.arguments)
+    others = names - robot.arguments.keys()
+    for arguments in _launched(path, robot, others) if others else ():
+        launched, _ = _expanded(path, robot, {**arguments, **robot.arguments})
         if launched and (srdf is None or len(launched.unknown) <= len(srdf.unknown)):
+            srdf = launched
+            break
+    shared = names & robot.arguments.keys()
+    for arguments in _launched(path, robot, shared) if srdf and shared else ():
+        launched, _ = _expanded(path, robot, {**robot.arguments, **arguments})
+        if launched and srdf and launched.named == srdf.named:
+            launched.is_shared = any(robot.arguments[key] != arguments[key] for key in arguments)
             return launched
     return srdf
 
@@ -231,10 +242,8 @@ def read_named(path: str, robot: RosDescription) -> Srdf:
 def _expanded(
     path: str, robot: RosDescription, arguments: Mapping[str, str]
 ) -> tuple[Srdf | None, set[str]]:
-    """An SRDF file with arguments, and the names of its arguments that the robot does not have."""
-    given = {**arguments, **robot.arguments}
-    document, names = _parsed(path, robot.resolver, robot.trust, given)
-    names -= robot.arguments.keys()
+    """An SRDF file with arguments, and the names of its arguments."""
+    document, names = _parsed(path, robot.resolver, robot.trust, arguments)
     if document is None or document.root.tag != "robot":
         return None, names
     if path.endswith(".xacro") and not document.root.children:

@@ -58,6 +58,24 @@ def names_of_other_robots(description: RosDescription, srdf: Srdf, names: set[st
     return found
 
 
+def names_of_namesakes(description: RosDescription) -> set[str]:
+    """The names that the xacros with the file name of a plain URDF beside it contain.
+
+    MoveIt may read the xacro, and the URDF be an older output of it.
+    """
+    path = description.source.path
+    if not path.endswith(".urdf"):
+        return set()
+    xacros = (path + ".xacro", path.removesuffix(".urdf") + ".xacro")
+    return {name for xacro in xacros if disk.is_file(xacro) for name in _written_names(xacro)}
+
+
+def _written_names(path: str) -> set[str]:
+    """The names of the links and joints in the text of a file, unexpanded."""
+    data = read_head(path, _MAX_BYTES)
+    return {name.decode("utf-8", "replace") for name in _NAME.findall(data)}
+
+
 def _prefix(bare: AbstractSet[str], prefixed: AbstractSet[str]) -> str:
     """The prefix that turns nearly all ``bare`` names into ``prefixed`` names."""
     begins = Counter(
@@ -79,8 +97,7 @@ def _other_robots(description: RosDescription) -> Iterator[tuple[str, AbstractSe
     robots = [path for path in paths if disk.real(path) != own and _is_robot(path)]
     xacros = 0
     for path in robots[:_MAX_FILES]:
-        data = read_head(path, _MAX_BYTES)
-        yield path, {name.decode("utf-8", "replace") for name in _NAME.findall(data)}
+        yield path, _written_names(path)
         if xacros < _MAX_XACROS and is_xacro(description.resolver.read(path)):
             xacros += 1
             yield path, description.names_in_robot(path)
