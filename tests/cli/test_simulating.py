@@ -78,6 +78,23 @@ def test_a_robot_that_cannot_be_simulated_is_skipped(
     assert {one["reason"] for one in skipped} == {reason}
 
 
+def test_each_variant_is_simulated(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    place = '<origin xyz="0.1 0 0"/>'
+    assert place in BAD
+    robot = BAD.replace(place, place.replace("0.1", "$(arg x)"))
+    (tmp_path / "robot.urdf.xacro").write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        f'<xacro:arg name="x" default="0.6"/>\n{robot}</robot>'
+    )
+    (tmp_path / "urdfkit.toml").write_text(
+        '[[robot]]\nfile = "robot.urdf.xacro"\nvariants = {near = {x = "0.1"}, far = {x = "0.6"}}\n'
+    )
+    words = ["check", str(tmp_path), "--no-cache", "--simulate", "--select", "SIM"]
+    assert main([*words, "--format", "json"]) == 1
+    (one,) = json.loads(capsys.readouterr().out)["diagnostics"]
+    assert (one["code"], one["variants"]) == ("SIM001", ["near"])
+
+
 @pytest.mark.parametrize(
     ("words", "error"),
     [
