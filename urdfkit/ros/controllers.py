@@ -261,6 +261,7 @@ def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:
                 message = f"parameters of '{key}' are not read: '{inner}' is not '{_PARAMETERS}'"
                 yield inner.span, message, f"write {_PARAMETERS}"
     declared: set[str] = set()
+    yield from _misspelt_manager(sections)
     for key, node in sections:
         inside = node.get(_PARAMETERS)
         if _node_of(key) == _MANAGER and isinstance(inside, dict):
@@ -304,6 +305,19 @@ def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
             is_class = isinstance(value, Value) and "/" in value.text
             if isinstance(key, Key) and is_class and is_typo(key, "type"):
                 yield key.span, f"controller '{name}' has '{key}' instead of type", "write type"
+
+
+def _misspelt_manager(
+    sections: list[tuple[str, dict[str, Node]]],
+) -> Iterator[tuple[Span, str, str]]:
+    """A section with the types of controllers whose name is that of the manager, misspelt."""
+    for key, node in sections:
+        inside = mapping(node, _PARAMETERS)
+        is_manager = any("type" in mapping(value) for value in inside.values())
+        name = _node_of(key)
+        if isinstance(key, Key) and is_manager and name != _MANAGER and is_typo(name, _MANAGER):
+            message = f"parameters of '{key}' are not read: the node is '{_MANAGER}'"
+            yield key.span, message, f"write {_MANAGER}"
 
 
 def _below_manager(

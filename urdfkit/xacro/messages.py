@@ -140,6 +140,9 @@ def _call_error(text: str, macro: Any) -> MessageText | None:
     if match := _WITHOUT_VALUE.search(text):
         names = match.group(1).replace(",", ", ")
         help = "pass every parameter without a default"
+        numbers = [param for param in params if param[:1].isdigit() or param[:1] in "-+."]
+        if numbers:  # the words of a default, which ends at the first space
+            help = f"write the default with '{numbers[0]}' in single quotes: name:='0 0 0'"
         return MessageText(f"{owner} is called without {names}", help)
     if text.startswith("Not enough blocks"):
         blocks = ", ".join(param for param in params if param.startswith("*"))

@@ -163,3 +163,16 @@ def test_few_of_many_get_a_suggestion(
     found = reported(tmp_path, "LAU006", name, text)
     assert len(found) == 100
     assert ["did you mean" in one.message for one in found] == [True] * 50 + [False] * 50
+
+
+@pytest.mark.parametrize(("items", "count"), [("arguments + nodes", 0), ("nodes", 1)])
+def test_arguments_that_are_in_no_launch_description(
+    tmp_path: Path, items: str, count: int
+) -> None:
+    text = (
+        "arguments = [DeclareLaunchArgument('x', default_value='1')]\n"
+        "nodes = [Node(package='p', executable='e', arguments=[LaunchConfiguration('x')])]\n"
+        f"d = LaunchDescription({items})\nprint(d)\n"
+    )
+    found = reported(tmp_path, "LAU006", "a.launch.py", text)
+    assert ["'x'" in one.message for one in found] == [True] * count

@@ -225,3 +225,13 @@ def test_a_launch_file_of_ros_2_in_one_of_ros_1(
         for one in reported(tmp_path / "arm", code, "a.launch", text, files)
     ]
     assert found == codes
+
+
+@pytest.mark.parametrize(("given", "count"), [('default="true"', 1), ('value="true"', 0)])
+def test_an_argument_of_an_include(tmp_path: Path, given: str, count: int) -> None:
+    text = (
+        '<node pkg="p" exec="e"/>\n<include file="$(find-pkg-share arm)/a.launch.xml">\n'
+        f'<arg name="gui" {given}/>\n</include>'
+    )
+    found = reported(tmp_path, "LAU010", "b.launch.xml", text, {"a.launch.xml": "<launch/>"})
+    assert ["of an include has no value" in one.message for one in found] == [True] * count

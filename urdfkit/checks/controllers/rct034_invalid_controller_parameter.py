@@ -13,7 +13,7 @@ The controller manager does not load the controller, or the controller runs with
 - A value must be positive but is not, or a covariance has the wrong length: 6 numbers for the
   diagonal of a drive, 9 for an IMU.
 - The list of an axle has the wrong number of joints for the steering controller: two for Ackermann,
-  one for a bicycle.
+  one for a bicycle. A wheel is on both sides of a differential drive.
 - A trajectory controller has a joint or an interface twice, or the state interface `velocity`
   without `position`: it is not configured. With `effort` or `velocity` as its only command
   interface, a PID computes the commands; without `gains` they are 0 and nothing moves (warning).
@@ -108,6 +108,7 @@ def _problems(
         errors += _invalid_values(known, controller.section)
     errors += invalid_interfaces(controller)
     errors += _wrong_axles(controller)
+    errors += _on_both_sides(controller)
     yield from ((None, problem) for problem in errors)
     warnings = (
         *_misspelt(controller),
@@ -196,6 +197,16 @@ def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_
         elif isinstance(node, list) and len(node) != lengths.get(name, len(node)):
             message = f"{name} has {len(node)} numbers, must have {lengths[name]}"
             yield span, message, f"write {lengths[name]} numbers"
+
+
+def _on_both_sides(controller: Controller) -> Iterator[_Problem]:
+    """A wheel in the lists of both sides of a drive."""
+    left = {value.text for value in controller.section.values("left_wheel_names")}
+    for value in controller.section.values("right_wheel_names"):
+        if value.text in left:
+            message = f"'{value.text}' is in left_wheel_names, too"
+            yield value.span, message, "name each wheel on its side only"
+            break
 
 
 def _wrong_axles(controller: Controller) -> Iterator[_Problem]:

@@ -17,6 +17,8 @@ _PACKAGE = "nav2_costmap_2d"
 _KIND = r"(Layer|Filter)s?$"
 #: Least similarity of a misspelt layer: inflate is inflation, but semantic is not static.
 _MIN_SIMILARITY = 0.75
+#: The classes with a slash up to Iron, and colons from Jazzy on.
+_RENAMED = re.compile(r"nav2_(?:behaviors|navfn_planner|smac_planner|theta_star_planner)(/|::)")
 _DATA = ("LaserScan", "PointCloud2")
 
 
@@ -81,6 +83,27 @@ def misspelt_servers(node: NodeParameters) -> Findings:
             hint = f"unknown plugin '{plugin.text}'; did you mean '{suggested}'?"
             at = plugin.span
             yield Finding(at, hint, f"write {suggested}", severity=Severity.WARNING)
+
+
+def mixed_names(sections: list[NodeParameters]) -> Findings:
+    """Classes that Nav2 renamed in Jazzy, from ``package/Class`` to ``package::Class``, mixed."""
+    found: dict[str, list[Value]] = {"/": [], "::": []}
+    for node in sections:
+        for section in node.values.values():
+            plugin = mapping(section).get("plugin")
+            if isinstance(plugin, Value) and (match := _RENAMED.match(plugin.text)):
+                found[match.group(1)].append(plugin)
+    old, new = found["/"], found["::"]
+    if old and new:
+        fewer, sign = (old, "::") if len(old) <= len(new) else (new, "/")
+        other = (new if fewer is old else old)[0].text
+        yield Finding(
+            fewer[0].span,
+            f"plugin '{fewer[0].text}' has a name of "
+            f"{'Iron and before' if fewer is old else 'Jazzy and later'}, unlike '{other}'",
+            f"write {re.sub('/|::', sign, fewer[0].text)}",
+            severity=Severity.WARNING,
+        )
 
 
 def misplaced(node: NodeParameters) -> Findings:

@@ -30,7 +30,7 @@ import os
 import re
 from collections.abc import Iterator
 
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import (
     Context,
@@ -55,6 +55,7 @@ from urdfkit.ros.launch.bridges import (
     bridged_topics,
     gazebo_messages,
     ros_messages,
+    ros_types,
 )
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.worlds import worlds
@@ -155,6 +156,10 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
     name = topic.ros_type.rpartition("/")[2]  # Gazebo has few messages with the names of ROS
     known = gazebo_messages(topic.ros_type)
     if known is None:
+        meant = nearest(topic.ros_type, ros_types(), CLOSE_TYPO)
+        if meant and meant != topic.ros_type:
+            hint = f"unknown message type '{topic.ros_type}'; did you mean '{meant}'?"
+            yield "ros_type_name", hint, f"write {meant}"
         return
     right = f"write gz.msgs.{known[0]}"
     if prefix not in ("gz.msgs", "ignition.msgs"):

@@ -191,7 +191,9 @@ def _published_frames(context: Context) -> frozenset[str]:
     if not launch.descriptions:
         launches = launches_of_workspace(context.source.path, context.resolver)
         links = _links_of_robots(context, launches)
-    if not links or any(map(_renames_frames, launches)):
+    # A launch file that describes the robot for MoveIt alone publishes no frames.
+    publishing = [each for each in launches if _starts_publisher(each)] or launches
+    if not links or any(map(_renames_frames, publishing)):
         return frozenset()
     transforms = [transform for launch_file in launches for transform in _transforms(launch_file)]
     children = [(transform.child.text or "").lstrip("/") for transform in transforms]

@@ -10,7 +10,10 @@
   value for voxel_layer". The same holds for `controller_plugins` and the other lists of Nav2. Or
   the parameters of a plugin are below another name than the list has (warning).
 - A parameter of a node or plugin of Nav2, or of slam_toolbox, is misspelt (warning), or a
-  required one is missing (warning): "parameter 'polygons' is not initialized".
+  required one is missing (warning): "parameter 'polygons' is not initialized". A mode or a
+  footprint is invalid, or a list has the wrong length. The classes of plugins have names of
+  different versions of Nav2 (warning), or nothing of an input of robot_localization is read
+  (warning).
 - A costmap layer has an unknown class or an unsupported `data_type`.
 - The parameters of a costmap are not below its name twice: `local_costmap: local_costmap:`.
 - A value has another type than the declared one, such as an integer for a double: "expected
@@ -115,11 +118,15 @@ def check(context: Context) -> Findings:
         yield from parameter_types.outdated_motion_model(section)
         yield from parameter_types.wrong_sizes(section)
         yield from parameter_names.misspelt(section)
+        yield from parameter_names.invalid_values(section)
         yield from costmap_parameters.misspelt_servers(section)
         if names.count(section.name) == 1:  # otherwise another section may complete it
             yield from costmap_parameters.plugins(section)
             yield from parameter_names.missing(section)
+            yield from parameter_names.unread_inputs(section)
             yield from costmap_parameters.misplaced(section)
+    for own in files.values():
+        yield from costmap_parameters.mixed_names(own)
     yield from _lists(context)
     yield from _other_nodes(context, files)
     yield from not_activated(context)

@@ -1,12 +1,22 @@
-"""Names of parameters that a node of Nav2 or slam_toolbox does not have, or lacks."""
+"""Parameters that a node of Nav2 or slam_toolbox does not have or lacks, and their values.
 
-from urdfkit.core.suggest import CLOSE_TYPO, is_typo, nearest
+Sources: the nodes of ros-navigation/navigation2, SteveMacenski/slam_toolbox and
+cra-ros-pkg/robot_localization, humble to rolling.
+"""
+
+import re
+from math import inf
+
+from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, is_typo, nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
+from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import GivenValue, given_values
 from urdfkit.ros.launch.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Value
+from urdfkit.text.located_yaml import Key, Value
 
+_INPUT = re.compile(r"(odom|imu|pose|twist)\d+")
+_CONFIGURED = re.compile(r"(odom|imu|pose|twist)\d+_config")
 #: Letters of words that are not typos of each other.
 _SHORT = 3
 
@@ -51,3 +61,56 @@ def missing(node: NodeParameters) -> Findings:
                 f"add {name}",
                 severity=Severity.WARNING,
             )
+
+
+def invalid_values(node: NodeParameters) -> Findings:
+    """Modes that a node does not have, lists of another length, and footprints."""
+    choices: dict[str, str] = data("node_parameters")["choices"]
+    lengths: dict[str, list[int]] = data("node_parameters")["lengths"].get(node.name, {})
+    most: dict[str, int] = data("node_parameters")["most"]
+    for given in given_values(node):
+        value, expected = given.value, lengths.get(given.at)
+        modes = choices.get(f"{node.name}.{given.at}", "").split()
+        if isinstance(value, Value) and modes and value.text not in modes:
+            if value.text and value.text[0].isalpha():
+                message = f"'{node.name}': unknown {given.at} '{value.text}'"
+                message += did_you_mean(value.text, modes)
+                yield Finding(value.span, message, f"write one of {', '.join(modes)}")
+        elif isinstance(value, list) and expected and len(value) not in expected:
+            message = f"'{node.name}' stops: {given.at} has {len(value)} numbers, must have "
+            message += f"{expected[0]}"
+            yield Finding(given.at.span, message, "write one for x, y and the rotation")
+        elif isinstance(value, Value) and (number(value.text) or 0.0) > most.get(given.at, inf):
+            message = f"'{node.name}': {given.at} is {value.text}, must be at most "
+            yield Finding(value.span, f"{message}{most[given.at]}", f"write {most[given.at]}")
+        elif given.at == "footprint" and isinstance(value, Value) and not _is_footprint(value.text):
+            message = f"'{node.name}': the footprint is no list of three or more points"
+            yield Finding(value.span, message, 'write "[[x, y], [x, y], [x, y]]"')
+
+
+def _is_footprint(text: str) -> bool:
+    """True for a list of points, for none, and for a value that is known at run time only."""
+    number = r"\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*"
+    point = rf"\s*\[{number},{number}\]\s*"
+    is_open = not text.strip() or text.strip() == "[]" or any(mark in text for mark in "$<{")
+    return is_open or bool(
+        re.fullmatch(rf"\s*\[({point},){{2,}}{point},?\]\s*", text, re.IGNORECASE)
+    )
+
+
+def unread_inputs(node: NodeParameters) -> Findings:
+    """Inputs of robot_localization without the list of what is read of them."""
+    if not any(_CONFIGURED.fullmatch(name) for name in node.values):
+        return
+    for name, value in node.values.items():
+        is_input = _INPUT.fullmatch(name) and isinstance(value, Value)
+        if not is_input or f"{name}_config" in node.values or not isinstance(name, Key):
+            continue
+        others = [other for other in node.values if other.startswith(name) and other != name]
+        yield Finding(
+            name.span,
+            f"'{node.name}': nothing of {name} is read: {name}_config is not given"
+            f"{did_you_mean(f'{name}_config', others)}",
+            f"add {name}_config with 15 booleans",
+            severity=Severity.WARNING,
+        )

@@ -1,6 +1,7 @@
 """Unknown names in MoveIt's YAML files."""
 
 import os
+import re
 
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.core.words import few
@@ -31,6 +32,8 @@ _OF_MOVEIT = "moveit_simple_controller_manager/MoveItSimpleControllerManager"
 #: The name of Pilz's planner in MoveIt 1.
 _PILZ_OF_ROS1 = "pilz_industrial_motion_planner::CommandPlanner"
 
+#: A projection on joints.
+_PROJECTION = re.compile(r"joints\(([^()$]*)\)")
 #: Most groups that a help names.
 _MAX_NAMED = 8
 
@@ -41,6 +44,7 @@ def unknown_names(context: Context, srdf: Srdf) -> Findings:
     yield from _groups(context, srdf)
     yield from _solvers(context, srdf)
     yield from _planners(context, srdf)
+    yield from _projections(context, srdf)
     yield from _controllers(context, srdf)
 
 
@@ -73,6 +77,22 @@ def _groups(context: Context, srdf: Srdf) -> Findings:
                 f"name a group of {os.path.basename(srdf.path)} ({groups}), or remove the settings",
                 severity=Severity.WARNING,
             )
+
+
+def _projections(context: Context, srdf: Srdf) -> Findings:
+    """Joints of a projection that the robot does not have: OMPL has no projection then."""
+    known = srdf.known("joint")
+    for entry in group_entries(srdf, context.resolver):
+        value = entry.values.get("projection_evaluator")
+        match = _PROJECTION.fullmatch(value.text) if isinstance(value, Value) else None
+        if entry.name not in srdf.known("group") or match is None or not isinstance(value, Value):
+            continue
+        for name in (part.strip() for part in match.group(1).split(",")):
+            if known and name not in known:
+                message = f"projection_evaluator of group '{entry.name}': unknown joint '{name}'"
+                message += did_you_mean(name, known)
+                yield Finding(value.span, message, "fix the name", severity=Severity.WARNING)
+                break
 
 
 def _solvers(context: Context, srdf: Srdf) -> Findings:

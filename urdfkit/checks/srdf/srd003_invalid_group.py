@@ -24,11 +24,17 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.moveit.config import group_entries
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.ros.parameter_types import type_of
 from urdfkit.text.located_yaml import Value
+from urdfkit.workspace.manifest import manifest_of
 
 BAD = named_xml("bad", arm_xml("fixed"))
 GOOD = BAD.replace('"bad"', '"good"')
 FILES = srdf_files('<group name="g"/>', '<group name="g"><link name="arm"/></group>')
+
+
+#: The settings of a solver that are doubles.
+_DOUBLES = ("kinematics_solver_search_resolution", "kinematics_solver_timeout")
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
@@ -45,6 +51,20 @@ def check(context: Context) -> Findings:
         yield Finding(place, message, "remove one of the subgroups")
     yield from _chains(srdf)
     yield from _unsolvable(context, srdf)
+    yield from _integers(context, srdf)
+
+
+def _integers(context: Context, srdf: Srdf) -> Findings:
+    """Settings of solvers that ROS 2 declares as doubles."""
+    manifest = manifest_of(context.resolver, srdf.path)
+    for entry in group_entries(srdf, context.resolver) if manifest and manifest.ros == 2 else ():
+        for name in _DOUBLES:
+            value = entry.values.get(name)
+            if isinstance(value, Value) and type_of(value) == "int":
+                message = f"group '{entry.name}': {name} is an integer, must be a number with a "
+                message += "decimal point"
+                help = f"write {value.text}.0"
+                yield Finding(value.span, message, help, severity=Severity.WARNING)
 
 
 def _chains(srdf: Srdf) -> Findings:

@@ -3,7 +3,7 @@
 - The file is not well-formed, or contains no `<world>`: Gazebo starts without a world (error).
 - The `<world>` has no name, or its `<max_step_size>` is not greater than 0 (error).
 - The gravity points up, an element is misspelt, which Gazebo ignores (warnings), or a link that
-  moves has no positive mass, which SDF rejects (error).
+  moves has no positive mass, which SDF rejects (error). Two models have the same name (warning).
 - A plugin of the world is for another Gazebo: `libgazebo_ros_init.so` and similar ones are for
   Gazebo Classic, `gz-sim-...-system` for gz sim. The plugin is not loaded, which Gazebo reports
   once (warning). If this applies to all plugins, the launch file starts the wrong Gazebo.
@@ -31,7 +31,7 @@ from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.core.suggest import TYPO, did_you_mean, nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.values import number, numbers
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import TITLES, find, misspelt
@@ -86,6 +86,7 @@ def check(context: Context) -> Findings:
             yield from _values(opened, opened.world)
             yield from _elements(opened, opened.world)
             yield from _masses(opened, opened.world)
+            yield from _names(opened, opened.world)
             yield from _other_gazebo(opened, opened.world) or _plugins(opened, opened.world)
             yield from _includes(opened, opened.world, models)
         if opened.started.generation == GZ:
@@ -147,6 +148,24 @@ def _elements(opened: OpenedWorld, world: World) -> Findings:
                 yield Finding(
                     child, message, f"write <{meant}>", related=opened.note, severity=severity
                 )
+
+
+def _names(opened: OpenedWorld, world: World) -> Findings:
+    """Models and lights of one name, of which SDF reads only one."""
+    first: dict[str, Element] = {}
+    for element in world.at.children:
+        if element.tag not in ("light", "model"):
+            continue
+        name = element.get("name") or ""
+        other = first.setdefault(name, element)
+        if name and other is not element:
+            yield Finding(
+                element,
+                f"{opened.title} has two elements with the name '{name}', which SDF rejects",
+                "give each model and light a name of its own",
+                related=(Related(other.span, "the first one"), *opened.note),
+                severity=Severity.WARNING,
+            )
 
 
 def _masses(opened: OpenedWorld, world: World) -> Findings:

@@ -57,6 +57,16 @@ def gazebo_messages(ros_type: str) -> tuple[str, ...] | None:
     return tuple(pair[1] for pair in pairs if pair and pair[0] == name) or None
 
 
+def ros_types() -> list[str]:
+    """The ROS messages that the bridge converts, such as ``sensor_msgs/msg/Imu``."""
+    return [
+        f"{package}/msg/{pair.split()[0]}"
+        for package, pairs in data("bridge")["messages"].items()
+        for pair in pairs.split(", ")
+        if pair
+    ]
+
+
 def all_messages() -> tuple[str, ...]:
     """The Gazebo messages that the bridge supports."""
     packages = data("bridge")["messages"].values()

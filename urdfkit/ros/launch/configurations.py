@@ -33,7 +33,9 @@ class Configurations:
         self._values = values
         self._calls = calls
         self._idle = idle
-        declared = (argument(call, 0, "name") for call in calls if declares(call))
+        declared = (
+            argument(call, 0, "name") for call in calls if declares(call) and call not in idle
+        )
         names = {values.text(name) for name in declared}
         self._known = {name for name in names if name}
         #: False if other modules or included files may declare what is used here.

@@ -26,11 +26,12 @@ from urdfkit.ros.launch.python_mistakes import (
     added,
     dropped_directory,
     entry_point,
+    formatted,
     joined,
     mistakes,
     not_started,
 )
-from urdfkit.ros.launch.scopes import unread
+from urdfkit.ros.launch.scopes import unread, with_items
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import Values, argument, called, parts_of_path
 from urdfkit.text import python_source
@@ -81,7 +82,9 @@ class _PythonReader:
         self._off: set[ast.AST] = set()
         #: Expressions whose value is unused.
         self._idle = unread(tree)
-        self.configurations = Configurations(self.values, of_python(tree), self.calls, self._idle)
+        #: The same, and the items of unused lists.
+        self._unused = with_items(self._idle)
+        self.configurations = Configurations(self.values, of_python(tree), self.calls, self._unused)
         #: False for a part of a launch file, which another file completes.
         self._is_complete = any(called(call) == "LaunchDescription" for call in self.calls)
         self._expressions = [n for n in python_source.nodes(tree) if isinstance(n, ast.expr)]
@@ -126,7 +129,7 @@ class _PythonReader:
             if problem:
                 problems.append(problem)
         for node in self._expressions:
-            if mistake := added(node, self.values):
+            if mistake := added(node, self.values) or formatted(node, self.values):
                 problems.append(mistake)
         if self._is_complete:
             problems += not_started(self._idle, self.values)
@@ -136,7 +139,7 @@ class _PythonReader:
         problems += wrong_targets(self.calls, self.values)
 
     def _declare(self, call: ast.Call) -> None:
-        if call in self._idle and self._is_complete:
+        if call in self._unused and self._is_complete:
             return  # it is not in a launch description
         name = self.values.text(argument(call, 0, "name"))
         default = argument(call, 1, "default_value")
@@ -157,7 +160,7 @@ class _PythonReader:
     # ---------------------------------------------------------------- calls
 
     def _node(self, call: ast.Call) -> None:
-        if call in self._idle and self._is_complete:
+        if call in self._unused and self._is_complete:
             return  # it is not started
         package = argument(call, None, "package")
         name = self.values.text(package)
@@ -260,7 +263,7 @@ class _PythonReader:
                     yield command
 
     def _process(self, call: ast.Call) -> None:
-        if call in self._idle and self._is_complete:
+        if call in self._unused and self._is_complete:
             return
         words = self.values.words(argument(call, 0, "cmd"))
         span = self.values.span(call)

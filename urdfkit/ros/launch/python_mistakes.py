@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator
 from itertools import pairwise
 
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, argument, called, parts_of_path
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import string
@@ -40,6 +41,8 @@ _SUBSTITUTIONS = ("Command", "FindPackageShare", "LaunchConfiguration", "PathJoi
 #: Functions of xacro that return a document, whose text is required.
 _DOCUMENTS = ("process_file", "parse")
 _TEXTS = ("toxml", "toprettyxml")
+#: An option and its value on one line, without a comma.
+_JOINED = re.compile(r"""(["'])-[\w-]+\1[ \t]*["']""")
 _BOOLEAN = re.compile(r"(?i)\s*(true|false|1|0)\s*")
 #: Numbers and booleans, as launch accepts only texts and substitutions.
 _SCALARS = (bool, int, float)
@@ -52,6 +55,8 @@ def mistakes(call: ast.Call, values: Values) -> Iterator[Problem]:
         yield from _lists(call, values)
         yield from _words(argument(call, None, "arguments"), values)
         yield from _documents(argument(call, None, "parameters"), values)
+        yield from _sets(argument(call, None, "parameters"), values)
+        yield from _without_package(call, values)
         yield from _former(call, values)
     elif name in _HOLDERS:
         yield from _action_list(call, values)
@@ -220,6 +225,19 @@ def added(node: ast.expr, values: Values) -> Problem | None:
     return _rejected(node, message, "write both into a list, with a comma between them", values)
 
 
+def formatted(node: ast.expr, values: Values) -> Problem | None:
+    """A substitution in an f-string, which has the name of its class and not its value."""
+    for part in node.values if isinstance(node, ast.JoinedStr) else ():
+        value = values.suggested(part.value) if isinstance(part, ast.FormattedValue) else None
+        if isinstance(value, ast.Call) and called(value) in _SUBSTITUTIONS:
+            message = (
+                f"an f-string does not have the value of {called(value)}, which is known only "
+            )
+            message += "at run time"
+            return _rejected(node, message, "write a list: [text, substitution]", values)
+    return None
+
+
 def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
     for name, expected in _LISTS.items():
         node = argument(call, None, name)
@@ -232,6 +250,25 @@ def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
             names = tuple(text.split(":="))
             help = f"write {names}" if len(names) == 2 else "write ('from', 'to')"
             yield _rejected(pair, f"'{text}' in remappings is not a pair", help, values)
+
+
+def _sets(node: ast.expr | None, values: Values) -> Iterator[Problem]:
+    """A set of a name and its value among the parameters."""
+    for item in values.items(node) if node else ():
+        if item is not None and isinstance(values.suggested(item), ast.Set):
+            message = "this is a set, but launch expects a dictionary of parameters"
+            yield _rejected(item, message, 'write a colon: {"name": value}', values)
+
+
+def _without_package(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """A known executable without its package: launch looks for it in PATH."""
+    name = values.text(argument(call, None, "executable")) or ""
+    if any(one.arg in (None, "package") for one in call.keywords):
+        return
+    for package, executables in data("launch")["executables"].items():
+        if name in executables.split():
+            message = f"'{name}' has no package: launch looks for a program of this name"
+            yield _rejected(call.func, message, f'write package="{package}"', values)
 
 
 def _documents(node: ast.expr | None, values: Values) -> Iterator[Problem]:
@@ -251,6 +288,9 @@ def _documents(node: ast.expr | None, values: Values) -> Iterator[Problem]:
 def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     for item in values.items(node) if node else ():
         yield from _text(item, "a word of the command line", values)
+        if isinstance(item, ast.Constant) and _JOINED.match(source := values.span(item).text):
+            message = f"{source} is one word: Python joins strings without a comma between them"
+            yield _rejected(item, message, "write a comma between the two", values)
 
 
 def _text(node: ast.expr | None, subject: str, values: Values) -> Iterator[Problem]:

@@ -98,6 +98,18 @@ def unread(tree: ast.Module) -> set[ast.expr]:
             reads.subtract(node.id for node in ast.walk(value) if _is_read(node))
 
 
+def with_items(expressions: set[ast.expr]) -> set[ast.expr]:
+    """Expressions, and the items of the lists among them."""
+    found = set(expressions)
+    stack = [*expressions]
+    while stack:
+        node = stack.pop()
+        items = node.elts if isinstance(node, (ast.List, ast.Tuple)) else []
+        stack += items
+        found.update(items)
+    return found
+
+
 def _is_read(node: ast.AST) -> TypeGuard[ast.Name]:
     return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
 

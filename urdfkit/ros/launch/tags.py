@@ -77,8 +77,7 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
             yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
     if element.tag == "launch":
         return  # its attributes are not read
-    if ros == 1:
-        yield from _given_twice(element, frame)
+    yield from _given_twice(element, frame) if ros == 1 else _without_value(element, frame)
     known = own.names(element.tag)
     for attribute in element.attributes.values():
         name = attribute.name
@@ -111,6 +110,16 @@ def _condition(attribute: Attribute, frame: CallFrame | None) -> Iterator[Proble
         message = f"<{attribute.element.tag}>: {attribute.name} is '{text}', not a boolean"
         help = "write the whole condition in $(eval ...)"
         yield Problem("LAU010", attribute.span, message, help, frame, severity=Severity.ERROR)
+
+
+def _without_value(element: Element, frame: CallFrame | None) -> Iterator[Problem]:
+    """An argument of an include in ROS 2 without a value."""
+    parent = element.parent
+    is_passed = element.tag == "arg" and parent is not None and parent.tag == "include"
+    if is_passed and "value" not in element.attributes:
+        message = f"argument '{element.get('name')}' of an include has no value"
+        help = 'write value="..."'
+        yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
 
 
 def _given_twice(element: Element, frame: CallFrame | None) -> Iterator[Problem]:
