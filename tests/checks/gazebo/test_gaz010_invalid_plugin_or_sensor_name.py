@@ -149,3 +149,30 @@ def test_a_misspelt_attribute_is_renamed(right: str, wrong: str) -> None:
     text = BASE + plugin("libgazebo_ros_laser.so")
     misspelt = text.replace(f' {right}="', f' {wrong}="').replace(f"link {wrong}", f"link {right}")
     assert fixed("GAZ010", misspelt) == whole_robot(text)
+
+
+CAMERA = '<gazebo><plugin name="{}" filename="libgazebo_ros_camera.so">{}</plugin></gazebo>'
+
+
+@pytest.mark.parametrize(
+    ("front", "rear", "count"),
+    [
+        ("<camera_name>eye</camera_name>", "<camera_name>eye</camera_name>", 1),
+        ("<camera_name>eye</camera_name>", "<camera_name>ear</camera_name>", 0),
+        ("<camera_name>eye</camera_name>", "", 0),
+        (
+            "<camera_name>eye</camera_name>",
+            "<ros><remapping>eye/image_raw:=rear</remapping></ros><camera_name>eye</camera_name>",
+            0,
+        ),
+        (
+            "<camera_name>eye</camera_name>",
+            "<ros><namespace>rear</namespace></ros><camera_name>eye</camera_name>",
+            0,
+        ),
+    ],
+)
+def test_cameras_of_one_name(front: str, rear: str, count: int) -> None:
+    text = BASE + CAMERA.format("front", front) + CAMERA.format("rear", rear)
+    both = [one for one in messages("GAZ010", text) if "both publish on 'eye/image_raw'" in one]
+    assert len(both) == count

@@ -90,3 +90,36 @@ def test_a_diameter(tmp_path: Path, radius: str, length: str, is_found: bool) ->
         if is_found
         else []
     )
+
+
+def legs(right: str, others: tuple[str, ...] = ("hip", "knee"), scale: str = "") -> str:
+    text = '<link name="base"/>'
+    for name in (*others, "foot"):
+        for side in ("left", "right"):
+            is_right_foot = (name, side) == ("foot", "right")
+            file = right if is_right_foot else f"{side}_{name}.stl"
+            visual = meshed.mesh(file, "visual", scale if is_right_foot else "")
+            text += meshed.link(visual, name=f"{side}_{name}")
+            text += joint("base", f"{side}_{name}", "revolute")
+    return text
+
+
+BOTH = {
+    f"{side}_{name}.stl": meshed.SOUND
+    for side in ("left", "right")
+    for name in ("hip", "knee", "foot")
+}
+
+
+def test_the_mesh_of_the_other_side(tmp_path: Path) -> None:
+    assert meshed.reported(tmp_path, "GEO004", legs("right_foot.stl"), BOTH) == []
+    (finding,) = meshed.reported(tmp_path, "GEO004", legs("left_foot.stl"), BOTH)
+    assert "'right_foot': the visual is the mesh of its counterpart 'left_foot'" in finding.message
+    assert finding.help == "write the path of 'right_foot.stl'"
+    assert finding.span.text == "left_foot.stl"
+    assert meshed.reported(tmp_path, "GEO004", legs("left_foot.stl", ("hip",)), BOTH) == []
+    mirrored = legs("left_foot.stl", scale=' scale="1 -1 1"')
+    assert meshed.reported(tmp_path, "GEO004", mirrored, BOTH) == []
+    (tmp_path / "right_foot.stl").unlink()
+    without = {name: data for name, data in BOTH.items() if name != "right_foot.stl"}
+    assert meshed.reported(tmp_path, "GEO004", legs("left_foot.stl"), without) == []

@@ -391,3 +391,23 @@ def test_numbers_that_are_not_mirrored() -> None:
             tip = f'<origin xyz="0.02 0 0"/>{limit("-1", "1")}'
             text += joint(f"{side}_tip_{number}", "revolute", tip, f"{side}_finger_{number}_link")
     assert messages("JNT025", text) == []
+
+
+def test_one_side_is_fixed() -> None:
+    text = arms("right_shoulder_link", MIRRORED)
+    assert messages("JNT025", text) == []
+
+    def fixed(text: str, name: str) -> str:
+        return text.replace(f'name="{name}" type="revolute"', f'name="{name}" type="fixed"')
+
+    (finding,) = reported("JNT025", fixed(text, "left_wrist"))
+    assert finding.message == (
+        "joint 'left_wrist' is fixed, but its counterpart 'right_wrist' is revolute"
+    )
+    assert finding.span.text.startswith('<joint name="left_wrist"')
+    both = fixed(fixed(text, "left_wrist"), "right_wrist")
+    assert messages("JNT025", both) == []
+    locked = fixed(fixed(text, "left_wrist"), "left_elbow")  # an arm that is locked
+    assert not any("is fixed" in message for message in messages("JNT025", locked))
+    plain = fixed(text, "left_wrist").replace(limit("-1", "2"), "")
+    assert not any("is fixed" in message for message in messages("JNT025", plain))

@@ -8,7 +8,8 @@ name"), Gazebo Classic creates only one of them (a warning, if a file is include
 fixed joints connect count as one, since Gazebo merges them.
 
 In gz-sim two sensors with the same `<topic>` (warning) publish on one topic, for example if a macro
-with a fixed topic is called twice: subscribers receive both in turn.
+with a fixed topic is called twice: subscribers receive both in turn. So do two cameras of Gazebo
+Classic with ROS 2 that have one `<camera_name>` in one namespace, without remappings.
 
 In Gazebo Classic with ROS 2 a plugin is a node with the plugin's name. ROS 2 allows letters, digits
 and underscores, and no digit first; with any other name the plugin does not start. Of two plugins
@@ -60,6 +61,7 @@ def check(context: Context) -> Findings:
             message = f"sensor{kind} on '{sensor.reference}' has no name: {REJECTED}"
             yield Finding(sensor.at, message, 'add name="...", unique in the link')
     yield from _duplicate_plugins(context)
+    yield from _shared_camera_names(context)
     yield from _duplicate_sensors(context)
     if context.targets.any_of(GZ):
         yield from _shared_topics(context)
@@ -87,6 +89,27 @@ def _duplicate_plugins(context: Context) -> Findings:
             f"{use.title} and {other.title} are ROS nodes of the same name",
             "give each plugin a unique name, or another <ros><namespace>",
             related=(Related(other.at.span, "first defined here"),),
+            severity=Severity.WARNING,
+        )
+
+
+def _shared_camera_names(context: Context) -> Findings:
+    """Cameras of Gazebo Classic with ROS 2 whose images have one topic."""
+    cameras = (use for use in context.plugins if use.values("camera_name"))
+    keyed = (
+        ((use.value("ros/namespace").strip("/"), use.value("camera_name")), use)
+        for use in cameras
+        if not use.value("ros/remapping")
+    )
+    for use, other in repeated(keyed):
+        if use.name == other.name:
+            continue  # reported already
+        topic = f"{use.value('camera_name')}/image_raw"
+        yield Finding(
+            use.at.child_or_self("camera_name"),
+            f"{use.title} and {other.title} both publish on '{topic}'",
+            "give each camera another <camera_name>",
+            related=(Related(other.at.span, "the other camera"),),
             severity=Severity.WARNING,
         )
 

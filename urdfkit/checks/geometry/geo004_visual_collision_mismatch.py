@@ -12,6 +12,8 @@ The rule compares the bounding box of all collisions of a link with that of all 
   the `<origin>` at half the height: visual and collision do not share it. A larger or smaller
   collision around the same centre is not reported, nor is a primitive that replaces a part of a
   mesh.
+- A link has the visual mesh of its left or right counterpart, no link uses the mesh file of its own
+  side, and other pairs have a mesh for each side.
 - A radius is exactly twice that of the same shape in the other, or about twice that of a mesh: a
   diameter. An info.
 
@@ -23,6 +25,7 @@ Sources:
     measured: of 579 public robots, nine differ in size, eight of them by a scale
 """
 
+from urdfkit.checks.geometry.other_side import meshes_of_the_other_side
 from urdfkit.core.spatial import Z_AXIS, Transform, cross, length, minus, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
@@ -83,6 +86,16 @@ def check(context: Context) -> Findings:
     yield from _diameters(context)
     for pair in pairs.each():
         yield from _diameter_of_mesh(pair)
+    for copied in meshes_of_the_other_side(context):
+        name, side = copied.wrong.link.name, copied.correct.link.name
+        yield Finding(
+            copied.wrong.at,
+            f"link '{name}': the visual is the mesh of its counterpart '{side}', and no link uses "
+            f"'{copied.unused}'",
+            f"write the path of '{copied.unused}'",
+            related=(Related(copied.correct.at.span, f"the mesh of '{side}'"),),
+            confidence=Confidence.INFERRED,
+        )
 
 
 def _apart(pair: VisualCollisionPair, context: Context, foreign: str) -> Finding:

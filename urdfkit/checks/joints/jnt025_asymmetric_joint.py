@@ -9,6 +9,7 @@ by mirrored positions on one link, and are on different branches.
   and a factor of two of damping and friction. If all pairs but one have the limits that follow from
   their axes, the one is reported, too: two hips that turn about x in the same direction have
   opposite limits.
+  A fixed joint with limits is reported if its counterpart moves and no other pair is so.
 - Parent: if both upper arms are children of the left shoulder, and the right one has no child, the
   right arm was copied.
 - Origin: counterparts on one link differ in the sign of one coordinate. If they are at the same
@@ -36,7 +37,7 @@ from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.model import Joint, Placed
 from urdfkit.robot.samples import hand_xml
-from urdfkit.robot.symmetry import have_same_meshes
+from urdfkit.robot.symmetry import have_same_meshes, pairs
 from urdfkit.robot.values import number
 
 _AXIS = '<axis xyz="0 1 0"/>'
@@ -93,6 +94,32 @@ def check(context: Context) -> Findings:
         )
     yield from _axes(context)
     yield from _ranges(context)
+    yield from _fixed(context)
+
+
+def _fixed(context: Context) -> Findings:
+    """The only fixed joint with limits whose counterpart moves."""
+    joints = {joint.name: joint for joint in context.model.joints if joint.name}
+    locked = []
+    for left, right in pairs(joints):
+        both = joints[left], joints[right]
+        fixed, moving = sorted(both, key=lambda joint: joint.is_single_dof)
+        if fixed.kind == "fixed" and moving.is_single_dof and _has_range(fixed):
+            locked.append((fixed, moving))
+    if len(locked) == 1:
+        fixed, moving = locked[0]
+        yield Finding(
+            fixed.at,
+            f"joint '{fixed.name}' is fixed, but its counterpart '{moving.name}' is {moving.kind}",
+            f'write type="{moving.kind}", or remove the <limit>',
+            related=(Related(moving.at.span, f"counterpart '{moving.name}'"),),
+            confidence=Confidence.INFERRED,
+        )
+
+
+def _has_range(joint: Joint) -> bool:
+    limit = joint.limit
+    return bool(limit and limit.lower and limit.upper and limit.lower.value < limit.upper.value)
 
 
 def _differences(first: Joint, second: Joint) -> Iterator[str]:

@@ -1,0 +1,60 @@
+"""Links with the mesh of their left or right counterpart."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from urdfkit.core.grouping import by_key
+from urdfkit.core.record import Record
+from urdfkit.lint.context import Context
+from urdfkit.robot.assets.mesh_files import MeshReference
+from urdfkit.robot.symmetry import pairs
+
+#: Least number of pairs of links with a mesh for each side next to one with the same mesh.
+_CONSISTENT_PAIRS = 2
+
+
+class MeshOfOtherSide(Record):
+    """A visual with the mesh of the other side."""
+
+    wrong: MeshReference
+    correct: MeshReference  # of the counterpart
+    unused: str  # name of the file of its own side
+
+
+def meshes_of_the_other_side(context: Context) -> Iterator[MeshOfOtherSide]:
+    """The visual with the mesh of the other side, if it is the only one of several pairs.
+
+    The file of its own side must exist, and no link use it.
+    """
+    meshes = context.files.meshes
+    visuals = [mesh for mesh in meshes if mesh.role == "visual" and mesh.located.path]
+    of_link = by_key((mesh.link.name, mesh) for mesh in visuals)
+    used = {mesh.located.path for mesh in meshes}
+    copied: list[MeshOfOtherSide] = []
+    consistent = 0
+    for left, right in pairs(of_link):
+        if len(of_link[left]) > 1 or len(of_link[right]) > 1:
+            continue
+        (first,), (second,) = of_link[left], of_link[right]
+        files = [os.path.basename(mesh.located.path or "") for mesh in (first, second)]
+        if first.located.path != second.located.path:
+            consistent += bool(pairs(files))
+            continue
+        shapes = first.body.shape, second.body.shape
+        if all(shapes) and len({shape.scale for shape in shapes if shape}) == 1:  # not mirrored
+            copied += _with_unused_file(context, first, second, used)
+    if len(copied) == 1 and consistent >= _CONSISTENT_PAIRS:
+        yield copied[0]
+
+
+def _with_unused_file(
+    context: Context, left: MeshReference, right: MeshReference, used: set[str | None]
+) -> Iterator[MeshOfOtherSide]:
+    directory, name = os.path.split(left.located.path or "")
+    for other in context.resolver.directories.entries(directory) or ():
+        if os.path.join(directory, other) not in used and (pair := pairs((name, other))):
+            is_left = pair[0][0] == name  # so that the right link has it by mistake
+            wrong, correct = (right, left) if is_left else (left, right)
+            yield MeshOfOtherSide(wrong, correct, other)
