@@ -248,3 +248,14 @@ def test_a_torque_of_a_displaced_mass(mass: float, is_cause: bool) -> None:
     weight = () if is_cause else (ball, inside)
     (found,) = reported("DYN003", link("base") + link("arm", *weight) + swinging + hand)
     assert found.help.endswith("outside the shapes of 'hand' (INE011)") is is_cause
+
+
+@pytest.mark.parametrize(("name", "count"), [("BALLOON", 0), ("blimp_link", 0), ("TANK", 1)])
+def test_helium(name: str, count: int) -> None:
+    """BALLU, a biped that hangs from a balloon of 0.16 kg in 0.2 m³."""
+    robot = (
+        f'<link name="{name}"><inertial><mass value="0.15898"/><inertia ixx="0.0106" ixy="0" '
+        'ixz="0" iyy="0.0106" iyz="0" izz="0.0081"/></inertial><collision><geometry>'
+        '<cylinder radius="0.32" length="0.7"/></geometry></collision></link>'
+    )
+    assert len(messages("INE010", robot)) == count

@@ -10,7 +10,7 @@ Lengths are metres in URDF.
   simulator.
 - A shape is reported if it is 5 m or more, fifty times as long as the rest of the robot, and
   thicker than the rest is long: in RViz it is a wall, and everything collides with it. If most
-  links are so large, they are the walls of a scene and are not reported.
+  links are so large, or no joint moves, they are the walls of a scene and are not reported.
 
 Divide by 1000.
 
@@ -135,8 +135,9 @@ def _shapes(model: RobotModel) -> Findings:
         if large and not any(word in name.lower() for word in _GROUNDS):
             suspects[name] = large
     usual_links = sum(any(size < _MIN_SIZE for size, _, _ in bodies) for bodies in sizes.values())
-    if len(suspects) > usual_links:
-        return  # the walls of a scene
+    is_scene = bool(model.joints) and all(joint.kind == "fixed" for joint in model.joints)
+    if is_scene or len(suspects) > usual_links:
+        return  # a plane, or the walls of a scene
     for name, ((size, body), *others) in suspects.items():
         yield Finding(
             body.shape.at if body.shape else body.at,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Iterable
 from enum import Enum
 from math import dist
@@ -131,9 +132,15 @@ def _is_of_unknown_size(link: LinkInertia) -> bool:
     return is_small_marker or link.lengths_differ(MAX_LENGTH_RATIO)
 
 
+#: Names of links that are filled with gas.
+_BALLOON = re.compile(r"(?i)balloon|blimp|airship")
+
+
 def implausible_density(link: LinkInertia) -> float | None:
     """The density in kg/m³ if it is implausible; the bound nearer to a plausible one."""
     if link.densities is None or link.mass < SIGNIFICANT_PART * link.body.mass:
+        return None
+    if _BALLOON.search(link.link.name):
         return None
     low, high = link.densities
     if low > MAX_PART_DENSITY * DENSITY_TOLERANCE:
