@@ -99,6 +99,11 @@ EKF = "ekf_filter_node:\n  ros__parameters:\n    imu0: imu\n    imu0_config: []\
         (BRIDGE.format("/imu/data", "") + FILTER.format("") + NODE.format("a", "driver", ""), 0),
         (BRIDGE.format("/imu/data", "") + FILTER.format(", remappings=[('imu', 'imu/data')]"), 0),
         (BRIDGE.format("/imu/data", "") + FILTER.format(", namespace='robot'"), 0),
+        (
+            BRIDGE.format("/imu/data", "")
+            + FILTER.format(", remappings=[('odometry/filtered', '/odom')]"),
+            1,
+        ),
     ],
 )
 def test_topics(tmp_path: Path, text: str, count: int) -> None:

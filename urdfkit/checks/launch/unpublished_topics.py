@@ -37,6 +37,7 @@ _SILENT = re.compile(
 _CONTROLLERS = "controller_manager"
 #: robot_localization, and the topic that it publishes.
 _FILTER, _FILTERED = "robot_localization", "/odometry/filtered"
+_OUTPUTS = {"odometry/filtered", "accel/filtered"}
 _PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge")
 _SCAN_TOPIC = "scan_topic"
 #: Topics in the settings of a sensor of MoveIt, and their messages.
@@ -96,7 +97,10 @@ def _is_known(started: StartedProgram, message: str) -> bool:
     is_other = package in (_CONTROLLERS, _FILTER) and message not in _READ.values()
     if is_other or _SILENT.fullmatch(package):
         return True
-    is_plain = started.is_sure and not started.is_remapped and started.namespace == ""
+    is_remapped = started.is_remapped
+    if package == _FILTER and message != "Odometry" and started.remappings is not None:
+        is_remapped = not {name.strip("/") for name in started.remappings} <= _OUTPUTS
+    is_plain = started.is_sure and not is_remapped and started.namespace == ""
     return is_plain and package in _PUBLISHERS
 
 
