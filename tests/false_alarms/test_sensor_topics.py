@@ -68,3 +68,23 @@ def test_a_bridge_for_the_lidars_of_all_arguments(tmp_path: Path, topic: str, co
     files = {"urdf/r.urdf.xacro": LIDARS}
     found = reported(tmp_path / "arm", "LAU020", "a.launch.py", BRIDGE % topic, files)
     assert len(found) == count
+
+
+@pytest.mark.parametrize(
+    ("topic", "count"),
+    [("/world/default/dynamic_pose/info", 0), ("/world/default/pose/info", 0), ("/pose", 1)],
+)
+def test_poses_that_gazebo_publishes(tmp_path: Path, topic: str, count: int) -> None:
+    """A car among cones: the truth about all of them, beside the <tf_topic> of its steering."""
+    plugin = (
+        '<gazebo><plugin filename="gz-sim-ackermann-steering-system" '
+        'name="gz::sim::systems::AckermannSteering"/></gazebo>'
+    )
+    files = {"r.urdf": f'<robot name="r"><link name="base"/>{plugin}</robot>'}
+    text = (
+        "nodes = [Node(package='robot_state_publisher', executable='robot_state_publisher',\n"
+        "    parameters=[{'robot_description': open('../r.urdf').read()}]),\n"
+        "    Node(package='ros_gz_bridge', executable='parameter_bridge',\n"
+        f"    arguments=['{topic}@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V'])]\n"
+    )
+    assert len(reported(tmp_path / "arm", "LAU020", "a.launch.py", text, files)) == count

@@ -154,3 +154,17 @@ def test_the_urdf_is_an_older_output_of_the_xacro(tmp_path: Path, name: str, cou
     report = check(tmp_path / "r.urdf", select=["SRD001"])
     assert report.crashed == ()
     assert len(report.diagnostics) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("r_with_tip", 0), ("other", 2)])
+def test_the_srdf_has_the_name_of_another_robot(tmp_path: Path, name: str, count: int) -> None:
+    """A UR3 of students: the SRDF is for the arm with a gripper, and the arm alone is beside it."""
+    base = '<robot name="{}"><link name="base"/><link name="tool"/>{}</robot>'
+    (tmp_path / "r.urdf").write_text(base.format("r", ""))
+    (tmp_path / "r_with_tip.urdf").write_text(base.format(name, '<link name="tip"/>'))
+    arm = '<group name="arm"><link name="base"/><link name="tool"/></group></robot>'
+    srdf = SRDF.replace('"r"', '"r_with_tip"').replace("NAME", "tip").replace("</robot>", arm)
+    (tmp_path / "config.srdf").write_text(srdf)
+    report = check(tmp_path / "r.urdf", select=["SRD001"])
+    assert report.crashed == ()
+    assert len(report.diagnostics) == count

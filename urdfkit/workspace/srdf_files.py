@@ -87,6 +87,14 @@ def is_of_namesake(srdf: str, robot: str, resolver: Resolver) -> bool:
     return False
 
 
+def has_robot_name(path: str, name: str) -> bool:
+    """True for the file of a robot with this name."""
+    if not path.endswith(_ROBOT) or path.endswith(_SRDF):
+        return False
+    named = rb"%b[\"']%b[\"']" % (_NAMED, re.escape(name.encode()))
+    return re.search(named, read_head(path, 20_000)) is not None
+
+
 def _is_started_with(srdf: str, robot: str, resolver: Resolver) -> bool:
     """True if a launch file in the package of an SRDF passes it with the robot to MoveIt."""
     directory = os.path.join(os.path.dirname(os.path.dirname(srdf)), "launch")

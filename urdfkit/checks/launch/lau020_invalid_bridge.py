@@ -74,8 +74,11 @@ bridge = Node(
 """
 GOOD = BAD.replace("gz.msgs.Pose", "gz.msgs.IMU")
 
-#: Topics that Gazebo itself publishes: the simulation time.
-_OF_GAZEBO = tuple(GazeboTopic("Gazebo", "Clock", name) for name in ("clock", "world/*/clock"))
+#: Topics that Gazebo itself publishes: the simulation time, and the poses of all models.
+_OF_GAZEBO = (
+    *(GazeboTopic("Gazebo", "Clock", name) for name in ("clock", "world/*/clock")),
+    *(GazeboTopic("Gazebo", "Pose_V", f"world/*/{name}/info") for name in ("pose", "dynamic_pose")),
+)
 #: Message types that only robots and models of the world publish or read.
 _OF_ROBOTS = (
     "CameraInfo", "IMU", "Image", "LaserScan", "Model", "NavSat", "Odometry", "PointCloudPacked",

@@ -19,7 +19,13 @@ from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.srdf_files import is_of_namesake, other_srdf_files, srdf_files, srdf_in
+from urdfkit.workspace.srdf_files import (
+    has_robot_name,
+    is_of_namesake,
+    other_srdf_files,
+    srdf_files,
+    srdf_in,
+)
 
 
 class Srdf:
@@ -181,19 +187,34 @@ def find(robot: RosDescription) -> Srdf | None:
 
     An SRDF with another robot name is accepted if it references the links and joints of the robot;
     an SRDF in a MoveIt package for several robots, if it fits this robot. An SRDF with the same
-    file name as another robot in the same directory belongs to that robot.
+    file name as another robot in the same directory belongs to that robot, and so does an SRDF with
+    the robot name of another file, if this robot lacks links or joints of it.
     """
     path, name, resolver = robot.source.path, robot.model.name, robot.resolver
     files = [one for one in srdf_files(path, resolver) if not is_of_namesake(one, path, resolver)]
     found = [srdf for one in files if (srdf := read(one, robot))]
     same = [srdf for srdf in found if srdf.root.get("name") == name]
-    chosen = same or [srdf for srdf in found if srdf.refers_to_robot]
+    chosen = same or [
+        srdf
+        for srdf in found
+        if srdf.refers_to_robot and not (srdf.unknown and _is_of_neighbour(srdf, path, resolver))
+    ]
     if len(chosen) > 1:  # MoveIt's builder reads the SRDF with the file name of the robot
         chosen = [srdf for srdf in chosen if _stem(srdf.path) == _stem(path)]
     if not found:
         others = other_srdf_files(path, name, resolver)
         chosen = [srdf for one in others if (srdf := read(one, robot)) and srdf.fits_robot]
     return chosen[0] if len(chosen) == 1 else None
+
+
+def _is_of_neighbour(srdf: Srdf, path: str, resolver: Resolver) -> bool:
+    """True if another URDF beside a robot has the robot name of an SRDF."""
+    name = srdf.root.get("name") or ""
+    return name != "" and any(
+        robot != os.path.basename(path) and has_robot_name(os.path.join(directory, robot), name)
+        for directory in (os.path.dirname(os.path.abspath(path)),)
+        for robot in resolver.directories.entries(directory) or ()
+    )
 
 
 def neighbours(srdf: Srdf, robot: RosDescription) -> Iterator[Srdf]:
