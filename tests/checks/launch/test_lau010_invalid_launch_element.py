@@ -234,4 +234,4 @@ def test_an_argument_of_an_include(tmp_path: Path, given: str, count: int) -> No
         f'<arg name="gui" {given}/>\n</include>'
     )
     found = reported(tmp_path, "LAU010", "b.launch.xml", text, {"a.launch.xml": "<launch/>"})
-    assert ["of an include has no value" in one.message for one in found] == [True] * count
+    assert ["of an <include> has no value" in one.message for one in found] == [True] * count

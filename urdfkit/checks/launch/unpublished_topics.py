@@ -8,7 +8,6 @@ publishers of ros2_controllers (all of humble to rolling).
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator
 
@@ -20,12 +19,12 @@ from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
-from urdfkit.ros.launch.contents import MOVEIT, StartedProgram
+from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import given_parameter, node_parameters
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import topic_of
 from urdfkit.ros.launch.spawned_controllers import controllers
-from urdfkit.text.located_yaml import Node, Value, load, mapping
+from urdfkit.text.located_yaml import Node, Value, mapping
 from urdfkit.text.source import Span
 
 #: Packages whose programs do not publish these messages.
@@ -40,8 +39,6 @@ _FILTER, _FILTERED = "robot_localization", "/odometry/filtered"
 _OUTPUTS = {"odometry/filtered", "accel/filtered"}
 _PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge")
 _SCAN_TOPIC = "scan_topic"
-#: Topics in the settings of a sensor of MoveIt, and their messages.
-_OF_SENSOR = {"point_cloud_topic": "PointCloud2", "image_topic": "Image"}
 _INPUT = re.compile(r"(odom|imu)\d+")
 _READ = {"odom": "Odometry", "imu": "Imu"}
 #: The displays of RViz that are named after their message.
@@ -129,7 +126,6 @@ def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
                     yield _ReadTopic(value.text, value.span, message, node.name)
                 elif isinstance(value, dict):
                     yield from _read_by_layer(value, node.name)
-    yield from _read_by_moveit(context)
     for started in context.launch.programs if not context.launch.has_scopes else ():
         is_own = started.frame is None and started.is_sure and started.remappings == {}
         defaults: dict[str, str] = data("nodes")["defaults"].get(started.package, {})
@@ -137,18 +133,6 @@ def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
         if topic and given_parameter(started, _SCAN_TOPIC, context.resolver) == "":
             who = started.executable
             yield _ReadTopic(topic, started.span, "LaserScan", who, key=_SCAN_TOPIC)
-
-
-def _read_by_moveit(context: Context) -> Iterator[_ReadTopic]:
-    """The sensors of the occupancy map, in the file that MoveItConfigsBuilder names."""
-    for file in context.launch.files:
-        is_sensors = file.purpose == MOVEIT and os.path.basename(file.path).startswith("sensors")
-        source = context.resolver.readable(file.path) if is_sensors and file.exists else None
-        for sensor in mapping(load(source)).values() if source else ():
-            for key, message in _OF_SENSOR.items():
-                topic = mapping(sensor).get(key)
-                if isinstance(topic, Value):
-                    yield _ReadTopic(topic.text, topic.span, message, "move_group")
 
 
 def _read_by_layer(layer: dict[str, Node], who: str) -> Iterator[_ReadTopic]:

@@ -117,8 +117,8 @@ def _without_value(element: Element, frame: CallFrame | None) -> Iterator[Proble
     parent = element.parent
     is_passed = element.tag == "arg" and parent is not None and parent.tag == "include"
     if is_passed and "value" not in element.attributes:
-        message = f"argument '{element.get('name')}' of an include has no value"
-        help = 'write value="..."'
+        message = "<arg> of an <include> has no value"
+        help = "write value=" + ("... in place of default=..." if element.get("default") else "...")
         yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
 
 
