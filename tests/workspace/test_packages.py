@@ -218,6 +218,17 @@ def test_packages_alone_in_a_directory_are_of_one_repository(tmp_path: Path) -> 
     assert root(near) == (str(tmp_path / "arm"), "")  # and nothing else is edited
 
 
+def test_packages_that_depend_on_one_another_are_a_workspace(tmp_path: Path) -> None:
+    workspace = tmp_path / "ws"
+    robots = [
+        add_package(workspace / name, name) / "urdf" / f"{name}.urdf" for name in ("arm", "hand")
+    ]
+    assert [root(robot)[1] for robot in robots] == ["", ""]
+    text = "<package><name>hand</name><exec_depend>arm</exec_depend></package>"
+    (workspace / "hand" / "package.xml").write_text(text)
+    assert {root(robot) for robot in robots} == {(str(workspace), "package.xml")}
+
+
 @pytest.mark.parametrize("other", ["repository/foot/package.xml", "hand/.git/HEAD"])
 def test_a_directory_of_repositories_is_none(tmp_path: Path, other: str) -> None:
     near = add_package(tmp_path / "arm", "arm") / "urdf" / "arm.urdf"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-from functools import lru_cache
 
 from urdfkit.core import disk
 from urdfkit.core.paths import upwards
@@ -13,6 +12,7 @@ from urdfkit.errors import PackageNotFound
 from urdfkit.text.comments import without_comments
 from urdfkit.text.source import Source
 from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.package_directories import dependencies
 from urdfkit.workspace.package_references import package_references
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
@@ -22,7 +22,6 @@ MAX_BYTES = 1024 * 1024
 #: Directories of a package that are searched for descriptions.
 MAX_DIRECTORIES = 200
 
-_DEPENDENCY = rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>"
 _FORMAT = rb"""<package\b[^>]*\bformat\s*=\s*["'](\d+)["']"""
 _BUILD = rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)"
 
@@ -52,7 +51,7 @@ class Manifest(Record):
     @property
     def dependencies(self) -> frozenset[str]:
         """Names of the packages in dependencies of all kinds."""
-        return _dependencies(self.data)
+        return dependencies(self.data)
 
     @property
     def dependency_tag(self) -> str:
@@ -65,11 +64,6 @@ class Manifest(Record):
         """ROS version 1 or 2 by the build system; None if none or both are declared."""
         systems = set(re.findall(_BUILD, self.data))
         return {b"catkin": 1, b"ament": 2}[systems.pop()] if len(systems) == 1 else None
-
-
-@lru_cache(maxsize=8)  # a robot may refer to a thousand missing packages
-def _dependencies(data: bytes) -> frozenset[str]:
-    return frozenset(name.decode() for _, name in re.findall(_DEPENDENCY, data))
 
 
 def manifest_of(resolver: Resolver, path: str) -> Manifest | None:

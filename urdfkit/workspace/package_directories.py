@@ -1,13 +1,16 @@
 """Names of packages by directory, and detection of repositories."""
 
 import os
+import re
 from collections.abc import Callable, Mapping
-from functools import cache
+from functools import cache, lru_cache
 
 from urdfkit.core import disk
 from urdfkit.text.comments import without_comments
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.file_head import read_head
+
+_DEPENDENCY = rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>"
 
 
 class PackageDirectories:
@@ -44,3 +47,9 @@ def _package_name(directory: str) -> str | None:
 def read_marker(directory: str, name: str) -> bytes:
     """A package.xml or manifest.xml without its comments; empty if there is none."""
     return without_comments(read_head(os.path.join(directory, name), 65_536))
+
+
+@lru_cache(maxsize=8)  # a robot may refer to a thousand missing packages
+def dependencies(data: bytes) -> frozenset[str]:
+    """Names of the packages in the dependencies of all kinds in a package.xml without comments."""
+    return frozenset(name.decode() for _, name in re.findall(_DEPENDENCY, data))

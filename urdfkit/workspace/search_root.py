@@ -9,11 +9,13 @@ the result. Upwards from the package of a file, the root is
    the repository that contains it;
 3. otherwise, as in an unpacked archive, the outermost directory, not itself a package, with a file
    that is typical of the top of a repository: ``LICENSE``, ``.gitignore``, ``urdfkit.toml``...;
-4. otherwise the package; packages next to it count if their directory contains only packages, and
+4. otherwise the directory of the package, if it contains only packages and no repository, and one
+   of them depends on another;
+5. otherwise the package; packages next to it count if their directory contains only packages, and
    no repository;
-5. for a file without a package, the directory with its ``meshes``, such as ``arm`` for
+6. for a file without a package, the directory with its ``meshes``, such as ``arm`` for
    ``arm/urdf/arm.urdf`` and ``arm/meshes``;
-6. otherwise the file's own directory.
+7. otherwise the file's own directory.
 
 Home and directories shared by many projects (``/tmp``, ``/opt``) are never a root.
 """
@@ -29,7 +31,7 @@ from urdfkit.core.memo import LIMIT
 from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.record import Record
 from urdfkit.workspace.directories import is_walked
-from urdfkit.workspace.package_directories import PackageDirectories
+from urdfkit.workspace.package_directories import PackageDirectories, dependencies, read_marker
 
 #: Depth of the search for packages in a directory next to a package.
 SIBLING_DEPTH = 2
@@ -121,7 +123,7 @@ class SearchRoots:
                     Root(directory, ".git"),
                     self._directories.is_repository(directory),
                 )
-        root = root or self._archive_root(parents)
+        root = root or self._archive_root(parents) or self._with_dependencies(start, parents)
         return root or Root(self._with_meshes(start, parents) or (parents or [start])[0], "")
 
     def _archive_root(self, parents: list[str]) -> Root | None:
@@ -136,6 +138,16 @@ class SearchRoots:
             if mark:
                 return Root(directory, mark)
         return None
+
+    def _with_dependencies(self, start: str, parents: list[str]) -> Root | None:
+        """The directory of a package, if it contains only packages, and one depends on another."""
+        if not self.enclosing(start) or len(parents) < 2 or not self._has_only_packages(parents[1]):
+            return None
+        inside = [os.path.join(parents[1], name) for name in self._directories.names_in(parents[1])]
+        packages = {name for at in inside if (name := self._directories.name_of(at))}
+        needed = (dependencies(read_marker(at, "package.xml")) for at in inside)
+        are_dependent = any(not packages.isdisjoint(names) for names in needed)
+        return Root(parents[1], "package.xml") if are_dependent else None
 
     def _with_meshes(self, start: str, parents: list[str]) -> str | None:
         """The directory of a robot that was copied without its ``package.xml``."""
