@@ -56,6 +56,29 @@ def test_an_argument_above_its_default_that_launch_files_pass(
         assert len(check(given, select=["XAC020"]).diagnostics) == count
 
 
+@pytest.mark.parametrize(
+    ("own", "base", "count"),
+    [("model", "", 0), ("other", "", 1), ("other", "model", 0), ("other", "others", 1)],
+)
+def test_an_argument_above_its_default_that_moveit_pro_passes(
+    tmp_path: Path, own: str, base: str, count: int
+) -> None:
+    """moveit_pro_example_ws: `name` is one of the `urdf_params`, also in the package below."""
+    add_file(tmp_path / "arm" / "package.xml", MANIFEST.encode())
+    add_file(tmp_path / "base" / "package.xml", MANIFEST.replace("arm", "base").encode())
+    add_file(tmp_path / "arm" / "description" / "r.xacro", EARLY.encode())
+    robot = "hardware:\n  robot_description:\n    urdf:\n      path: description/{}.xacro\n"
+    text = robot + "    urdf_params:\n      - {}: r\n"
+    extended = 'based_on_package: "base"\n' if base else ""
+    add_file(
+        tmp_path / "arm" / "config" / "config.yaml", (extended + text.format("r", own)).encode()
+    )
+    add_file(tmp_path / "base" / "config" / "config.yaml", text.format("small", base).encode())
+    assert len(check(tmp_path, select=["XAC020"]).diagnostics) == count
+    add_file(tmp_path / "arm" / "config" / "config.yaml", text.format("s", own).encode())
+    assert len(check(tmp_path, select=["XAC020"]).diagnostics) == 1  # of another robot
+
+
 @pytest.mark.parametrize(("mappings", "count"), [("{'model': model}", 0), ("{'other': 'r'}", 1)])
 def test_an_argument_above_its_default_that_is_known_at_run_time(
     tmp_path: Path, mappings: str, count: int

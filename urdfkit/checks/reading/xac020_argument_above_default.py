@@ -4,7 +4,8 @@ xacro reads from top to bottom: at the use, the default is not defined yet, and 
 "Undefined substitution argument", unless the value is passed. The usual place is the name of the
 robot in the root element. urdfkit uses the default anyway, to check the rest of the model. If each
 launch file that starts the robot passes values that are known only at run time, it is not reported;
-nor if a launch file names the robot and the argument for a function that calls xacro.
+nor if a launch file names the robot and the argument for a function that calls xacro, or the
+configuration of MoveIt Pro does.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
@@ -33,8 +34,16 @@ def check(context: Context) -> Findings:
 
 
 def _may_be_passed(context: Context, argument: str) -> bool:
-    from urdfkit.ros.launch.robot_arguments import is_handed_on, known_at_run_time  # for few robots
+    from urdfkit.ros.launch.robot_arguments import (  # for few robots
+        is_handed_on,
+        is_in_moveit_pro,
+        known_at_run_time,
+    )
 
     path, resolver = context.source.path, context.resolver
     is_unknown = bool(known_at_run_time(path, (argument,), resolver))
-    return is_unknown or is_handed_on(path, argument, resolver)
+    return (
+        is_unknown
+        or is_handed_on(path, argument, resolver)
+        or is_in_moveit_pro(path, argument, resolver)
+    )

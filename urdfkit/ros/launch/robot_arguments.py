@@ -10,6 +10,7 @@ from functools import lru_cache
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import TYPE_CHECKING
+from urdfkit.errors import PackageNotFound
 from urdfkit.ros.launch import read_launch
 from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.source import Source
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 #: A launch file that loads YAML, or includes one that does, contains one of these words.
 _LOADING = re.compile(rb"(?i)yaml|yml|include|moveit")
+#: In a configuration of MoveIt Pro, the package whose configuration it extends.
+_BASE = re.compile(rb"(?m)^based_on_package:\s*['\"]?([\w-]+)")
 
 
 class RobotArguments(Record):
@@ -116,6 +119,32 @@ def is_handed_on(robot: str, argument: str, resolver: Resolver) -> bool:
         for directory, mentioned in directories_of_launch_files(robot, resolver)
         for source in launch_files(directory, mentioned, resolver)
     )
+
+
+def is_in_moveit_pro(robot: str, argument: str, resolver: Resolver) -> bool:
+    """True if MoveIt Pro passes an argument to a robot that its package configures.
+
+    It passes the ``urdf_params`` of ``config/config.yaml``, and of the package that this is based
+    on: https://github.com/PickNikRobotics/moveit_pro_example_ws
+    """
+    package = resolver.packages.enclosing(robot)
+    config = _moveit_pro_config(package[1], resolver) if package else None
+    if not config or os.path.basename(robot).encode() not in config.data:
+        return False
+    given = re.compile(rb"(?m)^\s*-\s+%b:" % re.escape(argument.encode()))
+    if given.search(config.data):
+        return True
+    try:
+        base = resolver.package(next(iter(_BASE.findall(config.data)), b"").decode(), config.path)
+    except PackageNotFound:
+        return False
+    config = _moveit_pro_config(base, resolver)
+    return bool(config and given.search(config.data))
+
+
+def _moveit_pro_config(package: str, resolver: Resolver) -> Source | None:
+    source = resolver.readable(os.path.join(package, "config", "config.yaml"))
+    return source if source and b"robot_description:" in source.data else None
 
 
 def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, list[str]]]]:
