@@ -46,6 +46,26 @@ def test_command_interfaces_of_a_trajectory_controller(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("joints", "hardware", "count"),
+    [
+        ("[swing, slide]", GZ, 1),
+        ("[swing]", GZ, 0),
+        ("[slide]", GZ, 0),  # the controller may be for another variant
+        ("[swing, slied]", GZ, 0),  # RCT001 reports it
+        ("[swing, slide]", "acme/Motors", 0),
+    ],
+)
+def test_a_joint_that_the_hardware_lacks(
+    tmp_path: Path, joints: str, hardware: str, count: int
+) -> None:
+    text = controller("arm", joints=joints, command_interfaces="[position]")
+    found = reported(tmp_path, text, control(driven("swing"), plugin=hardware))
+    assert [(one.span.line, one.span.text) for one in found] == [(4, "slide")] * count
+    text += controller("reduced", joints="[swing]", command_interfaces="[position]")
+    assert reported(tmp_path, text, control(driven("swing"), plugin=hardware)) == []
+
+
+@pytest.mark.parametrize(
     ("kind", "names", "joint"),
     [
         ("velocity_controllers/JointGroupVelocityController", "joints", "slide"),

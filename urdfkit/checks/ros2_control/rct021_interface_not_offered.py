@@ -5,10 +5,11 @@ Add the command or state interface to the joint if the hardware has it, or confi
 without it: `position_feedback: false` or `open_loop: true` of a wheel controller,
 `state_interfaces` of a trajectory controller, `interfaces` of joint_state_broadcaster. A joint with
 command interfaces but no state interface is reported even without a controller (warning): most
-controllers do not start, and the joint is missing in the joint states. Joints without any
-`<ros2_control>` are not reported. If a file defines several controllers of a joint, one with
-available interfaces is enough: a launch file starts only some of them. In ROS 1, Gazebo offers the
-`<hardwareInterface>` of the joint's transmission.
+controllers do not start, and the joint is missing in the joint states. A joint without any
+`<ros2_control>` is reported only if the hardware offers all others of its controller. If a file
+defines several controllers of a joint, one with available interfaces is enough: a launch file
+starts only some of them. In ROS 1, Gazebo offers the `<hardwareInterface>` of the joint's
+transmission.
 
 Simulators and mock hardware offer exactly the listed interfaces. Other hardware may offer more: a
 warning, or an info if the joint lists no interface of that kind.
@@ -80,7 +81,18 @@ def _without_command(context: Context) -> Findings:
         for value in joints
         if needed and by_ros[user.ros].get(value.text, set()).issuperset(needed)
     }
+    joints_of_all = [
+        (file.path, {value.text for value in joints}) for file, _, _, joints in claimed
+    ]
     for file, user, needed, all_joints in claimed:
+        own = {value.text for value in all_joints}
+        # Another controller of joints that the hardware offers is for the robot as it is.
+        is_alternative = any(
+            path == file.path and names & own and names <= by_ros[2].keys()
+            for path, names in joints_of_all
+        )
+        if user.ros == 2 and not is_alternative:
+            yield from _forgotten(context, user, file, all_joints, needed, by_ros[2])
         joints = [value for value in all_joints if (file.path, value.text) not in served]
         free_joints = free if user.ros == 2 else frozenset()
         yield from _missing(user, file, joints, needed, by_ros[user.ros], free_joints, "command")
@@ -108,6 +120,31 @@ def _missing(
                 related=(file.note,),
                 severity=_severity(available) if value.text in free else None,
             )
+
+
+def _forgotten(
+    context: Context,
+    controller: Controller,
+    file: ParameterFile,
+    joints: list[Value],
+    needed: list[str],
+    offered: _Offered,
+) -> Findings:
+    """The one joint of a controller that no ``<ros2_control>`` has, of hardware that is known."""
+    missing = [value for value in joints if value.text not in offered]
+    others = [offered[value.text] for value in joints if value.text in offered]
+    is_served = bool(needed) and all(names.issuperset(needed) for names in others)
+    if not others or len(missing) != 1 or not is_served:
+        return
+    is_known = all(map(_offers_only_listed, components(context.model)))
+    if is_known and missing[0].text in context.model.joints_by_name:
+        yield Finding(
+            missing[0].span,
+            f"controller '{controller.name}' requires command interface {', '.join(needed)} of "
+            f"joint '{missing[0].text}', which no <ros2_control> has",
+            "add the joint to <ros2_control>, or remove it from the controller",
+            related=(file.note,),
+        )
 
 
 def _severity(listed: Collection[str]) -> Severity:
