@@ -273,6 +273,17 @@ def test_joint_is_misspelt_if_srdf_and_ros2_control_agree(
             "",
         ),
         (
+            "request_adapters: [default_planner_request_adapters/ResolveConstraintFrames]",
+            "",
+        ),
+        (
+            (
+                "planning_plugins: [ompl_interface/OMPLPlanner]\n"
+                "request_adapters: [default_planner_request_adapters/ResolveConstraintFrames]"
+            ),
+            "write default_planning_request_adapters/ResolveConstraintFrames in request_adapters",
+        ),
+        (
             "request_adapters: [default_planning_request_adapters/AddTimeOptimalParameterization]",
             (
                 "write default_planning_response_adapters/AddTimeOptimalParameterization in "

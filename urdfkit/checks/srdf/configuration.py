@@ -32,6 +32,9 @@ _OF_MOVEIT = "moveit_simple_controller_manager/MoveItSimpleControllerManager"
 #: The name of Pilz's planner in MoveIt 1.
 _PILZ_OF_ROS1 = "pilz_industrial_motion_planner::CommandPlanner"
 
+#: The package of the adapters up to Iron.
+_ADAPTERS_OF_HUMBLE = "default_planner_request_adapters"
+
 #: A projection on joints.
 _PROJECTION = re.compile(r"joints\(([^()$]*)\)")
 #: Most groups that a help names.
@@ -129,9 +132,10 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
             yield Finding(plugin.span, message, f"write {match}")
     keys = {name: key for key, names in data("moveit")["adapters"].items() for name in names}
     packages = {name.partition("/")[0] for name in keys}
-    for key, adapter, place in adapters(srdf, context.resolver):
+    for key, adapter, place, is_new in adapters(srdf, context.resolver):
         package, _, class_name = adapter.partition("/")
-        if package in packages and keys.get(adapter) != key:
+        is_known = package in packages or (is_new and package == _ADAPTERS_OF_HUMBLE)
+        if is_known and keys.get(adapter) != key:
             same = next((name for name in keys if name.endswith(f"/{class_name}")), None)
             match = same or nearest(adapter, keys, TYPO)
             message = f"{key}: unknown adapter '{adapter}'"

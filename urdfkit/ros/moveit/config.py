@@ -84,15 +84,18 @@ def planning_plugins(srdf: Srdf, resolver: Resolver) -> Iterator[Value]:
                 yield value
 
 
-def adapters(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, str, Value]]:
-    """The adapters of the planning pipelines: key of the list, name and location."""
+def adapters(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, str, Value, bool]]:
+    """The adapters of the planning pipelines: key, name, location, and whether of Jazzy.
+
+    From Jazzy on, the file has a list of planning plugins.
+    """
     for file in _PIPELINES:
         root = load_next_to(srdf, file, resolver)
         for key in ("request_adapters", "response_adapters"):
             node = root.get(key)
             for value in [node] if isinstance(node, Value) else scalars(node):
                 for name in value.text.split():
-                    yield key, name, value
+                    yield key, name, value, "planning_plugins" in root
 
 
 def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]:
