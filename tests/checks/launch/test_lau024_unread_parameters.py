@@ -92,6 +92,52 @@ def test_plugins_of_a_costmap(tmp_path: Path, plugins: str, section: str, count:
     assert len([one for one in found if "no parameters for" in one]) == count
 
 
+@pytest.mark.parametrize(
+    ("plugins", "names"),
+    [
+        ("[scan, inflation]", []),
+        ("[inflation, scan]", ["scan"]),
+        ("[inflation, map, scan]", ["map", "scan"]),
+        ("[inflation, scan, inflation]", []),
+        ("[inflation, own]", []),
+        ("[inflation, off]", []),
+    ],
+)
+def test_layers_behind_the_inflation(tmp_path: Path, plugins: str, names: list[str]) -> None:
+    yaml = COSTMAP.format(f"plugins: {plugins}") + "".join(
+        f"      {name}: {{plugin: {kind}}}\n"
+        for name, kind in (
+            ("inflation", "nav2_costmap_2d::InflationLayer"),
+            ("scan", "nav2_costmap_2d::ObstacleLayer"),
+            ("map", "nav2_costmap_2d::StaticLayer"),
+            ("own", "my_layers::Own"),
+            ("off", "nav2_costmap_2d::VoxelLayer, enabled: False"),
+        )
+    )
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    expected = [f"obstacles of '{name}' are not inflated" for name in names]
+    assert len(found) == len(expected)
+    assert all(words in one for words, one in zip(expected, found, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("values", "help", "severity"),
+    [
+        ("max_decel: [-1.0, 0.0, -2.0]", "", ""),
+        ("max_decel: [-1.0, 0.0, 2.0]", "write -2.0", "error"),
+        ("max_accel: [1.0, -0.5, 2.0]", "write 0.5", "error"),
+        ("min_velocity: [0.1, 0.0, -1.0]", "write -0.1", "warning"),
+        ("min_velocity: [0.0, 0.0, -1.0]", "", ""),
+    ],
+)
+def test_signs_of_limits(tmp_path: Path, values: str, help: str, severity: str) -> None:
+    yaml = f"velocity_smoother:\n  ros__parameters:\n    {values}\n"
+    text = PROGRAM.format(CONTROLLER, '"controller_server"')
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, {"a.yaml": yaml})
+    found = [one for one in found if "must not be" in one.message]
+    assert [(one.help, one.severity.value) for one in found] == [(help, severity)] * bool(help)
+
+
 COSTMAP = "local_costmap:\n  local_costmap:\n    ros__parameters:\n      {}\n"
 LAYER = "layer: {{plugin: {}, observation_sources: scan, scan: {{data_type: {}}}}}"
 

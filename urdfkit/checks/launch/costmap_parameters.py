@@ -19,6 +19,8 @@ _KIND = r"(Layer|Filter)s?$"
 _MIN_SIMILARITY = 0.75
 #: The classes with a slash up to Iron, and colons from Jazzy on.
 _RENAMED = re.compile(r"nav2_(?:behaviors|navfn_planner|smac_planner|theta_star_planner)(/|::)")
+_INFLATION = "InflationLayer"
+_OF_OBSTACLES = ("ObstacleLayer", "StaticLayer", "VoxelLayer")
 _DATA = ("LaserScan", "PointCloud2")
 
 
@@ -115,6 +117,33 @@ def misplaced(node: NodeParameters) -> Findings:
             f"the parameters of '{node.name}' are not read: the node is '{node.name}/{node.name}'",
             f"write {node.name} twice, the second below the first",
         )
+
+
+def not_inflated(node: NodeParameters) -> Findings:
+    """A layer of obstacles behind the inflation layer, which inflates those of earlier layers."""
+    layers = scalars(node.values.get("plugins")) if node.name in COSTMAPS else []
+    kinds = [_active_class(mapping(node.values.get(layer.text))) for layer in layers]
+    if _INFLATION not in kinds:
+        return
+    last = len(kinds) - 1 - kinds[::-1].index(_INFLATION)
+    for layer, kind in list(zip(layers, kinds, strict=True))[last + 1 :]:
+        if kind in _OF_OBSTACLES:
+            yield Finding(
+                layer.span,
+                f"'{node.name}': the obstacles of '{layer.text}' are not inflated: it stands "
+                f"behind '{layers[last].text}'",
+                f"write {layers[last].text} behind {layer.text}",
+                severity=Severity.WARNING,
+            )
+
+
+def _active_class(layer: dict[str, Node]) -> str:
+    """The class of a layer without its package; empty if unknown, or if it is disabled."""
+    plugin, enabled = layer.get("plugin"), layer.get("enabled")
+    is_disabled = isinstance(enabled, Value) and enabled.text.lower() == "false"
+    if is_disabled or not isinstance(plugin, Value):
+        return ""
+    return re.split("::|/", plugin.text)[-1]
 
 
 def _sources(layer: dict[str, Node]) -> Findings:

@@ -11,10 +11,11 @@
   the parameters of a plugin are below another name than the list has (warning).
 - A parameter of a node or plugin of Nav2, or of slam_toolbox, is misspelt (warning), or a
   required one is missing (warning): "parameter 'polygons' is not initialized". A mode or a
-  footprint is invalid, or a list has the wrong length. The classes of plugins have names of
-  different versions of Nav2 (warning), or nothing of an input of robot_localization is read
-  (warning).
-- A costmap layer has an unknown class or an unsupported `data_type`.
+  footprint is invalid, a list has the wrong length, or a limit the wrong sign. The classes of
+  plugins have names of different versions of Nav2 (warning), or nothing of an input of
+  robot_localization is read (warning).
+- A costmap layer has an unknown class or an unsupported `data_type`. Or an obstacle layer stands
+  behind the last inflation layer, which does not inflate its obstacles (warning).
 - The parameters of a costmap are not below its name twice: `local_costmap: local_costmap:`.
 - A value has another type than the declared one, such as an integer for a double: "expected
   [double] got [integer]". A list contains lists. A planner or controller of Nav2 is misspelt
@@ -119,12 +120,14 @@ def check(context: Context) -> Findings:
         yield from parameter_types.wrong_sizes(section)
         yield from parameter_names.misspelt(section)
         yield from parameter_names.invalid_values(section)
+        yield from parameter_names.wrong_signs(section)
         yield from costmap_parameters.misspelt_servers(section)
         if names.count(section.name) == 1:  # otherwise another section may complete it
             yield from costmap_parameters.plugins(section)
             yield from parameter_names.missing(section)
             yield from parameter_names.unread_inputs(section)
             yield from costmap_parameters.misplaced(section)
+            yield from costmap_parameters.not_inflated(section)
     for own in files.values():
         yield from costmap_parameters.mixed_names(own)
     yield from _lists(context)

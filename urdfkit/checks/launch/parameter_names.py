@@ -13,7 +13,7 @@ from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import GivenValue, given_values
 from urdfkit.ros.launch.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Value
+from urdfkit.text.located_yaml import Key, Value, scalars
 
 _INPUT = re.compile(r"(odom|imu|pose|twist)\d+")
 _CONFIGURED = re.compile(r"(odom|imu|pose|twist)\d+_config")
@@ -86,6 +86,24 @@ def invalid_values(node: NodeParameters) -> Findings:
         elif given.at == "footprint" and isinstance(value, Value) and not _is_footprint(value.text):
             message = f"'{node.name}': the footprint is no list of three or more points"
             yield Finding(value.span, message, 'write "[[x, y], [x, y], [x, y]]"')
+
+
+def wrong_signs(node: NodeParameters) -> Findings:
+    """Limits with the wrong sign; those of velocities stop the node only from Jazzy on."""
+    signs: dict[str, int] = data("node_parameters")["signs"].get(node.name, {})
+    for given in given_values(node):
+        sign = signs.get(given.at, 0)
+        for value in scalars(given.value) if sign else ():
+            if (number(value.text) or 0.0) * sign < 0:
+                is_negative = sign < 0
+                since = " of Jazzy and later" if "velocity" in given.at else ""
+                yield Finding(
+                    value.span,
+                    f"'{node.name}'{since} stops: {given.at} has {value.text}, must not be "
+                    f"{'positive' if is_negative else 'negative'}",
+                    f"write {'-' if is_negative else ''}{value.text.lstrip('+-')}",
+                    severity=Severity.WARNING if since else None,
+                )
 
 
 def _is_footprint(text: str) -> bool:
