@@ -41,6 +41,9 @@ _PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge")
 _SCAN_TOPIC = "scan_topic"
 _INPUT = re.compile(r"(odom|imu)\d+")
 _READ = {"odom": "Odometry", "imu": "Imu"}
+#: A node whose sources are those of a costmap, and its words for messages.
+_MONITOR = "collision_monitor"
+_MONITORED = {"scan": "LaserScan", "pointcloud": "PointCloud2", "range": "Range"}
 #: The displays of RViz that are named after their message.
 _SHOWN = ("Image", "LaserScan", "Odometry", "PointCloud2")
 
@@ -118,6 +121,8 @@ def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
     for file in context.launch.parameters:
         source = context.resolver.readable(file.path)
         for node in node_parameters(source) if source else ():
+            if node.name == _MONITOR:
+                yield from _read_by_layer(node.values, node.name, "type")
             for key, value in node.values.items():
                 match = _INPUT.fullmatch(key)
                 if match and isinstance(value, Value) and f"{key}_config" in node.values:
@@ -135,11 +140,14 @@ def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
             yield _ReadTopic(topic, started.span, "LaserScan", who, key=_SCAN_TOPIC)
 
 
-def _read_by_layer(layer: dict[str, Node], who: str) -> Iterator[_ReadTopic]:
+def _read_by_layer(
+    layer: dict[str, Node], who: str, key: str = "data_type"
+) -> Iterator[_ReadTopic]:
     for source in layer.values() if "observation_sources" in layer else ():
-        topic, message = mapping(source).get("topic"), mapping(source).get("data_type")
+        topic, message = mapping(source).get("topic"), mapping(source).get(key)
         if isinstance(topic, Value) and isinstance(message, Value):
-            yield _ReadTopic(topic.text, topic.span, message.text, who)
+            kind = _MONITORED.get(message.text, message.text)
+            yield _ReadTopic(topic.text, topic.span, kind, who)
 
 
 def _published(
