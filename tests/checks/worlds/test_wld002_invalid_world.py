@@ -95,6 +95,32 @@ def test_missing_models(tmp_path: Path) -> None:
         assert messages(tmp_path, CODE, world=include.format(name), launch=CLASSIC) == []
 
 
+PLANE = (
+    '<model name="floor">{}<link name="link"><{shape}>'
+    "<geometry><plane><normal>0 0 1</normal></plane></geometry></{shape}></link></model>"
+)
+
+
+@pytest.mark.parametrize(
+    ("state", "shape", "count"),
+    [
+        ("<static>true</static>", "collision", 0),
+        ("<static>1</static>", "collision", 0),
+        ("", "collision", 1),
+        ("<static>false</static>", "collision", 1),
+        ("", "visual", 0),
+        ('<joint name="j" type="fixed"/>', "collision", 0),  # to the world
+        ('<link name="l"><gravity>false</gravity></link>', "collision", 0),
+    ],
+)
+def test_a_ground_that_falls(tmp_path: Path, state: str, shape: str, count: int) -> None:
+    world = PLANE.format(state, shape=shape)
+    found = findings(tmp_path, CODE, world=world)
+    words = "plane of model 'floor', which is not static, falls"
+    assert [(one.span.line, one.message) for one in found] == [(3, words)] * count
+    assert findings(tmp_path, CODE, world=f"<gravity>0 0 0</gravity>{world}") == []
+
+
 def test_files_that_are_not_worlds(tmp_path: Path) -> None:
     path = tmp_path / "worlds/hall.sdf"
     reported = one(tmp_path, "<model>")

@@ -3,7 +3,8 @@
 - The file is not well-formed, or contains no `<world>`: Gazebo starts without a world (error).
 - The `<world>` has no name, or its `<max_step_size>` is not greater than 0 (error).
 - The gravity points up, an element is misspelt, which Gazebo ignores (warnings), or a link that
-  moves has no positive mass, which SDF rejects (error). Two models have the same name (warning).
+  moves has no positive mass, which SDF rejects (error). A ground plane is not static, so that it
+  falls with the robot (warning). Two models have the same name (warning).
 - A plugin of the world is for another Gazebo: `libgazebo_ros_init.so` and similar ones are for
   Gazebo Classic, `gz-sim-...-system` for gz sim. The plugin is not loaded, which Gazebo reports
   once (warning). If this applies to all plugins, the launch file starts the wrong Gazebo.
@@ -86,6 +87,7 @@ def check(context: Context) -> Findings:
             yield from _values(opened, opened.world)
             yield from _elements(opened, opened.world)
             yield from _masses(opened, opened.world)
+            yield from _falling_grounds(opened, opened.world)
             yield from _names(opened, opened.world)
             yield from _other_gazebo(opened, opened.world) or _plugins(opened, opened.world)
             yield from _includes(opened, opened.world, models)
@@ -171,15 +173,38 @@ def _names(opened: OpenedWorld, world: World) -> Findings:
 def _masses(opened: OpenedWorld, world: World) -> Findings:
     """Links of models that move, without a positive mass."""
     for model in world.at.all("model"):
-        static = model.child("static")
-        is_static = static is not None and static.text.strip().lower() in ("1", "true")
-        for link in () if is_static else model.all("link"):
+        for link in () if _is_static(model) else model.all("link"):
             inertial = link.child("inertial")
             mass = inertial.child("mass") if inertial is not None else None
             value = number(mass.text.strip()) if mass is not None else None
             if mass is not None and value is not None and value <= 0:
                 message = f"<mass> is {value:g} kg, must be > 0: SDF rejects the link"
                 yield Finding(mass, message, "write the mass in kg", related=opened.note)
+
+
+def _falling_grounds(opened: OpenedWorld, world: World) -> Findings:
+    """A ground that is not static, and no joint holds: it falls, and the robot with it."""
+    gravity = world.at.child("gravity")
+    is_weightless = gravity is not None and not any(numbers(gravity.text) or ())
+    for model in () if is_weightless else world.at.all("model"):
+        links = list(model.all("link"))
+        is_held = model.child("joint") is not None or any(
+            link.child("gravity") is not None for link in links
+        )
+        if _is_static(model) or is_held:
+            continue
+        collisions = (part for link in links for part in link.all("collision"))
+        shapes = [shape for part in collisions for shape in part.all("geometry")]
+        if any(shape.child("plane") is not None for shape in shapes):
+            message = f"plane of model '{model.get('name') or ''}', which is not static, falls"
+            help = "add <static>true</static>"
+            severity = Severity.WARNING
+            yield Finding(model, message, help, related=opened.note, severity=severity)
+
+
+def _is_static(model: Element) -> bool:
+    static = model.child("static")
+    return static is not None and static.text.strip().lower() in ("1", "true")
 
 
 def _other_gazebo(opened: OpenedWorld, world: World) -> list[Finding]:
