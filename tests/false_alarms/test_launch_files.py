@@ -308,6 +308,33 @@ def test_quotes_around_the_configuration_of_rviz(
     assert len(reported(tmp_path / "arm", "LAU003", "a.launch", text)) == count
 
 
+@pytest.mark.parametrize(
+    ("package", "suffix", "count"),
+    [("astra_camera", "_link", 0), ("astra_camera", "_frame", 1), ("tf2_ros", "_link", 1)],
+)
+def test_a_driver_in_the_workspace_that_composes_its_frames(
+    tmp_path: Path, package: str, suffix: str, count: int
+) -> None:
+    """astra_camera, next to the robot: camera_name + "_link" is a frame of the camera."""
+    files = {
+        "robot.urdf": '<robot name="r"><link name="base"/></robot>',
+        "launch/robot.launch.xml": (
+            '<launch><node pkg="robot_state_publisher" exec="robot_state_publisher">'
+            '<param name="robot_description" value="$(command \'cat $(dirname)/../robot.urdf\')"/>'
+            "</node></launch>"
+        ),
+    }
+    driver = add_package(tmp_path / "astra_camera", "astra_camera")
+    add_file(driver / "src/camera.cpp", f'frame_ = camera_name_ + "{suffix}";'.encode())
+    text = (
+        f'<node pkg="{package}" exec="camera"/><node pkg="tf2_ros" '
+        'exec="static_transform_publisher" args="0 0 0 0 0 0 camera1_link camera2_link"/>'
+    )
+    found = reported(tmp_path / "arm", "LAU023", "a.launch.xml", text, files)
+    parent = "parent 'camera1_link' of the static transform is not a link of the robot"
+    assert [one.message for one in found] == [parent] * count  # its child is no suggestion
+
+
 @pytest.mark.parametrize(("package", "count"), [("realsense2_camera", 0), ("arm", 1)])
 def test_a_camera_that_names_its_frames_itself(tmp_path: Path, package: str, count: int) -> None:
     """realsense-ros in the workspace of a Go2: its driver makes camera1_link from camera_name."""

@@ -19,7 +19,8 @@ Checked are:
   `odom_frame` that equals another frame: the filter stops ("Invalid frame configuration!").
 
 The robots are those of the launch file, otherwise those of the other launch files of the workspace.
-Frames that a program of the workspace names are not reported.
+Frames that a program of the workspace names are not reported; nor, in the launch file of a driver,
+parents whose last word its program appends.
 
 Sources:
     REP 105, coordinate frames: https://www.ros.org/reps/rep-0105.html
@@ -29,7 +30,7 @@ Sources:
     RViz, frame_manager.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_common/src/rviz_common/frame_manager.cpp
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
@@ -106,10 +107,24 @@ def check(context: Context) -> Findings:
         if not _may_have_other_publishers(context):
             parents = dict(_unknown_parents(launch, known, _links_of_robots(context, (launch,))))
         words = {frame.name for frame in unknown} | parents.keys()
+        suffixes = _suffixes(parents, launch)
+        words = words.union(suffixes.values())
         elsewhere = strings_in_programs(words, context.source.path, context.resolver)
         yield from (_finding(frame, known) for frame in unknown if frame.name not in elsewhere)
-        yield from (finding for name, finding in parents.items() if name not in elsewhere)
+        yield from (
+            finding
+            for name, finding in parents.items()
+            if elsewhere.isdisjoint((name, suffixes.get(name, name)))
+        )
     yield from _wrong_filter_frames(context)
+
+
+def _suffixes(names: Iterable[str], launch: Launch) -> dict[str, str]:
+    """What a driver of the workspace may append to its own name: ``_link`` of ``camera1_link``."""
+    has_driver = any(node.package and not comes_with_ros(node.package) for node in launch.programs)
+    if launch.descriptions or not has_driver:
+        return {}
+    return {name: "_" + name.rpartition("_")[2] for name in names if "_" in name}
 
 
 def _is_in_namespace(frame: NamedFrame, launch: Launch, last_words: set[str]) -> bool:
@@ -261,7 +276,7 @@ def _unknown_parents(
         # Gazebo's plugins publish frames as MODEL/FRAME.
         if name and name.rpartition("/")[2] not in known and child not in of_robot:
             message = f"parent '{name}' of the static transform is not a link of the robot"
-            message += did_you_mean(name, known)
+            message += did_you_mean(name, known - {child})
             help = f"name a frame that is published: {few(sorted(known - _WELL_KNOWN), _MAX_NAMED)}"
             yield name, Finding(Location(transform.parent.span, node.frame), message, help)
 
