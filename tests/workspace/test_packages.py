@@ -227,6 +227,12 @@ def test_packages_that_depend_on_one_another_are_a_workspace(tmp_path: Path) -> 
     text = "<package><name>hand</name><exec_depend>arm</exec_depend></package>"
     (workspace / "hand" / "package.xml").write_text(text)
     assert {root(robot) for robot in robots} == {(str(workspace), "package.xml")}
+    foot = add_package(workspace / "examples" / "foot", "foot")
+    assert {root(robot)[1] for robot in robots} == {""}  # of another repository
+    (foot / "package.xml").write_text(text.replace("hand", "foot"))
+    for robot in (*robots, foot / "foot.urdf"):
+        assert root(robot) == (str(workspace), "package.xml")
+    assert first(finder(), "foot", robots[0]) == str(foot)
 
 
 @pytest.mark.parametrize("other", ["repository/foot/package.xml", "hand/.git/HEAD"])

@@ -9,8 +9,8 @@ the result. Upwards from the package of a file, the root is
    the repository that contains it;
 3. otherwise, as in an unpacked archive, the outermost directory, not itself a package, with a file
    that is typical of the top of a repository: ``LICENSE``, ``.gitignore``, ``urdfkit.toml``...;
-4. otherwise the directory of the package, if it contains only packages and no repository, and one
-   of them depends on another;
+4. otherwise the outermost directory around it with several packages and no repository, if one of
+   them depends on another, as does one in each subdirectory of packages;
 5. otherwise the package; packages next to it count if their directory contains only packages, and
    no repository;
 6. for a file without a package, the directory with its ``meshes``, such as ``arm`` for
@@ -140,14 +140,31 @@ class SearchRoots:
         return None
 
     def _with_dependencies(self, start: str, parents: list[str]) -> Root | None:
-        """The directory of a package, if it contains only packages, and one depends on another."""
-        if not self.enclosing(start) or len(parents) < 2 or not self._has_only_packages(parents[1]):
+        """The outermost directory of packages, if they are not those of unrelated repositories."""
+        if not self.enclosing(start):
             return None
-        inside = [os.path.join(parents[1], name) for name in self._directories.names_in(parents[1])]
-        packages = {name for at in inside if (name := self._directories.name_of(at))}
-        needed = (dependencies(read_marker(at, "package.xml")) for at in inside)
-        are_dependent = any(not packages.isdisjoint(names) for names in needed)
-        return Root(parents[1], "package.xml") if are_dependent else None
+        directories = reversed(parents[1 : 1 + SIBLING_DEPTH])
+        found = next(filter(self._has_dependent_packages, directories), None)
+        return Root(found, "package.xml") if found else None
+
+    def _has_dependent_packages(self, directory: str) -> bool:
+        """True if a package depends on another one, as does each subdirectory of packages."""
+        groups = self._packages_below(directory)
+        needed = [
+            {name for at in group.values() for name in dependencies(read_marker(at, "package.xml"))}
+            for group in groups
+        ]
+        dependent = [
+            any(
+                other is not group and not (needs.isdisjoint(other) and others.isdisjoint(group))
+                for other, others in zip(groups, needed, strict=True)
+            )
+            for group, needs in zip(groups, needed, strict=True)
+        ]
+        return any(dependent) and all(
+            is_dependent or directory in map(os.path.dirname, group.values())
+            for group, is_dependent in zip(groups, dependent, strict=True)
+        )
 
     def _with_meshes(self, start: str, parents: list[str]) -> str | None:
         """The directory of a robot that was copied without its ``package.xml``."""
@@ -174,18 +191,26 @@ class SearchRoots:
 
     def _has_only_packages(self, directory: str) -> bool:
         """True for a directory of several packages without nested packages or repositories."""
+        groups = self._packages_below(directory)
+        return bool(groups) and all(
+            os.path.dirname(at) == directory for group in groups for at in group.values()
+        )
+
+    def _packages_below(self, directory: str) -> list[dict[str, str]]:
+        """The packages of each subdirectory that has some; none of a directory of repositories."""
         names = self._directories.names_in(directory).items()
         inside = [os.path.join(directory, n) for n, is_dir in names if is_dir and is_walked(n)]
-        others = [at for at in inside if not self._directories.name_of(at)]
-        if len(inside) - len(others) < 2 or any(
-            ".git" in self._directories.names_in(at) for at in inside
-        ):
-            return False
+        itself = {at: name for at in inside if (name := self._directories.name_of(at))}
+        if len(itself) < 2 or any(".git" in self._directories.names_in(at) for at in inside):
+            return []
         from urdfkit.workspace.package_scan import PackageScan
 
-        return not any(
-            PackageScan(self._directories, at, SIBLING_DEPTH, nested=False).all() for at in others
+        others = (
+            PackageScan(self._directories, at, SIBLING_DEPTH, nested=False).all()
+            for at in inside
+            if at not in itself
         )
+        return [*({name: at} for at, name in itself.items()), *filter(None, others)]
 
 
 def _shared_directories(environment: Mapping[str, str]) -> frozenset[str]:
