@@ -22,7 +22,8 @@
   workspace defines, while another controller commands its joints; or a controller with other joints
   than in ros2_control, which rejects each trajectory ("Joints on incoming trajectory don't match
   the controller joints"; fixed, mimic, passive and virtual joints are ignored); or with another
-  type or action ("Action client not connected").
+  type or action ("Action client not connected"). Or no launch file names the controller, while a
+  spawner loads another one of the file (warning).
 - In the file of MoveIt Servo, an unknown group or frame, or the topic of a controller that is not
   defined (warning): the robot does not follow the commands.
 

@@ -9,15 +9,24 @@ from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog import data
 from urdfkit.ros.controllers import Controller, read
+from urdfkit.ros.launch import spawned_controllers
+from urdfkit.ros.launch.contents import Word
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.spawned_controllers import MANAGER
 from urdfkit.ros.moveit.config import controller_entries
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, scalars
+from urdfkit.workspace.launch_files import MAX_FILES, launch_files
 from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: Most files of the workspace that are read, and directories that are searched.
 _MAX_FILES, _MAX_DIRECTORIES = 500, 1000
 #: Least number of joints of a chain of which one is forgotten.
 _LEAST_JOINTS = 3
+#: Functions of MoveIt that spawn all of its controllers.
+_SPAWNING_ALL = (b"generate_spawn_controllers", b"generate_demo_launch")
 _TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 
 
@@ -40,6 +49,7 @@ def mismatched_controllers(context: Context, srdf: Srdf) -> Findings:
         yield from _action(key, entry, same)
         yield from _other_joints(key, entry, same, _omitted_joints(context.model, srdf))
     yield from _uncommanded(context.model, srdf, entries)
+    yield from _not_spawned(context, srdf, [key for key, _ in entries if key.strip("/") in defined])
 
 
 def _undefined(
@@ -86,6 +96,44 @@ def _uncommanded(
                 f"add '{joint}' to its joints",
                 severity=Severity.WARNING,
             )
+
+
+def _not_spawned(context: Context, srdf: Srdf, keys: list[Key]) -> Findings:
+    """A controller that no launch file of the workspace names, while a spawner loads another."""
+    directory = context.resolver.packages.workspace(srdf.path)
+    if context.resolver.packages.workspace(context.source.path) != directory:
+        return
+    texts = [source.data for source in launch_files(directory, "", context.resolver)]
+    is_whole = len(texts) < MAX_FILES
+    if not is_whole or any(mark in text for text in texts for mark in _SPAWNING_ALL):
+        return
+    unnamed = [key for key in keys if not any(key.strip("/").encode() in text for text in texts)]
+    spawned = _spawned(srdf.path, context.resolver) if unnamed else {}
+    other = next((spawned[key] for key in keys if key in spawned), None)
+    if other is None:
+        return
+    for key in unnamed:
+        yield Finding(
+            key.span,
+            f"no launch file of the workspace spawns controller '{key}': MoveIt cannot connect to "
+            "its action",
+            f"spawn '{key}', too",
+            related=(Related(other.span, f"controller '{other.text}' is spawned here"),),
+            severity=Severity.WARNING,
+        )
+
+
+def _spawned(path: str, resolver: Resolver) -> dict[str, Word]:
+    """The controllers that the launch files of a workspace spawn; empty if some are unknown."""
+    launches = launches_of_workspace(path, resolver)
+    packages = [package for launch in launches for package in launch.packages]
+    programs = [program for launch in launches for program in launch.programs]
+    spawners = [program for program in programs if program.package in (MANAGER, "")]
+    is_whole = all(each.searched is None or comes_with_ros(each.name) for each in packages)
+    if not is_whole or any(word.text is None for node in spawners for word in node.words):
+        return {}
+    words = chain.from_iterable(map(spawned_controllers.controllers, spawners))
+    return {word.text: word for word in words if word.text}
 
 
 def _omitted_joints(model: RobotModel, srdf: Srdf) -> set[str]:

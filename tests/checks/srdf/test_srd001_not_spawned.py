@@ -1,0 +1,62 @@
+"""SRD001: a controller of MoveIt that no launch file spawns."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.workspaces import add_file
+from urdfkit import check
+
+MANIFEST = b"""<package format="3"><name>p</name>
+<export><build_type>ament_cmake</build_type></export></package>"""
+ROBOT = b"""<robot name='r'><link name='base'/><link name='l'/><link name='f'/>
+<joint name='j' type='continuous'><parent link='base'/><child link='l'/></joint>
+<joint name='g' type='continuous'><parent link='l'/><child link='f'/></joint></robot>"""
+SRDF = b"<robot name='r'><group name='arm'><joint name='j'/></group></robot>"
+MOVEIT = b"""\
+moveit_simple_controller_manager:
+  controller_names: [arm, hand]
+  arm:
+    {type: FollowJointTrajectory, action_ns: follow_joint_trajectory, joints: [j]}
+  hand:
+    {type: FollowJointTrajectory, action_ns: follow_joint_trajectory, joints: [g]}
+"""
+CONTROL = """\
+controller_manager:
+  ros__parameters:
+    arm: {{type: joint_trajectory_controller/JointTrajectoryController}}
+    {}: {{type: joint_trajectory_controller/JointTrajectoryController}}
+"""
+SPAWNER = "Node(package='controller_manager', executable='spawner', arguments=[{}])\n"
+DRIVER = """
+IncludeLaunchDescription(PythonLaunchDescriptionSource(
+    get_package_share_directory('acme_driver') + '/launch/driver.launch.py'))
+"""
+ARM = SPAWNER.format("'arm'")
+
+
+@pytest.mark.parametrize(
+    ("launch", "defined", "count"),
+    [
+        (ARM, "hand", 1),
+        (SPAWNER.format("'arm', 'hand'"), "hand", 0),
+        (ARM + SPAWNER.format("'hand'"), "hand", 0),
+        (ARM + "# spawn hand by hand\n", "hand", 0),
+        (ARM + SPAWNER.format("os.environ['HELD']"), "hand", 0),
+        (ARM + "generate_demo_launch(config)\n", "hand", 0),
+        (ARM + DRIVER, "hand", 0),
+        (SPAWNER.format("'joints'"), "hand", 0),  # the spawner of another robot
+        (ARM, "other", 0),  # a driver may serve it
+    ],
+)
+def test_a_controller_that_nothing_spawns(
+    tmp_path: Path, launch: str, defined: str, count: int
+) -> None:
+    add_file(tmp_path / "package.xml", MANIFEST)
+    path = add_file(tmp_path / "r.urdf", ROBOT)
+    add_file(tmp_path / "config" / "r.srdf", SRDF)
+    add_file(tmp_path / "config" / "moveit_controllers.yaml", MOVEIT)
+    add_file(tmp_path / "config" / "ros2_controllers.yaml", CONTROL.format(defined).encode())
+    add_file(tmp_path / "launch" / "r.launch.py", launch.encode())
+    found = check(path, select=["SRD001"]).diagnostics
+    assert [(one.span.line, one.span.text) for one in found] == [(5, "hand")] * count
