@@ -108,6 +108,20 @@ def test_a_sensor_on_another_topic(tmp_path: Path, words: list[str], count: int)
     assert all(one.help == "write /scan" for one in found)
 
 
+@pytest.mark.parametrize(
+    ("topic", "right"), [("camera/points", "/depth/points"), ("scan/pints", "/scan/points")]
+)
+def test_points_are_of_the_sensor_that_is_not_bridged(
+    tmp_path: Path, topic: str, right: str
+) -> None:
+    camera = '<sensor name="eye" type="rgbd_camera"><topic>depth</topic></sensor></gazebo></robot>'
+    robot = ROBOT.replace("</gazebo></robot>", camera)
+    scan = "/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan"
+    points = f"/{topic}@sensor_msgs/msg/PointCloud2[gz.msgs.PointCloudPacked"
+    (found,) = of_words(tmp_path, scan, points, files={"r.urdf": robot})
+    assert found.help == f"write {right}"
+
+
 def test_quotes_are_part_of_a_topic(tmp_path: Path) -> None:
     quoted = ROBOT.replace("<topic>scan<", "<topic>'scan'<")
     word = "/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan"

@@ -185,6 +185,7 @@ def _unused(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
     others = set(_topics_of_other_arguments(context))
     unnamed: set[str] = set()
     unbridged = [gz for gz in of_robot if not any(map(gz.is_called, passed))]
+    served = {gz.who for gz in of_robot if any(map(gz.is_called, passed))}
     for topic, frame in bridged:
         own = [known for known in (*of_robot, *_OF_GAZEBO) if known.is_called(topic.topic)]
         only = {FROM_GAZEBO: True, TO_GAZEBO: False}.get(topic.direction)
@@ -200,7 +201,7 @@ def _unused(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
         waiting = [gz for gz in unbridged if gz.message == kind and gz.is_read is not only]
         at = Location(topic.at("gz_topic_name", "topic_name", "ros_topic_name"), frame)
         if not own and waiting:
-            other = _nearest(topic.topic, waiting)
+            other = _nearest(topic.topic, waiting, served)
             if other.is_unnamed and other.who in unnamed:
                 continue  # a <topic> in this sensor names both topics
             unnamed.add(other.who)
@@ -236,8 +237,11 @@ def _is_bare(path: str, context: Context) -> bool:
     return world is not None and not is_foreign and len(plugins) == len(world.plugins)
 
 
-def _nearest(topic: str, waiting: list[GazeboTopic]) -> GazeboTopic:
-    known = {gz.name: gz for gz in waiting}
+def _nearest(topic: str, waiting: list[GazeboTopic], served: set[str]) -> GazeboTopic:
+    """The most similar topic; a lidar whose scan is bridged also has points, which few bridge."""
+    first = topic.strip("/").partition("/")[0]
+    likely = [gz for gz in waiting if gz.who not in served or gz.name.startswith(f"{first}/")]
+    known = {gz.name: gz for gz in likely or waiting}
     return known[nearest(topic.strip("/"), known, 0) or next(iter(known))]
 
 
