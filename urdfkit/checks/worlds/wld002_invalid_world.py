@@ -197,9 +197,13 @@ def _falling_grounds(opened: OpenedWorld, world: World) -> Findings:
         shapes = [shape for part in collisions for shape in part.all("geometry")]
         if any(shape.child("plane") is not None for shape in shapes):
             message = f"plane of model '{model.get('name') or ''}', which is not static, falls"
-            help = "add <static>true</static>"
-            severity = Severity.WARNING
-            yield Finding(model, message, help, related=opened.note, severity=severity)
+            yield Finding(
+                model.child_or_self("static"),
+                message,
+                "write <static>true</static>",
+                related=opened.note,
+                severity=Severity.WARNING,
+            )
 
 
 def _is_static(model: Element) -> bool:
