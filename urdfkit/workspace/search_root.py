@@ -24,6 +24,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache
 
@@ -77,6 +78,11 @@ class SearchRoots:
         #: The directories that are scanned for packages from a directory, innermost first.
         self.levels: Callable[[str], tuple[ScannedDirectory, ...]]
         self.levels = lru_cache(LIMIT)(self._find_levels)
+        #: True if a package depends on another one, as does each subdirectory of packages.
+        self._has_dependent_packages: Callable[[str], bool]
+        self._has_dependent_packages = lru_cache(LIMIT)(self._find_dependent_packages)
+        self._packages_below: Callable[[str], list[dict[str, str]]]
+        self._packages_below = lru_cache(LIMIT)(self._find_packages_below)
 
     def enclosing(self, start: str) -> tuple[str, str] | None:
         """Name and directory of the innermost package that contains a directory."""
@@ -147,23 +153,23 @@ class SearchRoots:
         found = next(filter(self._has_dependent_packages, directories), None)
         return Root(found, "package.xml") if found else None
 
-    def _has_dependent_packages(self, directory: str) -> bool:
-        """True if a package depends on another one, as does each subdirectory of packages."""
+    def _find_dependent_packages(self, directory: str) -> bool:
         groups = self._packages_below(directory)
-        needed = [
+        needs = [
             {name for at in group.values() for name in dependencies(read_marker(at, "package.xml"))}
             for group in groups
         ]
-        dependent = [
-            any(
-                other is not group and not (needs.isdisjoint(other) and others.isdisjoint(group))
-                for other, others in zip(groups, needed, strict=True)
-            )
-            for group, needs in zip(groups, needed, strict=True)
-        ]
+        owners = Counter(name for group in groups for name in group)
+        users = Counter(name for names in needs for name in names)
+
+        def is_dependent(group: dict[str, str], names: set[str]) -> bool:
+            needs_another = any(owners[name] > (name in group) for name in names)
+            return needs_another or any(users[name] > (name in names) for name in group)
+
+        dependent = list(map(is_dependent, groups, needs))
         return any(dependent) and all(
-            is_dependent or directory in map(os.path.dirname, group.values())
-            for group, is_dependent in zip(groups, dependent, strict=True)
+            is_joined or directory in map(os.path.dirname, group.values())
+            for group, is_joined in zip(groups, dependent, strict=True)
         )
 
     def _with_meshes(self, start: str, parents: list[str]) -> str | None:
@@ -196,7 +202,7 @@ class SearchRoots:
             os.path.dirname(at) == directory for group in groups for at in group.values()
         )
 
-    def _packages_below(self, directory: str) -> list[dict[str, str]]:
+    def _find_packages_below(self, directory: str) -> list[dict[str, str]]:
         """The packages of each subdirectory that has some; none of a directory of repositories."""
         names = self._directories.names_in(directory).items()
         inside = [os.path.join(directory, n) for n, is_dir in names if is_dir and is_walked(n)]
