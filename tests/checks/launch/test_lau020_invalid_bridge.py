@@ -249,3 +249,20 @@ def test_two_topics_on_one(tmp_path: Path, ros: str, gz: str, count: int) -> Non
     text = NODE.format(f"parameters=[{{'config_file': '{tmp_path}/b.yaml'}}]")
     found = reported(tmp_path, "LAU020", "a.launch.py", text, {"b.yaml": yaml})
     assert ["are both published on 'image'" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("contents", "count"),
+    [
+        ("parameters=[{'config': 'b.yaml', 'use_sim_time': True}]", 1),
+        ("parameters=[{'config_file': 'b.yaml'}]", 0),
+        ("parameters=[{'bridge_names': ['a']}]", 0),
+        ("parameters=['bridge.yaml']", 0),
+        ("parameters=[settings()]", 0),
+        ("parameters=[{'lazy': True}], arguments=['/a@std_msgs/msg/Bool@gz.msgs.Boolean']", 0),
+        ("parameters=[{'lazy': True}], arguments=words()", 0),
+    ],
+)
+def test_a_bridge_without_topics(tmp_path: Path, contents: str, count: int) -> None:
+    found = reported(tmp_path, "LAU020", "a.launch.py", NODE.format(contents))
+    assert ["has no topics" in one.message for one in found] == [True] * count

@@ -14,6 +14,7 @@ Reported as a warning:
   is not bridged. The topics of `image_bridge` of ros_gz_image are images. A sensor without
   `<topic>` publishes below `/world/NAME/model/NAME/link/...`; the `camera_info` of a camera is next
   to its images. A topic that the xacro has with other arguments is not reported.
+- The bridge has parameters, but neither `config_file` nor topics as arguments.
 - The topic is bridged only in the wrong direction, such as `/clock` to Gazebo.
 - Two topics of sensors are bridged to one topic of ROS: images of two cameras alternate on it.
 - No sensor or system of the robot uses the message type, and the world contains no other model
@@ -54,6 +55,7 @@ from urdfkit.ros.launch.bridges import (
     all_messages,
     bridged_topics,
     gazebo_messages,
+    is_bridge,
     ros_messages,
     ros_types,
 )
@@ -87,6 +89,8 @@ _OF_ROBOTS = (
 
 #: Messages of a single sensor.
 _OF_SENSORS = ("CameraInfo", "Image", "Imu", "LaserScan", "PointCloud2")
+#: Parameters of the bridge that name its topics.
+_OF_TOPICS = ("bridge_names", "config_file")
 #: A topic in a tag, such as ``<odom_topic>``, or in an argument of a macro.
 _TOPIC = rb"""<\w*topic\w*>\s*([\w/.-]+)\s*<|\b\w*topic\w*\s*=\s*["']([\w/.-]+)["']"""
 
@@ -95,6 +99,7 @@ _TOPIC = rb"""<\w*topic\w*>\s*([\w/.-]+)\s*<|\b\w*topic\w*\s*=\s*["']([\w/.-]+)[
 def check(context: Context) -> Findings:
     for started in context.launch.programs:
         yield from _merged(started, context)
+        yield from _without_topics(started)
     bridged = [
         (topic, started.frame)
         for started in context.launch.programs
@@ -110,6 +115,18 @@ def check(context: Context) -> Findings:
                 at = Location(span, frame)
                 yield Finding(at, message, f"write {suggested}", severity=Severity.WARNING)
     yield from _unused(context, bridged)
+
+
+def _without_topics(started: StartedProgram) -> Findings:
+    """A bridge with parameters, none of which names topics."""
+    given = started.parameters.every
+    is_bare = started.executable == "parameter_bridge" and not started.words
+    names = {*(given or ()), *started.parameters.lists}
+    if given and is_bare and is_bridge(started) and names.isdisjoint(_OF_TOPICS):
+        message = "the bridge has no topics: neither arguments nor config_file"
+        help = 'write {"config_file": PATH} in its parameters'
+        at = Location(started.span, started.frame)
+        yield Finding(at, message, help, severity=Severity.WARNING)
 
 
 def _merged(started: StartedProgram, context: Context) -> Findings:
