@@ -49,7 +49,7 @@ def test_one_moment_that_does_not_go_with_the_others(
 ) -> None:
     tensor = impossible(moments, shape("collision", BOX)).tensor
     assert tensor is not None
-    expected = Tensor(*moments[:5], izz) if izz else Tensor(0.1, 0, 0, 0.05, 0, 0.13)
+    expected = (*moments[:5], izz) if izz else (0.1, 0, 0, 0.05, 0, 0.13)
     assert tensor == pytest.approx(expected, rel=1e-3)
 
 
