@@ -65,14 +65,18 @@ def test_several_robots_in_processes(
     assert found(capsys) == [("SIM001", "error", 8)]
 
 
-def test_a_robot_that_cannot_be_simulated_is_skipped(
+def test_a_robot_that_cannot_be_simulated_is_a_finding(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "gone.urdf"
     mesh = '<collision><geometry><mesh filename="gone.stl"/></geometry></collision>'
     file.write_text(whole_robot(GOOD).replace("</link>", f"{mesh}</link>", 1))
-    assert main([*CHECK, str(file), "--simulate", "--select", "SIM", "--format", "json"]) == 0
-    skipped = json.loads(capsys.readouterr().out)["skipped"]
+    assert main([*CHECK, str(file), "--simulate", "--select", "SIM", "--format", "json"]) == 1
+    report = json.loads(capsys.readouterr().out)
+    (unchecked,) = report["diagnostics"]
+    message = "robot not simulated: mesh files of collisions are missing"
+    assert (unchecked["code"], unchecked["message"]) == ("CFG003", message)
+    skipped = report["skipped"]
     assert [one["code"] for one in skipped] == ["SIM001", "SIM002", "SIM003", "SIM004"]
     reason = "not simulated: mesh files of collisions are missing"
     assert {one["reason"] for one in skipped} == {reason}

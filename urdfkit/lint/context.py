@@ -334,20 +334,19 @@ class Context(DescriptionFile):
         """
         return dynamics_of(self.tree)
 
-    @property
-    def simulates(self) -> bool:
-        """True if the check simulates the robot."""
-        return self._simulate is not None
-
     @cached_property
     def simulation(self) -> Simulation | None:
-        """The results of simulations of the robot; None if the check does not simulate.
+        """The results of simulations; None if the check makes none, or of a part of a robot.
 
         Raises:
             Unavailable: the robot cannot be simulated.
         """
-        if self._simulate is None:
+        if self._simulate is None or self.is_part or not self.tree.is_sound:
             return None
+        bodies = [body for link in self.model.links for body in link.collisions]
+        names = [body.shape.filename for body in bodies if body.shape and body.shape.filename]
+        if any(self.files.locate(name).path is None for name in names):
+            raise Unavailable("not simulated: mesh files of collisions are missing")
         try:
             return self._simulate(self)
         except UrdfkitError as error:

@@ -72,7 +72,9 @@ def run_rules(
         is_unexplained = needs_arguments or not run.explains_failure()
         is_for_launch = others and {*map(rule_index.family_of, others)} <= LAUNCH_FAMILIES
         is_unchecked = is_unexplained and not (context.is_readable or is_for_launch)
-        if is_unchecked or context.unchecked:
+        simulating = rule_index.of_family("simulation")
+        may_not_simulate = context.is_readable and not simulating.isdisjoint(others)
+        if is_unchecked or context.unchecked or may_not_simulate:
             run.rules([rule_index.NOT_CHECKED])
             context.run = context.run._replace(diagnostics=tuple(run.diagnostics))
     if run.ignores:

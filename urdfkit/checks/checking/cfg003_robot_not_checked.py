@@ -5,7 +5,8 @@ this check is configured to ignore. The robot was not checked, and a report with
 hide that. Single values of an argument are reported, too: values beyond the first 16, and names of
 directories with which the robot does not expand. So this rule runs with any `--select`; `--ignore
 CFG003`, an ignore comment above the root element and `per-file-ignores` accept robots that are not
-checked. A directory that has launch files or macros, but no robot, is reported in the same way.
+checked. A directory that has launch files or macros, but no robot, is reported in the same way, and
+so is a robot that cannot be simulated, with `--simulate`.
 
 Values for arguments are read from the launch files of the package and of the workspace, from the
 choices and defaults that launch files declare under the same name, from defaults in the files
@@ -17,6 +18,7 @@ as in `config/$(arg ur_type)/limits.yaml`. If there are none, write them in `urd
     arguments.prefix = "left_"
 """
 
+from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.source import Span
@@ -36,6 +38,8 @@ def check(context: Context) -> Findings:
             "list the robot's variants in urdfkit.toml, under [[robot]]",
             group_key=one.name,
         )
+    if context.is_readable:
+        yield from _not_simulated(context)
     # A part of a robot is checked with the file that includes it, which XAC001 reports.
     if context.reading.document is not None or context.reading.is_fragment:
         return
@@ -50,6 +54,14 @@ def check(context: Context) -> Findings:
             Related(one.span, f"argument '{one.argument}'") for one in context.reading.lacking
         ),
     )
+
+
+def _not_simulated(context: Context) -> Findings:
+    try:
+        _ = context.simulation
+    except Unavailable as error:
+        help = "correct what is named, or check without --simulate"
+        yield Finding(_top(context), f"robot {error}", help)
 
 
 def _top(context: Context) -> Span:
