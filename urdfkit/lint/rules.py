@@ -21,7 +21,7 @@ from urdfkit.text.document import Attribute, Element, Location
 from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.robot.model import Placed
+    from urdfkit.robot.placed import Placed
     from urdfkit.xacro.origin import DataPlaces
 
 #: Imported by the file of a rule, next to the modules of its subject.

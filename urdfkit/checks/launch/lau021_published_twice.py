@@ -29,7 +29,7 @@ from math import dist
 from urdfkit.checks.launch import duplicate_programs
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
