@@ -7,7 +7,7 @@ import pytest
 from tests.meshed import SOUND
 from urdfkit import check
 from urdfkit.lint.grouping import grouped
-from urdfkit.text.diagnostic import Diagnostic
+from urdfkit.text.diagnostic import Diagnostic, Severity
 
 URDF = """\
 <robot name="r"><link name="a"><visual><geometry><mesh filename="{file}"/></geometry></visual>
@@ -71,6 +71,17 @@ def test_a_package_that_the_build_copies_from_several_directories(tmp_path: Path
     # Another package that lacks the file is not that build.
     package(tmp_path / "other", "other", "meshes/e.stl")
     assert robot(tmp_path / "other/urdf/r.urdf", "package://arm/meshes/e.stl")
+
+
+def test_a_mesh_that_the_build_unpacks(tmp_path: Path) -> None:
+    """ben_description: the repository has models/meshes/BEN_shell.dae.gz."""
+    package(tmp_path, "boat")
+    unpack = "execute_process(COMMAND gunzip -k ${PROJECT_SOURCE_DIR}/meshes/hull.dae.gz)\n"
+    (tmp_path / "CMakeLists.txt").write_text(f"project(boat)\n{unpack}")
+    (found,) = robot(tmp_path / "urdf" / "r.urdf", "package://boat/meshes/hull.dae")
+    assert (found.severity, found.help) == (Severity.INFO, "build the workspace")
+    (lost,) = robot(tmp_path / "urdf" / "r.urdf", "package://boat/meshes/keel.dae")
+    assert lost.severity is Severity.ERROR
 
 
 def test_a_missing_package_is_one_finding_for_people(tmp_path: Path) -> None:

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit.workspace.install_rules import InstallRules
+from urdfkit.workspace.install_rules import InstallRules, is_built
 
 INSTALL = "project(arm)\ninstall(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n".format
 
@@ -75,3 +75,22 @@ def test_comments_make_no_files(tmp_path: Path) -> None:
     assert not InstallRules(str(tmp_path), "arm").makes_files
     (tmp_path / "CMakeLists.txt").write_text("file(COPY a DESTINATION b)\n")
     assert InstallRules(str(tmp_path), "arm").makes_files
+
+
+@pytest.mark.parametrize(
+    ("command", "built"),
+    [
+        ("execute_process(COMMAND gunzip -k ${PROJECT_SOURCE_DIR}/meshes/a.stl.gz)", True),
+        ("add_custom_command(OUTPUT meshes/a.stl COMMAND make_it)", True),
+        ('file(DOWNLOAD https://x.org/a.stl "${CMAKE_CURRENT_SOURCE_DIR}/meshes/a.stl")', True),
+        ("catkin_download(a.stl https://x.org/1)", True),
+        ("install(FILES ${CMAKE_CURRENT_BINARY_DIR}/a.stl DESTINATION share/arm/meshes)", True),
+        ("install(FILES meshes/a.stl DESTINATION share/arm)", False),
+        ("execute_process(COMMAND gunzip -k meshes/aa.stl.gz)", False),
+        ("execute_process(COMMAND git log)\nset(MESH meshes/a.stl)", False),
+        ("# execute_process(COMMAND gunzip -k meshes/a.stl.gz)", False),
+    ],
+)
+def test_a_file_that_the_build_creates(tmp_path: Path, command: str, built: bool) -> None:
+    (tmp_path / "CMakeLists.txt").write_text(f"project(arm)\n{command}\n")
+    assert is_built(str(tmp_path / "meshes" / "a.stl")) is built

@@ -22,6 +22,11 @@ _UNCLEAR = (
 )
 #: Commands that create files that are not in the source tree.
 _MAKES = r"(?i)\b(add_subdirectory|configure_file|file|add_custom_\w+|xacro_\w+)\s*\("
+#: Such commands with their arguments, among which are the names of the files.
+_MADE = (
+    r"(?i)\b(?:execute_process|add_custom_\w+|configure_file|\w*download\w*"
+    r"|file\s*\(\s*(?:DOWNLOAD|GENERATE|WRITE|ARCHIVE_EXTRACT))\b[^()]*(?:\([^()]*)?"
+)
 _COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
 _VARIABLE = r"\$\{(\w+)\}"
 _IS_PYTHON = rb"<build_type\b[^>]*>\s*ament_python\s*<"
@@ -156,13 +161,21 @@ def _cmake_file(path: str) -> str:
 
 
 def is_built(path: str) -> bool:
-    """True if the nearest CMake file above a missing file installs it from the build directory."""
-    directory = os.path.dirname(_cmake_file(path))
-    if not directory:
+    """True if the nearest CMake file above a missing file creates it.
+
+    It installs the file from the build directory, or names it in a command that creates files.
+    """
+    file = _cmake_file(path)
+    if not file:
         return False
+    directory = os.path.dirname(file)
     relative = os.path.relpath(path, directory).replace(os.sep, "/")
     targets = built_targets(directory)
-    return any(relative == target or relative.startswith(f"{target}/") for target in targets)
+    if any(relative == target or relative.startswith(f"{target}/") for target in targets):
+        return True
+    text = re.sub(r"#.*", "", read_head(file, MAX_BYTES).decode("utf-8", "replace"))
+    name = rf"""(?:^|[\s/"'(]){re.escape(os.path.basename(path))}(?![\w-])"""
+    return any(re.search(name, command) for command in re.findall(_MADE, text))
 
 
 def is_expanded(path: str) -> bool:

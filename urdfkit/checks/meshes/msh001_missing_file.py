@@ -16,6 +16,7 @@ never committed. XAC011 reports packages that are not found. Also reported:
 - A file of an installation of ROS, as in `file:///opt/ros/...`, on a computer without it: urdfkit
   cannot check whether it exists (a warning).
 - A file of a git submodule that is not checked out (a warning): run `git submodule update --init`.
+- A file that a command in the CMakeLists.txt of its package creates (an info): build the workspace.
 - An absolute path that is found as a relative one: only PyBullet ignores the first slash (a
   warning).
 - A relative path that is found from a parent directory: only PyBullet and Isaac search there (a
@@ -49,6 +50,7 @@ from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import shown
+from urdfkit.workspace.install_rules import is_built
 from urdfkit.workspace.references import ResolvedReference
 from urdfkit.workspace.resolve import OUTSIDE
 from urdfkit.workspace.submodules import absent_submodules
@@ -97,7 +99,12 @@ def check(context: Context) -> Findings:
             help = "move it into the package, name its directory with --package, or pass --trust"
             yield Finding(mesh.at, message, help, severity=Severity.WARNING)
         elif id(mesh) in missing:
-            yield _of_installation(mesh) or _of_submodule(context, mesh) or _missing(context, mesh)
+            yield (
+                _of_installation(mesh)
+                or _of_submodule(context, mesh)
+                or _of_build(mesh)
+                or _missing(context, mesh)
+            )
 
 
 def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
@@ -154,6 +161,14 @@ def _of_submodule(context: Context, mesh: MeshReference) -> Finding | None:
             severity = Severity.WARNING
             return Finding(mesh.at, message, help, group_key=directory, severity=severity)
     return None
+
+
+def _of_build(mesh: MeshReference) -> Finding | None:
+    """Finding about a file that the build creates; else None."""
+    if not any(map(is_built, mesh.located.tried)):
+        return None
+    message = f"{mesh.who} is created by the build, which has not run: not checked"
+    return Finding(mesh.at, message, "build the workspace", severity=Severity.INFO)
 
 
 def _missing(context: Context, mesh: MeshReference) -> Finding:
