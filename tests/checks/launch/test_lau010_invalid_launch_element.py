@@ -41,6 +41,87 @@ def test_valid_element_is_accepted(tmp_path: Path, text: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "message", "help"),
+    [
+        (
+            ROS_2 + '<node pkg="a" exec="b"><rosparam file="c"/></node>',
+            "ROS 2 has no <rosparam>",
+            'write <param from="FILE"/> in the <node>',
+        ),
+        (
+            ROS_1 + '<let name="a" value="$(arg b)"/><node pkg="a" type="b" name="c"/>',
+            "ROS 1 has no <let>",
+            "write <arg name=... value=.../>",
+        ),
+        (
+            ROS_2 + '<node pkg="a" exec="b"/><push_ros_namespace namespace="n"/>',
+            "<push_ros_namespace> has no effect: it applies to the tags after it",
+            "move it above the nodes",
+        ),
+        (
+            ROS_2 + """<group if="$(eval arg('x') == 'y')"/>""",
+            "ROS 2's $(eval ...) has no arg(), but takes the text of other substitutions",
+            "write $(var x) in the expression, in quotes if it is a text",
+        ),
+        (
+            ROS_2 + '<node pkg="a" exec="b"><param from="$(find-pkg-share arm/config)/a"/></node>',
+            "'arm/config' is a path, not the name of a package",
+            "name only the package 'arm', and write /config after the substitution",
+        ),
+        (
+            ROS_2 + '<node pkg="a" exec="b" args="--ros-args -p c=d"/>',
+            "'c=d' is not an assignment of ROS arguments",
+            "write c:=d",
+        ),
+        (
+            ROS_2 + '<node pkg="a" exec="b" args="--ros-args --params-fil c"/>',
+            "unknown ROS argument '--params-fil'",
+            "did you mean --params-file?",
+        ),
+        (
+            ROS_2 + '<node pkg="controller_manager" exec="spawner" args="a --inactve"/>',
+            "the spawner has no option --inactve",
+            "did you mean --inactive?",
+        ),
+        (
+            ROS_2 + '<node pkg="controller_manager" exec="spawner" args="a --stopped"/>',
+            "the spawner has no option --stopped (supported up to Humble)",
+            "write --inactive",
+        ),
+        (
+            ROS_2 + '<executable cmd="ros2 control load_controller --set-state start a"/>',
+            "ros2 control has no 'start' (supported up to Galactic)",
+            "write active",
+        ),
+    ],
+)
+def test_what_this_ros_does_not_have(tmp_path: Path, text: str, message: str, help: str) -> None:
+    found = reported(tmp_path, "LAU010", "a.launch", text)
+    assert [(one.message, one.help) for one in found] == [(message, help)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ROS_2 + '<push_ros_namespace namespace="n"/><node pkg="a" exec="b"/>',
+        ROS_2 + '<push_ros_namespace namespace="n"/>',
+        ROS_2 + """<group if="$(eval '$(var x) == 1')"/>""",
+        ROS_2 + '<node pkg="a" exec="b" args="-p c=d --ros-args -p c:=d -r e:=f -- -p g"/>',
+        ROS_2 + '<node pkg="a" exec="b" args="--ros-args --log-level info"/>',
+        ROS_2 + '<node pkg="a" exec="b" args="--ros-args -p $(var x)"/>',
+        ROS_2 + '<node pkg="controller_manager" exec="spawner" args="a -c=/b --load-only -p c"/>',
+        ROS_2 + '<node pkg="controller_manager" exec="spawner" args="a --controller-manager-t 5"/>',
+        ROS_2 + '<node pkg="controller_manager" exec="spawner" '
+        """args="a --controller-ros-args '-r b:=c'"/>""",
+        ROS_2 + '<executable cmd="ros2 control load_controller --set-state active a"/>',
+        ROS_1 + """<group if="$(eval arg('x') == 'y')"/><node pkg="a" type="b" name="c"/>""",
+    ],
+)
+def test_what_this_ros_has(tmp_path: Path, text: str) -> None:
+    assert reported(tmp_path, "LAU010", "a.launch", text) == []
+
+
+@pytest.mark.parametrize(
     ("text", "message"),
     [
         ('<rosparam command="loads" file="$(arg f)"/>', "<rosparam>: command is 'loads'"),

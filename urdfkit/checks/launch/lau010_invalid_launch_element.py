@@ -9,7 +9,8 @@
   `$(find-pkg-share x)` and `$(var x)` in ROS 2. A file with tags of both versions is read as one of
   the version of its package.
 - A launch file of ROS 1 includes one of ROS 2 in Python or YAML, which `roslaunch` cannot parse.
-- A tag is misspelt. Packages may define their own tags, so only typos of known tags are reported.
+- A tag is misspelt, or belongs to the other version of ROS, as `<rosparam>` does (error in ROS 2).
+  Packages may define their own tags, so only typos of known tags are reported.
 - The parts of a `Command` have no space between them (error). launch concatenates them:
   `["xacro", path]` runs a program called `xacro/home/...`; in `["xacro ", path, "sim:=true"]` the
   argument becomes part of the file name. Write `["xacro ", path, " sim:=true"]`.
@@ -18,6 +19,16 @@
   `arguments`, a string as a condition, a single node as the `actions` of a timer, a list among the
   actions, a launch description source of another format than the file, the document of
   `xacro.process_file` without `.toxml()`.
+- A class has no such argument (error), as in `DeclareLaunchArgument("a", default="b")`: "unexpected
+  keyword argument". A name is not defined or imported (error; a warning under a condition), or is
+  imported from a module that does not have it. The value of `output` is unknown, or an event
+  handler is among the actions without `RegisterEventHandler` (error).
+- `SetParameter`, `push_ros_namespace` or a similar action stands behind the last node (warning): it
+  applies to the actions after it. A condition of Python tests or compares a `LaunchConfiguration`
+  (warning), which has no value when Python runs.
+- A path is in place of the name of a package (error): `$(find-pkg-share arm/config)`.
+- ROS arguments are not as rcl reads them (error): `-p name=value`. An option of the spawner, or a
+  verb or state of `ros2 control`, does not exist, or no longer.
 - The command line of `ExecuteProcess` is one string (error): launch looks for a program that is
   called `ros2 topic list`.
 - A string and a substitution are joined by a plus (error): "can only concatenate str (not

@@ -3,8 +3,7 @@
 from collections.abc import Iterator
 from itertools import chain
 
-from urdfkit.robot.link import Body, Link, Material
-from urdfkit.robot.model import RobotModel
+from urdfkit.robot.model import Body, Link, Material, RobotModel
 
 
 class Colours:

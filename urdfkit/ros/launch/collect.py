@@ -10,6 +10,7 @@ from urdfkit.core.paths import is_within
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros.launch.bridges import config_file
 from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
+from urdfkit.ros.launch.command_options import wrong_options
 from urdfkit.ros.launch.contents import (
     BRIDGE,
     MAX_DEPTH,
@@ -72,6 +73,9 @@ class Collector:
 
     def package(self, name: str, source: Source, span: Span) -> str | None:
         """The directory of a package; records that it is needed."""
+        if "/" in name and name[:1].isalpha():
+            self._path_as_package(name, span)
+            return None
         try:
             directory: str | None = self.resolver.package(name, source.path)
             searched = None
@@ -79,6 +83,15 @@ class Collector:
             directory, searched = None, error.searched
         self.packages.setdefault(name, PackageUse(name, span, searched))
         return directory
+
+    def _path_as_package(self, name: str, span: Span) -> None:
+        """Report a path in place of the name of a package."""
+        package, _, rest = name.partition("/")
+        message = f"'{name}' is a path, not the name of a package"
+        help = f"name only the package '{package}', and write /{rest} after the substitution"
+        problem = Problem("LAU010", span, message, help, severity=Severity.ERROR)
+        if problem not in self.problems:
+            self.problems.append(problem)
 
     def file(self, path: str, span: Span, purpose: str) -> bool:
         """Record that a file is needed; True if it exists and is readable."""
@@ -223,6 +236,8 @@ class Collector:
 
     def launch(self) -> Launch:
         self.problems += mistakes(self.started, self.includes, self.resolver)
+        for program in self.started:
+            self.problems += wrong_options(program)
         return Launch(
             tuple(self.descriptions),
             tuple(self.files),

@@ -22,6 +22,7 @@ from urdfkit.ros.launch.contents import (
     StartedProgram,
 )
 from urdfkit.ros.launch.event_handlers import never_reached, started_twice, wrong_targets
+from urdfkit.ros.launch.python_calls import wrong_calls
 from urdfkit.ros.launch.python_mistakes import (
     added,
     dropped_directory,
@@ -31,6 +32,7 @@ from urdfkit.ros.launch.python_mistakes import (
     mistakes,
     not_started,
 )
+from urdfkit.ros.launch.python_names import wrong_names
 from urdfkit.ros.launch.scopes import unread, with_items
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import Values, argument, called, parts_of_path
@@ -134,6 +136,8 @@ class _PythonReader:
         if self._is_complete:
             problems += not_started(self._idle, self.values)
             problems += entry_point(self._tree, self.source)
+            problems += wrong_names(self._tree, self.values)
+        problems += wrong_calls(self._tree, self.calls, self.values)
         problems += never_reached(self.calls, self.values)
         problems += started_twice(self.calls, self.values)
         problems += wrong_targets(self.calls, self.values)
@@ -178,7 +182,7 @@ class _PythonReader:
             if value and (self.values.text(value) or "").endswith(_PARAMETER_FILES):
                 self._file(value, PARAMETERS)
         executable = argument(call, None, "executable") or argument(call, None, "node_executable")
-        program = StartedProgram(
+        started = StartedProgram(
             name or "",
             self.values.text(executable) or "",
             self.values.words(words),
@@ -190,11 +194,11 @@ class _PythonReader:
             namespace=self._namespace(call),
             name=self.values.text(argument(call, None, "name")) or "",
         )
-        self.collector.start(program)
-        if program.executable == "move_group":
+        self.collector.start(started)
+        if started.executable == "move_group":
             problems = moveit.parameter_problems(call, self._tree, self.values, self.collector)
             self.collector.problems += problems
-        elif program.package == "rviz2":
+        elif started.package == "rviz2":
             problems = moveit.without_kinematics(call, self._tree, self.values, self.collector)
             self.collector.problems += problems
 

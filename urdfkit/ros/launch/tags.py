@@ -18,6 +18,15 @@ _SUBSTITUTIONS = {
     2: {"find": "find-pkg-share", "arg": "var"},
 }
 _CONDITIONS = frozenset(("if", "unless"))
+#: Tags that apply to the nodes after them.
+SCOPES = (
+    "push-ros-namespace", "push_ros_namespace", "set_parameter", "set_parameters_from_file",
+    "set_remap", "set_use_sim_time",
+)  # fmt: skip
+#: Tags that those apply to.
+_STARTING = ("group", "include", "load_composable_node", "node", "node_container")
+#: An argument in an expression of ROS 1.
+_EVAL_OF_ROS_1 = re.compile(r"""\$\(eval\b.*?\barg\(\s*["'](\w+)["']\s*\)""")
 
 #: Attributes of namespaces, of rosmon, and for separators of lists in ROS 2.
 _OF_OTHERS = re.compile(r":|^rosmon-|-sep$")
@@ -65,7 +74,12 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
     own = _dialect(ros)
     row = own.attributes.get(element.tag)
     if row is None:
-        if suggested := nearest(element.tag, own.attributes, TYPO):
+        other = data("launch")["moved_tags"][str(3 - ros)].get(element.tag)
+        if other:
+            message, help = f"ROS {ros} has no <{element.tag}>", f"write {other}"
+            severity = Severity.ERROR if ros == 2 else Severity.WARNING
+            yield Problem("LAU010", element.span, message, help, frame, severity=severity)
+        elif suggested := nearest(element.tag, own.attributes, TYPO):
             message = f"unknown tag <{element.tag}>"
             yield Problem("LAU010", element.span, message, f"did you mean <{suggested}>?", frame)
         return
@@ -138,6 +152,21 @@ def _substitutions(attribute: Attribute, ros: int, frame: CallFrame | None) -> I
             message, help = f"ROS {ros} has no $({other} ...)", f"write $({own} ...)"
             at = attribute.span
             yield Problem("LAU010", at, message, help, frame, severity=Severity.ERROR)
+    if ros == 2 and (match := _EVAL_OF_ROS_1.search(attribute.value)):
+        message = "ROS 2's $(eval ...) has no arg(), but takes the text of other substitutions"
+        help = f"write $(var {match.group(1)}) in the expression, in quotes if it is a text"
+        at = attribute.span
+        yield Problem("LAU010", at, message, help, frame, severity=Severity.ERROR)
+
+
+def without_effect(parent: Element, frame: CallFrame | None) -> Iterator[Problem]:
+    """Tags of ROS 2 that apply to the nodes after them, behind the last node."""
+    children = list(parent.children)
+    while children and children[-1].tag in SCOPES:
+        last = children.pop()
+        if any(child.tag in _STARTING for child in children):
+            message = f"<{last.tag}> has no effect: it applies to the tags after it"
+            yield Problem("LAU010", last.span, message, "move it above the nodes", frame)
 
 
 def _is_written(element: Element, name: str, own: _Dialect) -> bool:

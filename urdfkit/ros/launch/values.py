@@ -96,7 +96,7 @@ class Values:
             for item in self.items(node)
         )
 
-    def span(self, node: ast.expr) -> Span:
+    def span(self, node: ast.expr | ast.stmt) -> Span:
         """Source location of a node; ast counts columns in bytes of UTF-8."""
         starts = self.source.offset(node.lineno, 1) + node.col_offset
         end_line, end_column = node.end_lineno or node.lineno, node.end_col_offset or 0

@@ -16,7 +16,7 @@ from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, IncludedFile, L
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.signature import Signature, arguments_in, signature
-from urdfkit.ros.launch.tags import dialect, mistakes
+from urdfkit.ros.launch.tags import SCOPES, dialect, mistakes, without_effect
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
 from urdfkit.ros.launch.xml_nodes import read_param, read_rosparam, start_executable, start_node
 from urdfkit.text.diagnostic import Problem, Severity
@@ -32,11 +32,6 @@ MAX_PROBLEMS = 1000
 _FOREIGN = "ignore this, or rename the file: launch files are recognised by name"
 #: Values that launch rejects.
 _BROKEN = ("XML001", "XML002", "XAC013")
-#: Tags that apply to the nodes after them.
-_SCOPES = (
-    "push-ros-namespace", "push_ros_namespace", "set_parameter", "set_parameters_from_file",
-    "set_remap", "set_use_sim_time",
-)  # fmt: skip
 
 
 def read(collector: Collector, file: LaunchedFile) -> None:
@@ -106,6 +101,8 @@ class _XmlReader(XmlLaunchFile):
         if self._level >= MAX_LEVELS:
             return
         self._level += 1
+        if self.ros == 2:
+            self.collector.problems += without_effect(parent, self.frame)
         handles: dict[str, Callable[[Element], None]] = {
             "arg": self._arg,
             "executable": partial(start_executable, self),
@@ -124,7 +121,7 @@ class _XmlReader(XmlLaunchFile):
                 self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
                 continue
             self._check(element)
-            if element.tag in _SCOPES or not {"ns", "namespace"}.isdisjoint(element.attributes):
+            if element.tag in SCOPES or not {"ns", "namespace"}.isdisjoint(element.attributes):
                 self.collector.has_scopes = self.collector.has_scopes or element.tag != "node"
             self._mentions(element)
             if handle := handles.get(element.tag):

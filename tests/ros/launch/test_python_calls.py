@@ -1,0 +1,98 @@
+"""Calls of launch with arguments that a class does not have, and objects that are no actions."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+from urdfkit import Severity
+
+HEAD = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, GroupAction, RegisterEventHandler
+from launch.conditions import IfCondition
+from launch.event_handlers import OnProcessExit
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node, PushRosNamespace, SetParameter
+def generate_launch_description():
+    a = LaunchConfiguration("a", default="b")
+    node = Node(package="c", executable="d")
+"""
+
+
+def program(entities: str, before: str = "") -> str:
+    return f"{HEAD}{before}    return LaunchDescription([{entities}])\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "help"),
+    [
+        (
+            program("node, DeclareLaunchArgument('a', default='b')"),
+            "DeclareLaunchArgument has no argument 'default'",
+            "write default_value",
+        ),
+        (
+            program("node, Node(package='c', exectuable='d')"),
+            "Node has no argument 'exectuable'",
+            "write executable",
+        ),
+        (
+            program("node, Node(package='c', executable='d', output='console')"),
+            "output is 'console', which launch does not know",
+            "write screen or log or both or own_log or full",
+        ),
+        (
+            program("node, OnProcessExit(target_action=node, on_exit=[])"),
+            "OnProcessExit is not an action",
+            "write RegisterEventHandler(OnProcessExit(...))",
+        ),
+        (
+            program("node", "    LaunchDescription().add_action(OnProcessExit(on_exit=[]))\n"),
+            "OnProcessExit is not an action",
+            "write RegisterEventHandler(OnProcessExit(...))",
+        ),
+    ],
+)
+def test_calls_that_launch_rejects(tmp_path: Path, text: str, message: str, help: str) -> None:
+    (found,) = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert (found.message, found.help, found.severity) == (message, help, Severity.ERROR)
+
+
+@pytest.mark.parametrize(
+    ("text", "start"),
+    [
+        (program("node, PushRosNamespace('n')"), "PushRosNamespace has no effect"),
+        (program("node, SetParameter('x', 1), PushRosNamespace('n')"), "SetParameter has no"),
+        (program("GroupAction([node, SetParameter('x', 1)])"), "SetParameter has no effect"),
+        (
+            program("node, Node(package='c', executable='d', condition=IfCondition(a == 'b'))"),
+            "LaunchConfiguration is compared",
+        ),
+        (program("node", "    if not a:\n        node.x = 1\n"), "a LaunchConfiguration is always"),
+    ],
+)
+def test_what_has_no_effect(tmp_path: Path, text: str, start: str) -> None:
+    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert found[0].message.startswith(start)
+    assert {one.severity for one in found} == {Severity.WARNING}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        program("PushRosNamespace('n'), node"),
+        program("PushRosNamespace('n')", "    print(node)\n"),  # for the files that include it
+        program("node, PushRosNamespace('n'), GroupAction([node])"),
+        program("node, SetParameter('x', 1), *more", "    more = []\n"),
+        program("node, RegisterEventHandler(OnProcessExit(target_action=node, on_exit=[]))"),
+        program("node, Node(package='c', executable='d', **more)", "    more = {}\n"),
+        program("node", "    if a.perform(None) == 'b':\n        node.x = 1\n"),
+        program("node", "    if a is None:\n        node.x = 1\n"),
+        "class Node:\n    pass\n"
+        + program("node").replace("actions import Node, ", "actions import ")
+        + "Node(mine=1, output='mine')\n",
+    ],
+)
+def test_calls_that_launch_accepts(tmp_path: Path, text: str) -> None:
+    assert reported(tmp_path, "LAU010", "a.launch.py", text) == []

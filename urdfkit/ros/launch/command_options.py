@@ -1,0 +1,100 @@
+"""Command lines of nodes with options that they do not have: ROS arguments, spawner, ros2 control.
+
+Sources: ``rcl/src/rcl/arguments.c`` of ros2/rcl, ``spawner.py`` of controller_manager and the verbs
+of ros2controlcli of ros-controls/ros2_control, humble to rolling.
+"""
+
+import re
+from collections.abc import Iterator
+
+from urdfkit.core.suggest import TYPO, nearest
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.contents import StartedProgram, Word
+from urdfkit.ros.launch.spawned_controllers import has_value
+from urdfkit.text.diagnostic import Problem, Severity
+
+_ROS_ARGUMENTS = "--ros-args"
+_SPAWNER = ("controller_manager", "spawner")
+#: A word of the launch file by which ROS is known to be newer than Galactic.
+_RECENT = b"ros_gz"
+
+
+def wrong_options(started: StartedProgram) -> Iterator[Problem]:
+    """Options that stop a program of ROS 2, or that it ignores."""
+    if not started.is_ros_2 or started.frame is not None:
+        return
+    yield from _ros_arguments(started)
+    if (started.package, started.executable) == _SPAWNER:
+        yield from _spawner(started)
+    if [word.text for word in started.words[:2]] == ["ros2", "control"]:
+        yield from _ros2_control(started)
+
+
+def _ros_arguments(started: StartedProgram) -> Iterator[Problem]:
+    """ROS arguments that rcl rejects, such as ``-p name=value``."""
+    known: dict[str, str] = data("launch")["ros_arguments"]
+    texts = [word.text for word in started.words]
+    start = texts.index(_ROS_ARGUMENTS) if _ROS_ARGUMENTS in texts else len(texts)
+    expected = ""
+    for word in started.words[start + 1 :]:
+        text = word.text
+        if expected:
+            is_assigned = expected != "assignment" or text is None or ":=" in text
+            if not is_assigned and text is not None:
+                message = f"'{text}' is not an assignment of ROS arguments"
+                help = f"write {text.replace('=', ':=', 1)}" if "=" in text else "write NAME:=VALUE"
+                yield _error(word, message, help)
+            expected = ""
+        elif text is None or text in ("--", _ROS_ARGUMENTS):
+            return
+        elif text in known:
+            expected = known[text]
+        elif text.startswith("-"):
+            match = nearest(text, known, TYPO)
+            help = f"did you mean {match}?" if match else "remove it, or write it before --ros-args"
+            yield _error(word, f"unknown ROS argument '{text}'", help)
+
+
+def _spawner(started: StartedProgram) -> Iterator[Problem]:
+    """Options that the spawner does not have: argparse stops at them."""
+    facts = data("launch")["spawner"]
+    known = facts["options"].split()
+    is_value = False
+    for word in started.words:
+        option = (word.text or "").partition("=")[0]
+        if option == _ROS_ARGUMENTS:
+            return
+        was_value, is_value = is_value, has_value(option) and "=" not in (word.text or "")
+        if was_value:
+            continue
+        is_known = option in known or (
+            option.startswith("--") and any(name.startswith(option) for name in known)
+        )
+        if is_known or not re.match(r"-+[a-zA-Z]", option):
+            continue
+        successor = facts["former"].get(option)
+        if successor:
+            message = f"the spawner has no option {option} (supported up to Humble)"
+            yield Problem(
+                "LAU010", word.span, message, f"write {successor}", severity=Severity.INFO
+            )
+        else:
+            match = nearest(option, known)
+            help = f"did you mean {match}?" if match else f"it has {', '.join(known)}"
+            yield _error(word, f"the spawner has no option {option}", help)
+
+
+def _ros2_control(started: StartedProgram) -> Iterator[Problem]:
+    """Verbs and states of ``ros2 control`` of Galactic and before."""
+    facts = data("launch")["ros2_control"]
+    is_recent = _RECENT in started.span.source.data
+    severity = Severity.WARNING if is_recent else Severity.INFO
+    for word in started.words[2:]:
+        successor = facts["former"].get(word.text or "")
+        if successor:
+            message = f"ros2 control has no '{word.text}' (supported up to Galactic)"
+            yield Problem("LAU010", word.span, message, f"write {successor}", severity=severity)
+
+
+def _error(word: Word, message: str, help: str) -> Problem:
+    return Problem("LAU010", word.span, message, help, severity=Severity.ERROR)

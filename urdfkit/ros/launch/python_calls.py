@@ -1,0 +1,163 @@
+"""Calls of classes of launch with arguments that they do not have, or in the wrong place."""
+
+import ast
+from collections.abc import Iterator
+
+from urdfkit.core.suggest import nearest
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.python_source import nodes, string
+
+#: Arguments with a list of actions, by class or method.
+_HOLDERS = {
+    "GroupAction": (0, "actions"),
+    "LaunchDescription": (0, "initial_entities"),
+    "TimerAction": (None, "actions"),
+    "add_action": (0, "action"),
+    "add_entity": (0, "entity"),
+}
+#: The action that takes what is no action itself, by class or the end of its name.
+_TAKEN_BY = {
+    "OnExecutionComplete": "RegisterEventHandler",
+    "OnProcessExit": "RegisterEventHandler",
+    "OnProcessIO": "RegisterEventHandler",
+    "OnProcessStart": "RegisterEventHandler",
+    "OnShutdown": "RegisterEventHandler",
+    "OnStateTransition": "RegisterEventHandler",
+    "AnyLaunchDescriptionSource": "IncludeLaunchDescription",
+    "FrontendLaunchDescriptionSource": "IncludeLaunchDescription",
+    "PythonLaunchDescriptionSource": "IncludeLaunchDescription",
+    "XMLLaunchDescriptionSource": "IncludeLaunchDescription",
+    "YAMLLaunchDescriptionSource": "IncludeLaunchDescription",
+    "ComposableNode": "ComposableNodeContainer",
+}
+#: Arguments of Foxy and before, which are reported as such.
+_FORMER = ("node_", "package_")
+#: What a LaunchConfiguration becomes when a launch file runs.
+_UNKNOWN = "LaunchConfiguration"
+
+
+def wrong_calls(tree: ast.Module, calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+    """Problems of calls of classes that are imported from launch or launch_ros."""
+    imported = _imported(tree)
+    for call in calls:
+        if _is_of_launch(call, imported):
+            yield from _keywords(call, values)
+            yield from _output(call, values)
+        yield from _no_actions(call, values)
+        yield from _without_effect(call, values)
+    yield from _compared(tree, values)
+
+
+def _imported(tree: ast.Module) -> set[str]:
+    """The names that a file imports from launch or launch_ros."""
+    return {
+        alias.asname or alias.name
+        for node in nodes(tree)
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("launch")
+        for alias in node.names
+    }
+
+
+def _is_of_launch(call: ast.Call, imported: set[str]) -> bool:
+    if isinstance(call.func, ast.Name):
+        return call.func.id in imported
+    first = ast.unparse(call.func).partition(".")[0]
+    return first in ("launch", "launch_ros") or first in imported
+
+
+def _keywords(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """Arguments that a class does not have: Python stops at them."""
+    name = called(call)
+    known = data("launch_python")["keywords"].get(name, "").split()
+    for keyword in call.keywords if known else ():
+        given = keyword.arg or ""
+        if given and given not in known and not given.startswith(_FORMER):
+            match = nearest(given, known)
+            help = f"write {match}" if match else f"{name} has {', '.join(sorted(known))}"
+            message = f"{name} has no argument '{given}'"
+            yield _error(keyword.value, message, help, values)
+
+
+def _output(call: ast.Call, values: Values) -> Iterator[Problem]:
+    node = argument(call, None, "output")
+    known = data("launch_python")["outputs"].split()
+    text = string(values.suggested(node))
+    if node is not None and text is not None and text not in known:
+        message = f"output is '{text}', which launch does not know"
+        yield _error(node, message, f"write {' or '.join(known)}", values)
+
+
+def _no_actions(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """Event handlers and other objects among the actions, at which launch stops."""
+    if called(call) not in _HOLDERS:
+        return
+    node = argument(call, *_HOLDERS[called(call)])
+    value = values.suggested(node)
+    items = [node] if isinstance(value, ast.Call) else values.items(node) if node else []
+    for item in items:
+        action = values.suggested(item)
+        name = called(action) if isinstance(action, ast.Call) else ""
+        if item is not None and name in _TAKEN_BY:
+            message, help = f"{name} is not an action", f"write {_TAKEN_BY[name]}({name}(...))"
+            yield _error(item, message, help, values)
+
+
+def _without_effect(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """An action that applies to the nodes after it, behind the last node."""
+    facts = data("launch_python")
+    scopes, actions = facts["scopes"].split(), facts["actions"].split()
+    if called(call) not in ("GroupAction", "LaunchDescription"):
+        return
+    names: list[tuple[ast.expr, str]] = []
+    node = argument(call, *_HOLDERS[called(call)])
+    for item in values.items(node) if node is not None else ():
+        action = values.suggested(item)
+        if item is None or not isinstance(action, ast.Call):
+            return
+        names.append((item, called(action)))
+    while names and names[-1][1] in scopes:
+        item, name = names.pop()
+        if any(before in actions for _, before in names):
+            yield Problem(
+                "LAU010",
+                values.span(item),
+                f"{name} has no effect: it applies to the actions after it",
+                "move it above the nodes",
+                severity=Severity.WARNING,
+            )
+
+
+def _compared(tree: ast.Module, values: Values) -> Iterator[Problem]:
+    """Conditions of Python on a LaunchConfiguration, which is not its value."""
+    for node in nodes(tree):
+        if isinstance(node, ast.Compare) and isinstance(node.ops[0], (ast.Eq, ast.NotEq)):
+            for side in (node.left, *node.comparators):
+                if _is_configuration(side, values):
+                    message = f"{_UNKNOWN} is compared before it has a value"
+                    help = "compare its .perform(context) in an OpaqueFunction, or write "
+                    help += "EqualsSubstitution(configuration, text)"
+                    yield _always_same(node, message, help, values)
+        elif isinstance(node, (ast.If, ast.IfExp)):
+            test = node.test
+            if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
+                test = test.operand
+            if _is_configuration(test, values):
+                message = f"a {_UNKNOWN} is always true in Python: it has no value yet"
+                help = "pass condition=IfCondition(...), or ask its .perform(context) in an "
+                yield _always_same(test, message, f"{help}OpaqueFunction", values)
+
+
+def _is_configuration(node: ast.expr, values: Values) -> bool:
+    value = values.suggested(node)
+    return isinstance(value, ast.Call) and called(value) == _UNKNOWN
+
+
+def _error(node: ast.expr, message: str, help: str, values: Values) -> Problem:
+    return Problem("LAU010", values.span(node), message, help, severity=Severity.ERROR)
+
+
+def _always_same(node: ast.expr, message: str, help: str, values: Values) -> Problem:
+    """A condition with one result, which may be the right one."""
+    return Problem("LAU010", values.span(node), message, help, severity=Severity.WARNING)

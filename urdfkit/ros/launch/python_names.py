@@ -1,0 +1,126 @@
+"""Names of a Python launch file that are not defined, and imports from the wrong module."""
+
+import ast
+import builtins
+from collections.abc import Iterator
+
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.values import Values
+from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.python_source import nodes
+
+_ENTRY = "generate_launch_description"
+_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+_CONDITIONAL = (ast.If, ast.IfExp, ast.BoolOp, ast.ExceptHandler)
+_OF_MODULES = frozenset(("__file__", "__name__", "__doc__", "__spec__", "__package__", "__path__"))
+#: Modules that launch files import under their own name.
+_MODULES = ("math", "os", "pathlib", "sys", "tempfile", "xacro", "yaml")
+#: What makes names in a way that is not read.
+_DYNAMIC = ("exec", "globals", "locals", "NameError", "ImportError", "ModuleNotFoundError")
+
+
+def wrong_names(tree: ast.Module, values: Values) -> Iterator[Problem]:
+    """Names without a definition, and imports of names that a module of launch does not have."""
+    if any(isinstance(node, ast.Name) and node.id in _DYNAMIC for node in nodes(tree)):
+        return
+    yield from _wrong_imports(tree, values)
+    bound = set(_bound(tree))
+    if "*" in bound or not _imports_launch(tree):
+        return
+    known = bound | _OF_MODULES | set(dir(builtins))
+    reported: set[str] = set()
+    for node, is_sure in _run(tree):
+        is_read = isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
+        if isinstance(node, ast.Name) and is_read and node.id not in known | reported:
+            reported.add(node.id)
+            message = f"name '{node.id}' is not defined"
+            problem = _error(node, message, _definition(node.id, bound), values)
+            yield problem if is_sure else problem._replace(severity=Severity.WARNING)
+
+
+def _imports_launch(tree: ast.Module) -> bool:
+    """False for a part of a launch file, such as an example in a document."""
+    return any(
+        isinstance(node, ast.ImportFrom) and (node.module or "").startswith("launch")
+        for node in nodes(tree)
+    )
+
+
+def _definition(name: str, bound: set[str]) -> str:
+    """How to define a name: by an import, or the name that it stands for."""
+    if name in _MODULES:
+        return f"write import {name}"
+    module = next(iter(_modules_of(name)), None)
+    if module:
+        return f"write from {module} import {name}"
+    suggested = nearest(name, bound)
+    return f"did you mean '{suggested}'?" if suggested else "define or import it"
+
+
+def _wrong_imports(tree: ast.Module, values: Values) -> Iterator[Problem]:
+    for node in tree.body:  # others may be an attempt that may fail
+        module = node.module if isinstance(node, ast.ImportFrom) and not node.level else None
+        if module is None or not isinstance(node, ast.ImportFrom):
+            continue
+        for alias in node.names:
+            modules = _modules_of(alias.name)
+            # Other modules also have what they import themselves.
+            is_near = module in data("launch_python")["modules"]
+            if (
+                modules
+                and module not in modules
+                and (is_near or nearest(module, modules, CLOSE_TYPO))
+            ):
+                message = f"module {module} has no {alias.name}"
+                help = f"write from {modules[0]} import {alias.name}"
+                yield _error(node, message, help, values)
+
+
+def _modules_of(name: str) -> list[str]:
+    modules: dict[str, str] = data("launch_python")["modules"]
+    return [module for module, names in modules.items() if name in names.split()]
+
+
+def _bound(tree: ast.Module) -> Iterator[str]:
+    """All names that a file defines anywhere; ``*`` if it imports all names of a module."""
+    for node in nodes(tree):
+        if isinstance(node, (*_FUNCTIONS, ast.ClassDef)):
+            yield node.name
+        elif isinstance(node, (ast.Import, ast.ImportFrom)):
+            for alias in node.names:
+                yield alias.asname or alias.name.partition(".")[0]
+        elif isinstance(node, ast.arg):
+            yield node.arg
+        elif isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
+            yield node.id
+        elif isinstance(node, ast.ExceptHandler) and node.name:
+            yield node.name
+        elif isinstance(node, (ast.Global, ast.Nonlocal)):
+            yield from node.names
+        elif isinstance(node, ast.Match):
+            yield "*"  # its patterns bind names
+
+
+def _run(tree: ast.Module) -> Iterator[tuple[ast.AST, bool]]:
+    """The nodes of a file without annotations, and without functions that nothing names.
+
+    The second item is False for those that run only under a condition.
+    """
+    named = {node.id for node in nodes(tree) if isinstance(node, ast.Name)} | {_ENTRY}
+    stack: list[tuple[ast.AST, bool]] = [(tree, True)]
+    while stack:
+        node, is_sure = stack.pop()
+        if isinstance(node, _FUNCTIONS) and node.name not in named:
+            continue
+        yield node, is_sure
+        is_sure = is_sure and not isinstance(node, _CONDITIONAL)
+        for field, value in ast.iter_fields(node):
+            if field in ("annotation", "returns"):
+                continue
+            children = value if isinstance(value, list) else [value]
+            stack += [(child, is_sure) for child in children if isinstance(child, ast.AST)]
+
+
+def _error(node: ast.expr | ast.stmt, message: str, help: str, values: Values) -> Problem:
+    return Problem("LAU010", values.span(node), message, help, severity=Severity.ERROR)
