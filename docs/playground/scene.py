@@ -8,7 +8,7 @@ import urdfkit
 from urdfkit.lint.report import Report
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.element_lookup import ElementLookup
-from urdfkit.robot.model import Body, Link, Shape
+from urdfkit.robot.link import Body, Link, Shape
 from urdfkit.robot.viewer_model import matrix, viewer_model
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.gazebo.values import text_of

@@ -132,5 +132,19 @@ def test_a_namespace_makes_no_names_alike(word: str, suggested: str) -> None:
     assert Suggester(known).suggested(word) == suggested
 
 
+@pytest.mark.parametrize(
+    ("word", "suggested"),
+    [
+        ("base_link", "husky/base_link"),
+        ("huksy/base_link", "husky/base_link"),
+        ("imu_link", ""),  # of the left or the right arm
+        ("arm_1/tool", ""),  # the tool of arm_2 is its sibling
+    ],
+)
+def test_a_name_with_another_namespace(word: str, suggested: str) -> None:
+    known = ["husky/base_link", "husky/base_imu", "left/imu_link", "right/imu_link", "arm_2/tool"]
+    assert Suggester(known).suggested(word) == suggested
+
+
 def test_a_name_with_a_space_is_not_suggested() -> None:
     assert Suggester(["tool0 ", "tool 0"]).suggested("tool0") == ""

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from urdfkit.core.spatial import IDENTITY, Vector, cross, dot, from_rpy, rotate
 from urdfkit.robot import inertia
 from urdfkit.robot.inertia import ZERO, MassProperties, principal_axes, principal_moments, rotated
-from urdfkit.robot.model import Tensor
+from urdfkit.robot.link import Tensor
 
 Moments = tuple[float, float, float]
 

@@ -16,7 +16,7 @@ from urdfkit.robot.joint_loads import (
     maximum_loads,
     overloadable_joints,
 )
-from urdfkit.robot.model import Tensor
+from urdfkit.robot.link import Tensor
 
 
 def swinging(name: str, parent: str, effort: str, xyz: str = "0 0 0") -> str:

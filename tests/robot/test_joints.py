@@ -7,7 +7,8 @@ import pytest
 from tests.jointed import joint, limit, robot
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.robot import joints
-from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.model import RobotModel
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 

@@ -103,6 +103,20 @@ class TestComments:
     def test_a_third_dash_at_the_end(self) -> None:
         assert mistakes(inside("<!-- a --->")) == [(1, 24, "'--->' does not end a comment")]
 
+    @pytest.mark.parametrize("begin", ["<--", "<!-", "<! --"])
+    def test_a_mistyped_begin(self, begin: str) -> None:
+        """pa10_shadow_description: no text in which '<' must be written '&lt;'."""
+        data = inside(f"{begin} <limit> & -->").encode()
+        (mistake,) = syntax_mistakes(data)
+        assert mistake.message == f"a comment begins with '<!--', not with '{begin}'"
+        (edit,) = mistake.fix
+        fixed = data[: edit[0]] + edit[2].encode() + data[edit[1] :]
+        assert syntax_mistakes(fixed) == []
+
+    @pytest.mark.parametrize("text", ["a <-- b", "a <-- b <!-- c -->", "a <- b"])
+    def test_what_is_no_mistyped_begin(self, text: str) -> None:
+        assert one(inside(text))[1].startswith("'<' does not begin a tag")
+
     def test_a_row_of_dashes_is_one_mistake(self) -> None:
         assert one(inside("<!---------->"))[1] == "'--' is not allowed inside a comment"
 
@@ -247,6 +261,18 @@ class TestTheWholeFile:
     def test_a_declaration_further_down(self) -> None:
         message = "the XML declaration must be at the very beginning of the file"
         assert mistakes('\n<?xml version="1.0"?><robot/>') == [(2, 1, message)]
+
+    @pytest.mark.parametrize(
+        ("before", "help"),
+        [
+            ("<!-- a -->", "remove what is above"),
+            # Arctos: the output of xacro twice in one file
+            ("<robot/>\n", "a file has one root element: remove it"),
+        ],
+    )
+    def test_the_help_for_it(self, before: str, help: str) -> None:
+        found = syntax_mistakes(f'{before}<?xml version="1.0"?><robot/>'.encode())
+        assert found[0].help == help
 
     def test_other_instructions_are_fine(self) -> None:
         assert syntax_mistakes(b'<?xml-model href="a"?><robot><?php ?></robot>') == []

@@ -139,13 +139,22 @@ class Suggester:
 
     def _likely(self, word: str) -> str:
         """The known name; a common namespace does not make names similar."""
+        if known := self._in_another_namespace(word):
+            return known
         space, slash, name = word.rpartition("/")
-        if slash and name in self._known:
-            return name
         space += slash
         inside = [known.removeprefix(space) for known in self._known if known.startswith(space)]
         suggestion = nearest(name, inside, self._cutoff)
         return space + suggestion if suggestion and not _are_siblings(name, suggestion) else ""
+
+    def _in_another_namespace(self, word: str) -> str:
+        """The only known name that differs in its namespace alone; empty if there is none."""
+        space, _, name = word.rpartition("/")
+        equal = [known for known in self._known if known.rpartition("/")[2] == name]
+        if len(equal) != 1:
+            return ""
+        other = equal[0].rpartition("/")[0]
+        return "" if space and other and _are_siblings(space, other) else equal[0]
 
 
 def _are_siblings(word: str, other: str) -> bool:

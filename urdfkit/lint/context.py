@@ -26,7 +26,9 @@ if TYPE_CHECKING:
     from urdfkit.robot.assets.mesh_files import MeshFiles
     from urdfkit.robot.assets.triangles import Meshes
     from urdfkit.robot.inertials.masses import Masses
-    from urdfkit.robot.model import Body, Joint, RobotModel, Shape
+    from urdfkit.robot.joint import Joint
+    from urdfkit.robot.link import Body, Shape
+    from urdfkit.robot.model import RobotModel
     from urdfkit.robot.shapes import MeshSolid
     from urdfkit.robot.stability import Stability
     from urdfkit.robot.tree import KinematicTree

@@ -4,7 +4,8 @@ from collections import Counter
 from collections.abc import Iterator
 
 from urdfkit.lint.context import Context
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link
 from urdfkit.ros.ros_control import components, driven_joints
 from urdfkit.text.diagnostic import Fix
 from urdfkit.text.editing.edits import fix_value, from_macro

@@ -214,7 +214,7 @@ class Plan:
             in_directory: True if it was found in a directory, whose robots are checked anyway.
         """
         from urdfkit.ros.launch import read_launch
-        from urdfkit.ros.launch.robot_arguments import started
+        from urdfkit.ros.launch.robot_arguments import started_robots
 
         self.jobs.append(Job(source.path, "", self.arguments, False, source=source))
         try:
@@ -223,7 +223,7 @@ class Plan:
             raise
         except Exception:  # a bug in urdfkit, which the check of the launch file reports
             return
-        for path, robot in started(launch, source.path):
+        for path, robot in started_robots(launch, source.path):
             if not in_directory:
                 self.jobs.append(self._started_by_launch(_relative_as(path, source.path), robot))
             elif not matches(self.config.relative(path), self.config.exclude):

@@ -17,11 +17,11 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import RuleError
 from urdfkit.lint.context import Context
 from urdfkit.text.diagnostic import Confidence, Fix, Related, Severity
-from urdfkit.text.document import Attribute, CallFrame, Element
+from urdfkit.text.document import Attribute, Element, Location
 from urdfkit.text.source import Span
 
 if TYPE_CHECKING:
-    from urdfkit.robot.model import Placed
+    from urdfkit.robot.placed import Placed
     from urdfkit.xacro.origin import DataPlaces
 
 #: Imported by the file of a rule, next to the modules of its subject.
@@ -47,13 +47,6 @@ class Need(Enum):
     DYNAMICS = "dynamics"  # the robot in Pinocchio, or results of Pinocchio
     COLLISIONS = "collisions"  # the links that overlap, computed by coal
     SIMULATION = "simulation"  # simulations of the robot in MuJoCo
-
-
-class Location(Record):
-    """A place that is not an element of the expanded document, with its macro calls."""
-
-    span: Span
-    frame: CallFrame | None = None
 
 
 class Finding(Record):

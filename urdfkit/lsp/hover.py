@@ -13,7 +13,8 @@ from urdfkit.lsp.names import NameUse, plugin_parameters
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.mesh.io.sniff import sniff_file
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.model import DEGREES_OF_FREEDOM, Joint, Link
+from urdfkit.robot.joint import DEGREES_OF_FREEDOM, Joint
+from urdfkit.robot.link import Link
 from urdfkit.ros.catalog import extensions, plugins
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.document import Attribute

@@ -5,7 +5,8 @@ from collections.abc import Iterable
 
 from urdfkit.lsp.markup import Page, TagNode
 from urdfkit.lsp.open_robot import OpenRobot
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 

@@ -12,7 +12,7 @@ from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.inertia import MassProperties, principal_axes
 from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
 from urdfkit.robot.kinematics import frames
-from urdfkit.robot.model import Link
+from urdfkit.robot.link import Link
 from urdfkit.robot.rigid_bodies import properties_of
 
 

@@ -16,7 +16,8 @@ from urdfkit.robot.bounding_box import extent_of, without_meshes
 from urdfkit.robot.composite_body import CompositeBody, composite_body
 from urdfkit.robot.joints import driven
 from urdfkit.robot.kinematics import frames
-from urdfkit.robot.model import RobotModel, Shape
+from urdfkit.robot.link import Shape
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.reach import Reach, reach
 from urdfkit.robot.shapes import BoundingBox
 from urdfkit.robot.tree import KinematicTree

@@ -21,9 +21,10 @@ from urdfkit.render.primitives import Triangles
 from urdfkit.render.scene import Label, Scene, SceneItem, build, placed
 from urdfkit.robot.composite_body import composite_body
 from urdfkit.robot.inertia import uniform_solid
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction, positions
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.link import Link
 from urdfkit.ros.surface_materials import Colour, SurfaceMaterial
 
 #: Colours of the overlays.

@@ -17,7 +17,7 @@ from urdfkit.mesh.transforms import scaled_part
 from urdfkit.render import arrays, primitives
 from urdfkit.render.arrays import Bools, Floats, Integers, bounds
 from urdfkit.robot import kinematics
-from urdfkit.robot.model import Body, Link, Shape
+from urdfkit.robot.link import Body, Link, Shape
 from urdfkit.ros.surface_materials import PLACEHOLDER, Colour, ModelMaterials, SurfaceMaterial
 
 #: Least edge of the placeholder for a missing mesh, as a part of the robot's size.

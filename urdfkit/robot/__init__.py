@@ -10,7 +10,8 @@ if TYPE_CHECKING:
     from urdfkit.mesh.measures import Measures
     from urdfkit.robot.assets.mesh_files import MeshFiles
     from urdfkit.robot.assets.triangles import Meshes
-    from urdfkit.robot.model import RobotModel, Shape
+    from urdfkit.robot.link import Shape
+    from urdfkit.robot.model import RobotModel
     from urdfkit.robot.tree import KinematicTree
     from urdfkit.text.document import Tag
     from urdfkit.text.source import Source

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, vector
 from urdfkit.robot import Robot
-from urdfkit.robot.model import Body
+from urdfkit.robot.link import Body
 from urdfkit.robot.shapes import BoundingBox, solid
 
 

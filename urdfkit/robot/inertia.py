@@ -21,7 +21,7 @@ from urdfkit.core.spatial import (
     rotate,
     unit,
 )
-from urdfkit.robot.model import Tensor
+from urdfkit.robot.link import Tensor
 
 #: Sweeps of Jacobi rotations: convergence is quadratic, and five reach machine precision.
 _SWEEPS = 8

@@ -4,7 +4,9 @@ from collections.abc import Iterable, Sequence
 from math import pi
 
 from urdfkit.core.words import listed
-from urdfkit.robot.model import Joint, Placed, RobotModel
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.model import RobotModel
+from urdfkit.robot.placed import Placed
 from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.source import Span

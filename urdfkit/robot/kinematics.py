@@ -10,7 +10,8 @@ from math import atan2, cos, isfinite, pi, sin
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import X_AXIS, Transform, Vector, rotation_about, times, unit
-from urdfkit.robot.model import Joint, Mimic, UnknownLink
+from urdfkit.robot.joint import Joint, Mimic
+from urdfkit.robot.model import UnknownLink
 from urdfkit.robot.tree import KinematicTree
 
 

@@ -11,7 +11,7 @@ from math import cos, inf, sin, sqrt
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate
-from urdfkit.robot.model import Body
+from urdfkit.robot.link import Body
 from urdfkit.robot.shapes import Primitive, primitive
 
 #: Direction components below this are 0: the ray is parallel to a face or an axis.

@@ -10,9 +10,9 @@ from random import Random
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Vector, cross, dot, minus
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joints import span
 from urdfkit.robot.kinematics import best_angle, direction, motion
-from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
 #: Limits of joints in a chain and of chains; hands have chains for each finger.

@@ -8,7 +8,8 @@ from __future__ import annotations
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, rotated
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link
 from urdfkit.robot.tree import KinematicTree
 
 #: Tags in ``<gazebo>`` that preserve a fixed joint.

@@ -13,7 +13,8 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import AXES, Transform, Vector, dot, minus, rotate, transposed, vector
 from urdfkit.robot import inertia
 from urdfkit.robot.inertia import MassProperties
-from urdfkit.robot.model import Body, Link, RobotModel, Shape, Tensor
+from urdfkit.robot.link import Body, Link, Shape, Tensor
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.values import numbers
 from urdfkit.text.document import Attribute
 

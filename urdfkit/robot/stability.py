@@ -14,7 +14,8 @@ from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot import Robot
 from urdfkit.robot.joints import BOUNDED
 from urdfkit.robot.kinematics import frames
-from urdfkit.robot.model import Body, RobotModel, Shape
+from urdfkit.robot.link import Body, Shape
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.shapes import primitive
 from urdfkit.robot.tree import KinematicTree

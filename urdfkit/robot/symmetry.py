@@ -10,7 +10,8 @@ from functools import lru_cache
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Vector
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link
 from urdfkit.robot.tree import KinematicTree
 
 #: The words of a name; ``l_hip``, ``LHip``, ``hipL`` and ``FL-hip`` each have one for the side.

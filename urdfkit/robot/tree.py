@@ -10,7 +10,9 @@ from itertools import islice
 
 from urdfkit.core.spatial import Transform
 from urdfkit.core.static_typing import TypeVar
-from urdfkit.robot.model import Joint, Link, RobotModel
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link
+from urdfkit.robot.model import RobotModel
 from urdfkit.text.source import shown
 
 #: Listed loops; a malicious graph has as many loops as joints, each as long as the robot.

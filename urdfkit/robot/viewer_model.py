@@ -7,7 +7,8 @@ from urdfkit.core.spatial import Transform
 from urdfkit.robot.inertia import uniform_solid
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction, laws
-from urdfkit.robot.model import Link, RobotModel
+from urdfkit.robot.link import Link
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.tree import KinematicTree
 
 

@@ -6,7 +6,8 @@ import os
 
 from urdfkit.core.record import Record
 from urdfkit.robot.inertia import MassProperties, principal_axes, rotated
-from urdfkit.robot.model import RobotModel, Tensor
+from urdfkit.robot.link import Tensor
+from urdfkit.robot.model import RobotModel
 from urdfkit.text.document import Element
 
 

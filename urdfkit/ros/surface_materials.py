@@ -5,7 +5,8 @@ from typing import NamedTuple
 from urdfkit.mesh import geometry
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.assets.mesh_files import MeshFiles
-from urdfkit.robot.model import Body, Material, RobotModel
+from urdfkit.robot.link import Body, Material
+from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog.materials import materials
 from urdfkit.ros.gazebo.values import text_of
 

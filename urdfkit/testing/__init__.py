@@ -24,7 +24,8 @@ from urdfkit.lint.report import Report
 from urdfkit.lint.rule_index import matching
 from urdfkit.output.comparison.differences import Tolerances, differences
 from urdfkit.output.comparison.renames import renames
-from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source

@@ -58,6 +58,13 @@ class CallFrame:
         return tuple(reversed(steps))
 
 
+class Location(Record):
+    """A place that is not an element of the expanded document, and the calls that led there."""
+
+    span: Span
+    frame: CallFrame | None = None
+
+
 class Tag(Record):
     """Source location of an element: its start tag, and its end tag if it has one."""
 

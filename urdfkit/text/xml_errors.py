@@ -41,6 +41,8 @@ _DECLARATION = re.compile(
     rb"""(?:\s+encoding\s*=\s*(?:"[\w.-]+"|'[\w.-]+'))?"""
     rb"""(?:\s+standalone\s*=\s*(?:"(?:yes|no)"|'(?:yes|no)'))?\s*\?>"""
 )
+#: The begin of a comment with a character too few, or a space too many.
+_MISTYPED_COMMENT = re.compile(rb"<(?:--+|!\s+-+|!-)")
 #: The first line of the two sides of a merge conflict.
 _CONFLICT = re.compile(rb"^<{7}(?: .*)?$", re.MULTILINE)
 _PREDEFINED = frozenset((b"lt", b"gt", b"amp", b"quot", b"apos"))
@@ -176,13 +178,7 @@ class _Scanner:
         if data.startswith(b"<![CDATA[", start):
             return self._until(start, 9, b"]]>", "CDATA section")
         if data.startswith(b"<?", start):
-            if re.match(rb"<\?[xX][mM][lL][\s?]", data[start : start + 6]):
-                message = "the XML declaration must be at the very beginning of the file"
-                self._add(start, start + 5, message)
-            if not _TARGET.match(data, start):
-                self._add(start, start + 2, "a name must follow '<?'")
-                return start + 2
-            return self._until(start, 2, b"?>", "'<?' instruction")
+            return self._instruction(start)
         if data.startswith(b"<!DOCTYPE", start):
             return self._doctype(start)
         if data.startswith(b"</", start):
@@ -193,9 +189,30 @@ class _Scanner:
             name = match.group(1).decode("utf-8", "replace")
             self._add(start, match.end(), f"no space is allowed between '<' and '{name}'")
             return self._start_tag(match)
+        return self._stray(start)
+
+    def _stray(self, start: int) -> int:
+        """Report a ``<`` without a name: the mistyped begin of a comment, or a character."""
+        match, end = _MISTYPED_COMMENT.match(self.data, start), self.data.find(b"-->", start + 3)
+        if match and end >= 0 and self.data.find(b"<!--", start, end) < 0:
+            message = f"a comment begins with '<!--', not with '{match.group().decode()}'"
+            fix = ((*match.span(), "<!--"),)
+            self.mistakes.append(SyntaxMistake(*match.span(), message, fix=fix))
+            return end + 3
         message = "'<' does not begin a tag; in a text it must be written '&lt;'"
         self._add(start, start + 1, message)
         return start + 1
+
+    def _instruction(self, start: int) -> int:
+        if re.match(rb"<\?[xX][mM][lL][\s?]", self.data[start : start + 6]):
+            message = "the XML declaration must be at the very beginning of the file"
+            is_second = any(tag.kind != "text" for tag in self._tags)
+            help = "a file has one root element: remove it" if is_second else "remove what is above"
+            self.mistakes.append(SyntaxMistake(start, start + 5, message, help=help))
+        if not _TARGET.match(self.data, start):
+            self._add(start, start + 2, "a name must follow '<?'")
+            return start + 2
+        return self._until(start, 2, b"?>", "'<?' instruction")
 
     def _until(self, start: int, skip: int, end: bytes, construct: str) -> int:
         at = self.data.find(end, start + skip)

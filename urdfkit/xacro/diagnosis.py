@@ -12,13 +12,14 @@ from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
+from urdfkit.text.document import Location
 from urdfkit.text.source import Span
 from urdfkit.text.xml_reader import DocumentTooLarge
 from urdfkit.xacro.bounds import TooLarge, UnsafeExpression
 from urdfkit.xacro.definitions import Definition, Definitions, annotations_of
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
-from urdfkit.xacro.locator import ErrorLocation, LocatedExpression, locate
+from urdfkit.xacro.locator import LocatedExpression, locate
 from urdfkit.xacro.messages import bare_property, explain, macro_of
 from urdfkit.xacro.substitution import ForbiddenVariable
 from urdfkit.xacro.yaml_files import YamlTooLarge
@@ -70,7 +71,7 @@ def problem(
     if bare := bare_property(defined, root_cause(error)):
         return _without_prefix(*bare, node and locate(node, local, used).span)
     if node is None:
-        return _problem_at(ErrorLocation(Span(defined.source, 0, 0), None), defined, error, located)
+        return _problem_at(Location(Span(defined.source, 0, 0)), defined, error, located)
     if located.resolving:
         table, key = located.resolving[-1]
         definer = annotations_of(table).definers.get(key)
@@ -109,7 +110,7 @@ def _definer(name: str, table: Any) -> Node | None:
 
 
 def _problem_at(
-    at: ErrorLocation, defined: Definitions, error: Exception, located: LocatedExpression
+    at: Location, defined: Definitions, error: Exception, located: LocatedExpression
 ) -> Problem:
     code, message, help = classify(defined, error)
     token = located.token if located.token.startswith("$") else ""

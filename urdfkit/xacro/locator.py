@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import Any
-from urdfkit.text.document import CallFrame
+from urdfkit.text.document import CallFrame, Location
 from urdfkit.text.source import Span
 from urdfkit.xacro.dom import Node
 
@@ -36,26 +36,19 @@ class LocatedExpression(Record):
     resolving: tuple[tuple[Any, str], ...] = ()
 
 
-class ErrorLocation(Record):
-    """A source location, and the calls that led there."""
-
-    span: Span
-    frame: CallFrame | None
-
-
-def locate(node: Node, local: dict[str, Any], located: LocatedExpression) -> ErrorLocation:
+def locate(node: Node, local: dict[str, Any], located: LocatedExpression) -> Location:
     """The location of an expression: in an attribute, a text, or the default of a parameter.
 
     Args:
         node: the element that xacro is processing, or that contains the text.
     """
     if (span := _in_attribute(node, local, located)) is not None:
-        return ErrorLocation(span, node.frame)
+        return Location(span, node.frame)
     macro = getattr(local.get("m"), "body", None)
     if isinstance(macro, Node) and (span := _in_parameters(macro, local, located)) is not None:
         name = macro.getAttribute("name")
-        return ErrorLocation(span, CallFrame("macro", name, node.tag_at, macro.tag_at, node.frame))
-    return ErrorLocation(_in_text(node, local.get("node"), located) or node.tag_at.span, node.frame)
+        return Location(span, CallFrame("macro", name, node.tag_at, macro.tag_at, node.frame))
+    return Location(_in_text(node, local.get("node"), located) or node.tag_at.span, node.frame)
 
 
 def _in_attribute(node: Node, local: dict[str, Any], located: LocatedExpression) -> Span | None:

@@ -191,6 +191,18 @@ def test_conditions_with_one_wrong_value_are_one_finding() -> None:
     assert len({one.group_key for one in other}) == 2
 
 
+def test_a_missing_key_of_a_yaml_file_is_one_finding(tmp_path: Path) -> None:
+    (tmp_path / "sizes.yaml").write_text("arm: {length: 1}")
+    body = "<xacro:property name='sizes' value=\"${xacro.load_yaml('sizes.yaml')}\"/>\n"
+    body += "".join(f"<link name=\"${{sizes['leg']['{key}']}}\"/>\n" for key in "abc")
+    body += "<link name=\"${sizes['arm']['width']}\"/>"
+    robot = tmp_path / "robot.xacro"
+    robot.write_text(xacro(body))
+    found = told_of("XAC001", robot)
+    assert [finding.group_key for finding in found[:3]] == 3 * [found[0].group_key]
+    assert found[3].group_key not in ("", found[0].group_key)
+
+
 def test_a_macro_that_fails_in_every_call_is_one_finding() -> None:
     body = '<xacro:macro name="m" params="a"><link name="${a + z}"/></xacro:macro>\n'
     (found,) = reported("XAC001", body + '<xacro:m a="1"/>\n<xacro:m a="2"/>')

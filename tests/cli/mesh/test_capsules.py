@@ -12,7 +12,7 @@ import numpy as np
 from tests.conftest import MODELS
 from urdfkit import load
 from urdfkit.cli import main
-from urdfkit.robot.model import Shape
+from urdfkit.robot.link import Shape
 
 pytestmark = pytest.mark.usefixtures("rough_meshes")
 

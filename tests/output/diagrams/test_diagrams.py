@@ -16,7 +16,7 @@ from urdfkit.lint.loading import load
 from urdfkit.output.diagrams import FORMATS, dot, mermaid, svg, text
 from urdfkit.output.diagrams import json as json_diagram
 from urdfkit.output.diagrams.rows import caption, rows
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.tree import KinematicTree
 
 RENDER = {

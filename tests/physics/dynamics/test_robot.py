@@ -17,7 +17,8 @@ from urdfkit.physics.dynamics.robot import MAX_JOINTS, Dynamics, Unsuitable
 from urdfkit.robot import inertia
 from urdfkit.robot.composite_body import composite_body
 from urdfkit.robot.kinematics import frames
-from urdfkit.robot.model import Tensor, UnknownLink
+from urdfkit.robot.link import Tensor
+from urdfkit.robot.model import UnknownLink
 from urdfkit.text.source import Source
 
 G = 9.81

@@ -17,7 +17,7 @@ from urdfkit.robot.inertials.diagnosis import (
 )
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
-from urdfkit.robot.model import Tensor
+from urdfkit.robot.link import Tensor
 from urdfkit.text.diagnostic import Confidence, Fix
 
 #: Of 12 kg in BOX.

@@ -19,7 +19,8 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Material, RobotModel
+from urdfkit.robot.link import Material
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 

@@ -23,7 +23,8 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.model import Placed, RobotModel
+from urdfkit.robot.model import RobotModel
+from urdfkit.robot.placed import Placed
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, robot_xml
 from urdfkit.robot.symmetry import pairs

@@ -36,8 +36,8 @@ from urdfkit.core.spatial import Vector, dot, rotate
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Confidence, Finding, Findings, Need, Severity, rule
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Joint
 from urdfkit.ros.gazebo.drives import (
     Wheel,
     drive_of,

@@ -1,7 +1,7 @@
 """Dynamics: gravity torques, stability, the mass matrix."""
 
 from urdfkit.lint.context import Context
-from urdfkit.robot.model import DEGREES_OF_FREEDOM
+from urdfkit.robot.joint import DEGREES_OF_FREEDOM
 
 
 def applies(context: Context) -> bool:

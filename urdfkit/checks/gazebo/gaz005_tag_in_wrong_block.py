@@ -18,7 +18,9 @@ Sources:
 from collections.abc import Mapping
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
-from urdfkit.robot.model import Joint, Link, RobotModel
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.ros.catalog.extensions import Extension, copied, extensions

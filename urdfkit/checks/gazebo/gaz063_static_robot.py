@@ -10,7 +10,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
-from urdfkit.robot.model import DEGREES_OF_FREEDOM
+from urdfkit.robot.joint import DEGREES_OF_FREEDOM
 from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml
 from urdfkit.ros.gazebo.values import is_true
 

@@ -24,7 +24,7 @@ Sources:
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.ros.catalog.extensions import rewritten
 from urdfkit.ros.gazebo.plugins import PluginUse, Reference, conversion_result
 from urdfkit.ros.gazebo.samples import ARM, gazebo_xml, plugin_xml

@@ -31,7 +31,7 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, Transform, Vector, vector
 from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Finding, Findings, Related, Severity, rule
-from urdfkit.robot.model import Body
+from urdfkit.robot.link import Body
 from urdfkit.robot.ray_casting import Scan, beams_on, crosses_plane, intervals, shape_of
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import Primitive

@@ -36,7 +36,8 @@ from urdfkit.robot.assets.visual_collision import (
     VisualCollisionPair,
     VisualCollisionPairs,
 )
-from urdfkit.robot.model import Body, Joint, Link
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Body, Link
 from urdfkit.robot.samples import collision_xml, link_xml, visual_xml
 from urdfkit.robot.shapes import BoundingBox
 from urdfkit.text.diagnostic import Edit

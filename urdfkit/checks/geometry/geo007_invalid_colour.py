@@ -19,7 +19,8 @@ from itertools import chain
 from urdfkit.core.words import rounded, spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Material, RobotModel
+from urdfkit.robot.link import Material
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
 from urdfkit.text.editing.edits import fix_value
 

@@ -20,7 +20,7 @@ from urdfkit.core.grouping import by_key
 from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Body, Link, Material
+from urdfkit.robot.link import Body, Link, Material
 from urdfkit.robot.samples import link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import SIZES
 from urdfkit.ros.catalog.materials import materials

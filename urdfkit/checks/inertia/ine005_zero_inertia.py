@@ -36,8 +36,9 @@ from urdfkit.robot.inertials.diagnosis import (
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import PAIR_MOMENTS
 from urdfkit.robot.inertials.mirroring import along_inertial, center_edits, mirror_image
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import frames
-from urdfkit.robot.model import Joint, Tensor
+from urdfkit.robot.link import Tensor
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Edit
 

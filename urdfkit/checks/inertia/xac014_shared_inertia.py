@@ -22,7 +22,7 @@ from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity,
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED, excessive_joint, format_moments
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
-from urdfkit.robot.model import Link
+from urdfkit.robot.link import Link
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Step, Tag
 

@@ -17,8 +17,9 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
+from urdfkit.robot.joint import Joint, Limit
 from urdfkit.robot.joints import BOUNDED
-from urdfkit.robot.model import Joint, Limit, RobotModel
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import arm_xml
 
 BAD = arm_xml("revolute", '<limit lower="-1" upper="1"/>')

@@ -27,7 +27,8 @@ from math import hypot
 
 from urdfkit.core.spatial import Vector, length
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.model import SINGLE_DOF, Joint, Placed
+from urdfkit.robot.joint import SINGLE_DOF, Joint
+from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import arm_xml
 from urdfkit.text.editing.edits import fix_value
 

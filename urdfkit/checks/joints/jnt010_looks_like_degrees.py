@@ -29,8 +29,10 @@ from functools import lru_cache
 from math import pi, radians
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joints import bounds
-from urdfkit.robot.model import Joint, Placed, RobotModel
+from urdfkit.robot.model import RobotModel
+from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import numbers
 from urdfkit.text.document import Attribute, Element

@@ -28,8 +28,9 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds
-from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
 from urdfkit.text.document import Element

@@ -19,7 +19,7 @@ Sources:
 from math import pi
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
-from urdfkit.robot.model import Joint, Limit
+from urdfkit.robot.joint import Joint, Limit
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
 from urdfkit.text.editing.edits import all_or_none, remove_attribute, remove_element

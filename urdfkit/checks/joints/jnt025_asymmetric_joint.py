@@ -33,9 +33,10 @@ from urdfkit.checks.joints.mirrored import misplaced, on_the_other_side
 from urdfkit.core.spatial import Transform, Vector, dot, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Joint, Placed
+from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import hand_xml
 from urdfkit.robot.symmetry import have_same_meshes, pairs
 from urdfkit.robot.values import number

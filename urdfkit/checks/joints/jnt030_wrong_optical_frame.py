@@ -19,7 +19,7 @@ Sources:
 
 from urdfkit.core.spatial import Z_AXIS, Rotation, multiply, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.robot.values import numbers
 from urdfkit.text.document import Element

@@ -17,9 +17,10 @@ from collections.abc import Callable
 from urdfkit.core.spatial import AXES, Z_AXIS, Vector, dot, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Body, Joint, Link
+from urdfkit.robot.link import Body, Link
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.shapes import LinkSolid, MeshSolid, solid
 

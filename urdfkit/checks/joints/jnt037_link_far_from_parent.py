@@ -12,7 +12,8 @@ from collections.abc import Iterator, Mapping
 
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.robot.shapes import LinkSolid, solid

@@ -12,7 +12,8 @@ Sources:
 """
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
-from urdfkit.robot.model import SINGLE_DOF, Joint, Placed
+from urdfkit.robot.joint import SINGLE_DOF, Joint
+from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 
 _LIMIT = '<limit lower="-2" upper="2" effort="80" velocity="3"/>'

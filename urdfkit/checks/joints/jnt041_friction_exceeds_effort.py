@@ -12,8 +12,8 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_loads import effort
-from urdfkit.robot.model import Joint
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
 from urdfkit.text.document import Element

@@ -9,7 +9,8 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import Rotation, Vector
 from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
-from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.symmetry import have_same_meshes, pairs
 
 #: In m: tolerance for rounding.

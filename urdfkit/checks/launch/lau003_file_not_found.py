@@ -86,31 +86,31 @@ def _outside_workspace(subject: str, span: Span) -> Finding:
 def _worlds(context: Context) -> Findings:
     """Missing world files, and misspelt names of Gazebo's own worlds."""
     packages = context.resolver.packages
-    for started in worlds(context.launch):
-        name = started.name
-        if started.is_glued and started.span.source is context.source:
+    for world in worlds(context.launch):
+        name = world.name
+        if world.is_glued and world.span.source is context.source:
             message = f"missing space between '-r' and the world '{name}'"
-            yield Finding(started.span, message, "write '-r ' with a space")
+            yield Finding(world.span, message, "write '-r ' with a space")
             continue
-        if started.span.source is not context.source or name.startswith(UNKNOWN):
+        if world.span.source is not context.source or name.startswith(UNKNOWN):
             continue
         if os.path.isabs(name):
             exists = disk.exists(name) or context.resolver.installed(name)
             if disk.is_file(name) and not context.resolver.admits(name):
-                yield _outside_workspace(f"world {name}", started.span)
+                yield _outside_workspace(f"world {name}", world.span)
             elif not exists and not _may_exist_elsewhere(context, name):
-                yield _not_found("world", name, started.span)
-        elif started.generation == GZ and name and not started.is_shipped:
+                yield _not_found("world", name, world.span)
+        elif world.generation == GZ and name and not world.is_shipped:
             other = f"{os.path.splitext(name)[0]}.sdf"  # Gazebo Classic has empty.world
             suggested = next(
-                (world for world in shipped_worlds() if is_typo(name, world) or world == other),
+                (known for known in shipped_worlds() if is_typo(name, known) or known == other),
                 None,
             )
             root = packages.workspace(context.source.path)
             files = context.resolver.directories.files_below(root, _MAX_DIRECTORIES)
             if suggested and not any(path.endswith(f"/{name}") for path in files):
                 hint = f"did you mean '{suggested}'?"
-                yield Finding(started.span, f"Gazebo has no world '{name}'", hint)
+                yield Finding(world.span, f"Gazebo has no world '{name}'", hint)
 
 
 def _may_exist_elsewhere(context: Context, path: str) -> bool:

@@ -21,15 +21,13 @@ from urdfkit.lint.rules import (
     Context,
     Finding,
     Findings,
-    Location,
     Need,
     Related,
     Severity,
     rule,
 )
 from urdfkit.ros.controllers import Controller, read
-from urdfkit.ros.launch.contents import StartedProgram, Word
-from urdfkit.ros.launch.spawned_controllers import controllers
+from urdfkit.ros.launch.spawned_controllers import SpawnedController, spawned_controllers
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "launch/robot.launch"
@@ -57,7 +55,7 @@ _MAX_FILES, _MAX_DIRECTORIES = 200, 2000
     help="fix the name, or define the controller in the YAML file",
 )
 def check(context: Context) -> Findings:
-    spawned = [(word, s) for s in context.launch.started for word in controllers(s)]
+    spawned = list(spawned_controllers(context.launch.started))
     if not spawned or context.launch.names_parameters:
         return
     defined = defined_controllers(context)
@@ -67,30 +65,30 @@ def check(context: Context) -> Findings:
     # A name with a substitution is known only when the launch file runs.
     is_whole = bool(loaded) and _is_whole(context) and not any("$" in name for name in known)
     suggester = Suggester({name for name in known if "$" not in name})
-    for word, node in spawned:
-        name = (word.text or "").strip("/").rpartition("/")[2]
+    for controller in spawned:
+        name = controller.name.rpartition("/")[2]
         suggested = suggester.suggested(name)
         # The common ending makes ``hand_controller`` resemble ``head_controller``.
         is_misspelt = bool(suggested) and is_typo(name, suggested)
         if name not in known and (is_whole or is_misspelt):
             yield Finding(
-                Location(word.span, node.frame),
+                controller.at,
                 f"controller '{name}' is not defined in any parameter file" + suggester.hint(name),
                 f"write one item for each controller: {name.split()}" if " " in name else "",
             )
 
 
 def _typed_by_themselves(
-    spawned: list[tuple[Word, StartedProgram]], defined: dict[str, Controller]
+    spawned: list[SpawnedController], defined: dict[str, Controller]
 ) -> Findings:
     """Controllers whose type the controller manager does not know."""
-    for word, node in spawned:
-        controller = defined.get((word.text or "").strip("/"))
-        options = {option.text for option in node.words}
+    for loaded in spawned:
+        controller = defined.get(loaded.name)
+        options = {option.text for option in loaded.program.words}
         is_known = None not in options and options.isdisjoint(_PARAMETER_FILES)
         if controller and controller.is_typed_by_itself and is_known:
             yield Finding(
-                Location(word.span, node.frame),
+                loaded.at,
                 f"the controller manager has no type for '{controller.name}': its type is in its "
                 "own section, which only the spawner's --param-file reads",
                 f"write {controller.name}: {{type: {controller.type}}} below controller_manager, "

@@ -44,13 +44,13 @@ def check(context: Context) -> Findings:
             continue
         if (parameters.get(_PARAMETER) or "").endswith((".urdf", ".xacro")):
             message = f"{_PARAMETER} is the path of a file, not the text of the robot"
-            yield Finding(Location(node.span, node.frame), message, _EXPANDED)
+            yield Finding(node.at, message, _EXPANDED)
         if _PARAMETER not in parameters:
             names = sorted(parameters)
             mistake = next((name for name in names if nearest(name, [_PARAMETER], TYPO)), "")
             other = f"; '{mistake}' is not '{_PARAMETER}'" if mistake else ""
             message = f"robot_state_publisher has no parameter {_PARAMETER}{other}"
-            yield Finding(Location(node.span, node.frame), message)
+            yield Finding(node.at, message)
 
 
 def _unexpanded(node: StartedProgram, parameters: Mapping[str, str | None]) -> Findings:

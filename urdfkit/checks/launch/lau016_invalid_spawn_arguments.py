@@ -22,7 +22,7 @@ from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram, Word
-from urdfkit.ros.launch.spawning import Spawner, options, spawner_of
+from urdfkit.ros.launch.spawning import ModelSpawner, model_spawner, options
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -47,27 +47,27 @@ _TOPIC = "robot_description"
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    for started in context.launch.started:
-        spawner = spawner_of(started)
+    for program in context.launch.started:
+        spawner = model_spawner(program)
         if spawner is None:
             continue
-        arguments, is_known = options(started, spawner)
+        arguments, is_known = options(program, spawner)
         for option, word in arguments.items():
-            place = Location(word.span, started.frame)
+            place = Location(word.span, program.frame)
             if option not in spawner.known:
                 suggested = nearest(option, spawner.known)
                 hint = f"; did you mean '-{suggested}'?" if suggested else ""
                 ignored = "" if spawner.is_strict else " (ignored)"
                 yield Finding(
                     place,
-                    f"{started.executable} has no option '-{option}'{ignored}{hint}",
+                    f"{program.executable} has no option '-{option}'{ignored}{hint}",
                     _NAMED.get(option, f"write -{suggested}" if suggested else "remove it"),
                     severity=None if spawner.is_strict else Severity.WARNING,
                 )
             else:
                 yield from _value(context, option, word, place)
-        if is_known and started.words and not started.parameters.values:
-            yield from _missing(started, spawner, arguments)
+        if is_known and program.words and not program.parameters.values:
+            yield from _missing(program, spawner, arguments)
 
 
 def _value(context: Context, option: str, word: Word, place: Location) -> Findings:
@@ -111,9 +111,11 @@ def _is_expanded(context: Context, path: str) -> bool:
     return not any(mark in data for mark in (b"<xacro:", b"${", b"$("))
 
 
-def _missing(started: StartedProgram, spawner: Spawner, arguments: dict[str, Word]) -> Findings:
+def _missing(
+    program: StartedProgram, spawner: ModelSpawner, arguments: dict[str, Word]
+) -> Findings:
     for group in spawner.required:
         if not any(option in arguments for option in group):
             required = " or ".join(f"-{option}" for option in group)
-            message = f"{started.executable} requires {required}"
-            yield Finding(Location(started.span, started.frame), message, f"add {required}")
+            message = f"{program.executable} requires {required}"
+            yield Finding(program.at, message, f"add {required}")

@@ -97,13 +97,13 @@ _TOPIC = rb"""<\w*topic\w*>\s*([\w/.-]+)\s*<|\b\w*topic\w*\s*=\s*["']([\w/.-]+)[
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    for started in context.launch.programs:
-        yield from _merged(started, context)
-        yield from _without_topics(started)
+    for program in context.launch.programs:
+        yield from _merged(program, context)
+        yield from _without_topics(program)
     bridged = [
-        (topic, started.frame)
-        for started in context.launch.programs
-        for topic in bridged_topics(started, context.resolver)
+        (topic, program.frame)
+        for program in context.launch.programs
+        for topic in bridged_topics(program, context.resolver)
     ]
     for topic, frame in bridged:
         if mistake := next(_mistakes(topic), None):
@@ -117,28 +117,28 @@ def check(context: Context) -> Findings:
     yield from _unused(context, bridged)
 
 
-def _without_topics(started: StartedProgram) -> Findings:
+def _without_topics(program: StartedProgram) -> Findings:
     """A bridge with parameters, none of which names topics."""
-    given = started.parameters.every
-    is_bare = started.executable == "parameter_bridge" and not started.words
-    names = {*(given or ()), *started.parameters.lists}
-    if given and is_bare and is_bridge(started) and names.isdisjoint(_OF_TOPICS):
+    given = program.parameters.every
+    is_bare = program.executable == "parameter_bridge" and not program.words
+    names = {*(given or ()), *program.parameters.lists}
+    if given and is_bare and is_bridge(program) and names.isdisjoint(_OF_TOPICS):
         message = "the bridge has no topics: neither arguments nor config_file"
         help = 'write {"config_file": PATH} in its parameters'
-        at = Location(started.span, started.frame)
+        at = program.at
         yield Finding(at, message, help, severity=Severity.WARNING)
 
 
-def _merged(started: StartedProgram, context: Context) -> Findings:
+def _merged(program: StartedProgram, context: Context) -> Findings:
     """Topics of Gazebo that a bridge publishes on one topic of ROS, of the same message."""
     first: dict[tuple[str, str], BridgedTopic] = {}
-    for topic in bridged_topics(started, context.resolver):
+    for topic in bridged_topics(program, context.resolver):
         if topic.direction != FROM_GAZEBO or topic.ros_type.rpartition("/")[2] not in _OF_SENSORS:
             continue
         other = first.setdefault((topic.ros_topic.strip("/"), topic.ros_type), topic)
         if other.topic.strip("/") != topic.topic.strip("/"):
             yield Finding(
-                Location(topic.at("ros_topic_name", "topic_name"), started.frame),
+                Location(topic.at("ros_topic_name", "topic_name"), program.frame),
                 f"'{topic.topic}' and '{other.topic}' of Gazebo are both published on "
                 f"'{topic.ros_topic}'",
                 "give one of them another ros_topic_name",
@@ -233,12 +233,12 @@ def _unused(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None
 
 def _is_known(context: Context) -> bool:
     """True if the robot alone publishes and reads topics in Gazebo."""
-    robots, started = list(context.described_robots), list(worlds(context.launch))
+    robots, started_worlds = list(context.described_robots), list(worlds(context.launch))
     return (
-        len(robots) == len(started) == 1
+        len(robots) == len(started_worlds) == 1
         and all(description.is_whole for description, _ in robots)
         and all(are_all_known(robot.model) for _, robot in robots)
-        and (started[0].is_shipped or _is_bare(started[0].name, context))
+        and (started_worlds[0].is_shipped or _is_bare(started_worlds[0].name, context))
     )
 
 

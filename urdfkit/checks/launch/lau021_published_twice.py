@@ -24,18 +24,17 @@ Sources:
     ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
 """
 
-from collections.abc import Iterator
 from math import dist
 
 from urdfkit.checks.launch import duplicate_programs
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
-from urdfkit.ros.launch.contents import StartedProgram, Word
-from urdfkit.ros.launch.spawned_controllers import activates, controllers, manager_name, topic_name
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.spawned_controllers import manager_name, spawned_controllers, topic_name
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
 from urdfkit.text.located_yaml import Value
 
@@ -60,33 +59,33 @@ _POSITION_TOLERANCE = 1e-3
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     launch = context.launch
-    started = [node for node in launch.programs if node.is_sure]
-    yield from _transforms(context, started)
+    programs = [node for node in launch.programs if node.is_sure]
+    yield from _transforms(context, programs)
     if not launch.has_scopes:  # which give them namespaces
-        yield from _joint_states(context, started)
-    yield from _claims(context, started)
-    yield from duplicate_programs.second_publisher(context, started)
-    yield from duplicate_programs.second_manager(context, started)
-    yield from duplicate_programs.second_odometry(context, started)
-    yield from duplicate_programs.second_parent(context, started)
-    yield from duplicate_programs.static_odometry(context, started)
-    yield from duplicate_programs.second_map(context, started)
+        yield from _joint_states(context, programs)
+    yield from _claims(context, programs)
+    yield from duplicate_programs.second_publisher(context, programs)
+    yield from duplicate_programs.second_manager(context, programs)
+    yield from duplicate_programs.second_odometry(context, programs)
+    yield from duplicate_programs.second_parent(context, programs)
+    yield from duplicate_programs.static_odometry(context, programs)
+    yield from duplicate_programs.second_map(context, programs)
 
 
-def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
-    published = [(node, transform) for node in started if (transform := static_transform(node))]
-    if not published or all(node.package != "robot_state_publisher" for node in started):
+def _transforms(context: Context, programs: list[StartedProgram]) -> Findings:
+    published = [(node, transform) for node in programs if (transform := static_transform(node))]
+    if not published or all(node.package != "robot_state_publisher" for node in programs):
         return
     joints: dict[str, Joint] = {}
     for _, robot in context.described_robots:
         joints |= {joint.child_name: joint for joint in robot.model.joints if joint.child}
     for node, transform in published:
         child = transform.child
-        joint = joints.get(_frame(child))
+        joint = joints.get(child.name)
         if joint and not _repeats_joint(transform, joint):
             yield Finding(
                 Location(child.span, node.frame),
-                f"the transform of '{_frame(child)}' is published twice: by this node, and by "
+                f"the transform of '{child.name}' is published twice: by this node, and by "
                 f"robot_state_publisher for joint '{joint.name}'",
                 "remove the static_transform_publisher, or the joint",
                 related=(Related(joint.at.span, f"joint '{joint.name}'"),),
@@ -95,68 +94,60 @@ def _transforms(context: Context, started: list[StartedProgram]) -> Findings:
 
 def _repeats_joint(transform: StaticTransform, joint: Joint) -> bool:
     """True if the transform repeats a fixed joint, which is harmless."""
-    is_parent = joint.parent_name == _frame(transform.parent)
+    is_parent = joint.parent_name == transform.parent.name
     distance = dist(transform.position, joint.origin.position)
     return joint.kind == "fixed" and is_parent and distance < _POSITION_TOLERANCE
 
 
-def _frame(word: Word) -> str:
-    return (word.text or "").lstrip("/")
-
-
-def _joint_states(context: Context, started: list[StartedProgram]) -> Findings:
+def _joint_states(context: Context, programs: list[StartedProgram]) -> Findings:
     """A joint_state_publisher on the topic of a joint_state_broadcaster or of the bridge."""
     publishers = [
-        (f"{name.rpartition('/')[0]}/{_TOPIC}", f"controller {word.text}", word.span)
-        for word, node in _activated(started)
-        if word.text in _BROADCASTERS and (name := manager_name(node))
+        (f"{name.rpartition('/')[0]}/{_TOPIC}", f"controller {spawned.name}", spawned.word.span)
+        for spawned in spawned_controllers(programs)
+        if spawned.is_activated and spawned.name in _BROADCASTERS
+        if (name := manager_name(spawned.program))
     ]
     publishers += [
         (name, "the bridge", topic.span)
-        for node in started
+        for node in programs
         for topic in bridged_topics(node, context.resolver)
         if topic.ros_type == "sensor_msgs/msg/JointState" and topic.direction != TO_GAZEBO
         if (name := topic_name(topic.ros_topic, node))
     ]
     others = {name: (who, span) for name, who, span in reversed(publishers)}
-    for node in started:
+    for node in programs:
         other = others.get(topic_name(_TOPIC, node) or "") if node.package in _PUBLISHERS else None
         if other and b"source_list" not in node.span.source.data:
             yield Finding(
-                Location(node.span, node.frame),
+                node.at,
                 f"{node.package} and {other[0]} both publish the joint states",
                 f"remove {node.package}",
                 related=(Related(other[1], "the other publisher"),),
             )
 
 
-def _claims(context: Context, started: list[StartedProgram]) -> Findings:
+def _claims(context: Context, programs: list[StartedProgram]) -> Findings:
     defined = defined_controllers(context)
-    owners: dict[tuple[str | None, str, str], tuple[Word, Value]] = {}
-    for word, node in _activated(started):
-        controller = defined.get((word.text or "").strip("/"))
+    #: The first controller of a claim, and its joint.
+    owners: dict[tuple[str | None, str, str], tuple[str, Value]] = {}
+    for spawned in spawned_controllers(programs):
+        controller = defined.get(spawned.name) if spawned.is_activated else None
         for joint, interface in _claimed(controller) if controller else ():
-            claim = (manager_name(node), joint.text, interface)
-            owner, place = owners.setdefault(claim, (word, joint))
-            if controller and owner.text != word.text:
+            claim = (manager_name(spawned.program), joint.text, interface)
+            owner, joint_of_owner = owners.setdefault(claim, (spawned.name, joint))
+            if controller and owner != spawned.name:
                 inactive = "--inactive" if controller.ros == 2 else "--stopped"
                 yield Finding(
-                    Location(word.span, node.frame),
-                    f"controllers '{owner.text}' and '{word.text}' are both started and claim "
+                    spawned.at,
+                    f"controllers '{owner}' and '{spawned.name}' are both started and claim "
                     f"the command interface '{interface}' of joint '{joint.text}'",
                     f"start one of them with {inactive}, or correct its joints",
                     related=(
-                        Related(place.span, f"joint of controller '{owner.text}'"),
-                        Related(joint.span, f"joint of controller '{word.text}'"),
+                        Related(joint_of_owner.span, f"joint of controller '{owner}'"),
+                        Related(joint.span, f"joint of controller '{spawned.name}'"),
                     ),
                 )
                 break
-
-
-def _activated(started: list[StartedProgram]) -> Iterator[tuple[Word, StartedProgram]]:
-    for node in started:
-        if activates(node):
-            yield from ((word, node) for word in controllers(node))
 
 
 def _claimed(controller: Controller) -> list[tuple[Value, str]]:

@@ -44,11 +44,11 @@ from urdfkit.checks.launch import mismatched_names, simulation
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
 from urdfkit.checks.launch.unread_commands import is_part_of_ros, mistyped_commands, unread_commands
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
-from urdfkit.ros.launch.spawned_controllers import controllers
+from urdfkit.ros.launch.spawned_controllers import spawned_controllers
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "launch/robot.launch.xml"
@@ -81,24 +81,24 @@ _JOINT_STATES = ("joint_state_publisher", "joint_state_publisher_gui")
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     launch = context.launch
-    started = launch.programs
-    if not _is_whole(launch) or not all(node.is_sure for node in started):
+    programs = launch.programs
+    if not _is_whole(launch) or not all(node.is_sure for node in programs):
         return
-    if any(node.package == _PUBLISHER for node in started):
-        yield from _without_joint_states(context, started)
-    yield from mismatched_names.untyped_controllers(started)
-    yield from simulation.wall_clock_nodes(context, started)
-    yield from simulation.missing_clock(context, started)
-    yield from simulation.paused(context, started)
-    yield from simulation.unloaded_hardware(context, started)
-    yield from simulation.hardware_without_simulator(context, started)
+    if any(node.package == _PUBLISHER for node in programs):
+        yield from _without_joint_states(context, programs)
+    yield from mismatched_names.untyped_controllers(programs)
+    yield from simulation.wall_clock_nodes(context, programs)
+    yield from simulation.missing_clock(context, programs)
+    yield from simulation.paused(context, programs)
+    yield from simulation.unloaded_hardware(context, programs)
+    yield from simulation.hardware_without_simulator(context, programs)
     if not launch.has_scopes and all(map(is_part_of_ros, launch.unread)):
-        yield from mismatched_names.unpublished_description(context, started)
-        yield from simulation.unpublished_joint_states(context, started)
+        yield from mismatched_names.unpublished_description(context, programs)
+        yield from simulation.unpublished_joint_states(context, programs)
         yield from unpublished_inputs(context)
-        yield from unread_commands(context, started)
-        yield from mistyped_commands(context, started)
-        yield from mismatched_names.manager_in_another_namespace(context, started)
+        yield from unread_commands(context)
+        yield from mistyped_commands(context, programs)
+        yield from mismatched_names.manager_in_another_namespace(context, programs)
 
 
 def _is_whole(launch: Launch) -> bool:
@@ -108,22 +108,22 @@ def _is_whole(launch: Launch) -> bool:
     return all(packages) and all(files)
 
 
-def _without_joint_states(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
-    spawned = [(word, node) for node in started for word in controllers(node)]
+def _without_joint_states(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
+    spawned = list(spawned_controllers(programs))
     defined = defined_controllers(context)
     types = {name: defined[name].type for name in defined if defined[name].ros == 2}
-    known = [types.get((word.text or "").strip("/"), "") for word, _ in spawned]
-    bridged = (topic for node in started for topic in bridged_topics(node, context.resolver))
+    known = [types.get(controller.name, "") for controller in spawned]
+    bridged = (topic for node in programs for topic in bridged_topics(node, context.resolver))
     if (
         not all(known)
         or any(kind.endswith("JointStateBroadcaster") for kind in known)
-        or any(node.package in _JOINT_STATES for node in started)
+        or any(node.package in _JOINT_STATES for node in programs)
         or any(topic.ros_type.endswith("/JointState") for topic in bridged)
     ):
         return
-    for word, node in spawned[:1]:
+    if spawned:
         yield Finding(
-            Location(word.span, node.frame),
+            spawned[0].at,
             "nothing publishes the joint states: no joint_state_broadcaster is started",
             "spawn joint_state_broadcaster, too, and define it in the YAML file of the controllers",
         )

@@ -153,10 +153,10 @@ def _frames_of_drivers(launch: Launch) -> frozenset[str]:
 
 def _may_have_other_publishers(context: Context) -> bool:
     """True if unavailable nodes, such as drivers or a bag player, may publish frames."""
-    started = context.launch.programs
-    if any(_is_unavailable(context, node.package) for node in started if node.package):
+    programs = context.launch.programs
+    if any(_is_unavailable(context, node.package) for node in programs if node.package):
         return True
-    if any("bag" in (word.text for word in node.words) for node in started if not node.package):
+    if any("bag" in (word.text for word in node.words) for node in programs if not node.package):
         return True
     return _includes_unavailable(context)
 
@@ -178,7 +178,7 @@ def _is_unavailable(context: Context, package: str) -> bool:
 
 def _frames_of_filters(launch: Launch, frames: list[NamedFrame]) -> frozenset[str]:
     """Base frames of filters that are parents of static transforms."""
-    parents = {(each.parent.text or "").lstrip("/") for each in _transforms(launch)}
+    parents = {each.parent.name for each in _transforms(launch)}
     return frozenset(frame.name for frame in frames if frame.key == "base_link_frame") & parents
 
 
@@ -211,8 +211,8 @@ def _published_frames(context: Context) -> frozenset[str]:
     if not links or any(map(_renames_frames, publishing)):
         return frozenset()
     transforms = [transform for launch_file in launches for transform in _transforms(launch_file)]
-    children = [(transform.child.text or "").lstrip("/") for transform in transforms]
-    parents = [(transform.parent.text or "").lstrip("/") for transform in transforms]
+    children = [transform.child.name for transform in transforms]
+    parents = [transform.parent.name for transform in transforms]
     above = (parent for parent, child in zip(parents, children, strict=True) if child in links)
     is_viewer = _is_viewer(launch) and not is_included(context.source.path, context.resolver)
     well_known = frozenset() if is_viewer else _WELL_KNOWN
@@ -236,8 +236,8 @@ def _links_of_robots(context: Context, launches: tuple[Launch, ...]) -> frozense
 
 def _renames_frames(launch: Launch) -> bool:
     """True if links may be published under other names, or without robot_state_publisher."""
-    started = launch.programs
-    publishers = [node for node in started if node.package == _PUBLISHER]
+    programs = launch.programs
+    publishers = [node for node in programs if node.package == _PUBLISHER]
     renaming = (
         "frame_prefix" in node.parameters.values or node.parameters.every is None
         for node in publishers
@@ -251,9 +251,9 @@ def _starts_publisher(launch: Launch) -> bool:
 
 def _is_viewer(launch: Launch) -> bool:
     """True if the launch file starts only the publishers of a robot and RViz."""
-    started = launch.programs
-    is_whole = not launch.unread and all(node.package in _VIEWERS for node in started)
-    packages = {node.package for node in started}
+    programs = launch.programs
+    is_whole = not launch.unread and all(node.package in _VIEWERS for node in programs)
+    packages = {node.package for node in programs}
     return is_whole and not packages.isdisjoint(_RVIZ) and not packages.isdisjoint(_SLIDERS)
 
 
@@ -271,8 +271,7 @@ def _unknown_parents(
         transform = static_transform(node)
         if transform is None:
             continue
-        words = (transform.parent, transform.child)
-        name, child = ((word.text or "").lstrip("/") for word in words)
+        name, child = transform.parent.name, transform.child.name
         # Gazebo's plugins publish frames as MODEL/FRAME.
         if name and name.rpartition("/")[2] not in known and child not in of_robot:
             message = f"parent '{name}' of the static transform is not a link of the robot"

@@ -140,11 +140,11 @@ def check(context: Context) -> Findings:
     yield from reversed_remappings(context)
     yield from unstamped_commands(context)
     yield from reported(context, "LAU024")
-    for started in context.launch.started:
-        yield from _unknown_pipeline(started)
-        yield from parameter_types.integer_frequency(started)
-        for word, message, help in mistakes(started):
-            yield Finding(Location(word.span, started.frame), message, help)
+    for program in context.launch.started:
+        yield from _unknown_pipeline(program)
+        yield from parameter_types.integer_frequency(program)
+        for word, message, help in mistakes(program):
+            yield Finding(Location(word.span, program.frame), message, help)
 
 
 def _lists(context: Context) -> Findings:
@@ -164,14 +164,14 @@ def _lists(context: Context) -> Findings:
             )
 
 
-def _unknown_pipeline(started: StartedProgram) -> Findings:
+def _unknown_pipeline(program: StartedProgram) -> Findings:
     """A default planning pipeline of MoveIt that is not loaded."""
-    name = started.parameters.values.get("default_planning_pipeline")
-    loaded = started.parameters.lists.get("planning_pipelines", ())
+    name = program.parameters.values.get("default_planning_pipeline")
+    loaded = program.parameters.lists.get("planning_pipelines", ())
     names = [pipeline for pipeline in loaded if pipeline]
     if name and names and len(names) == len(loaded) and name not in names:
         yield Finding(
-            Location(started.span, started.frame),
+            program.at,
             f"default_planning_pipeline '{name}' is not in planning_pipelines: {few(names, 4)}",
             f"add '{name}' to planning_pipelines, with its settings",
             severity=Severity.WARNING,
@@ -193,9 +193,9 @@ def _configurations(node: NodeParameters) -> Findings:
 def _other_nodes(context: Context, files: dict[str, list[NodeParameters]]) -> Findings:
     """Parameter files that a node loads, but whose sections belong to other nodes."""
     launch = context.launch
-    started = launch.programs
+    programs = launch.programs
     for path, sections in files.items():
-        users = [node for node in started if path in node.parameters.files]
+        users = [node for node in programs if path in node.parameters.files]
         names = {section.name for section in sections}
         yield from _misnamed(sections, users)
         if not launch.has_scopes:
@@ -266,10 +266,10 @@ def _outside_namespace(sections: list[NodeParameters], users: list[StartedProgra
             yield _of_other_name(section, owners[0], f"/{namespace}/{section.name}", help)
 
 
-def _node_name(started: StartedProgram) -> str:
+def _node_name(program: StartedProgram) -> str:
     """The name of a node, or its likely default name."""
-    is_manager = started.executable == "ros2_control_node"
-    return started.name or ("controller_manager" if is_manager else started.executable)
+    is_manager = program.executable == "ros2_control_node"
+    return program.name or ("controller_manager" if is_manager else program.executable)
 
 
 def _misnamed(sections: list[NodeParameters], users: list[StartedProgram]) -> Findings:
@@ -285,10 +285,10 @@ def _misnamed(sections: list[NodeParameters], users: list[StartedProgram]) -> Fi
             yield _of_other_name(section, servers[suggested], suggested, f"write {suggested}")
 
 
-def _has_known_name(started: StartedProgram) -> bool:
+def _has_known_name(program: StartedProgram) -> bool:
     """True for a single node with a known name."""
     return (
-        bool(started.name)
-        and started.namespace == ""
-        and not any(started.executable.startswith(name) for name in _CONTAINERS)
+        bool(program.name)
+        and program.namespace == ""
+        and not any(program.executable.startswith(name) for name in _CONTAINERS)
     )

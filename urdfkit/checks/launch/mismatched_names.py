@@ -7,13 +7,13 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import (
     MANAGER,
-    controllers,
     manager,
     manager_name,
     resolve_name,
+    spawns_controllers,
     topic_name,
 )
-from urdfkit.ros.launch.spawning import options, spawner_of
+from urdfkit.ros.launch.spawning import model_spawner, spawn_option
 from urdfkit.ros.ros_control import control_plugins, namespace_of
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
@@ -24,17 +24,16 @@ _DESCRIPTION = "robot_description"
 _OF_NODE = frozenset((_DESCRIPTION, "use_sim_time", "update_rate"))
 
 
-def unpublished_description(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def unpublished_description(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Spawners and displays that read the robot from a topic that nothing publishes."""
-    publishers = [node for node in started if node.package == _PUBLISHER]
+    publishers = [node for node in programs if node.package == _PUBLISHER]
     topics = [topic_name(_DESCRIPTION, node) for node in publishers]
     published = {topic: node for topic, node in zip(topics, publishers, strict=True) if topic}
     if not published or None in topics:
         return
     yield from unpublished_models(context, {name: node.span for name, node in published.items()})
-    for node in started:
-        spawner = spawner_of(node)
-        topic = options(node, spawner)[0].get("topic") if spawner else None
+    for node in programs:
+        topic = spawn_option(node, "topic")
         name = topic_name(topic.text, node) if topic and topic.text else None
         if topic and name and name not in published:
             known = next(iter(published))
@@ -46,17 +45,19 @@ def unpublished_description(context: Context, started: tuple[StartedProgram, ...
             )
 
 
-def manager_in_another_namespace(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def manager_in_another_namespace(
+    context: Context, programs: tuple[StartedProgram, ...]
+) -> Findings:
     """Spawners that wait for a controller manager in the wrong namespace."""
-    if any(_renames(node) for node in started):
+    if any(spawn_option(node, "robot_namespace") for node in programs):
         return
-    running = list(_managers(context, started))
+    running = list(_managers(context, programs))
     if not running or any(name is None for name, _ in running):
         return
     known = {name: place for name, place in running if name}
-    for node in started:
+    for node in programs:
         name = manager_name(node)
-        if name and name not in known and any(True for _ in controllers(node)):
+        if name and name not in known and spawns_controllers(node):
             written = manager(node)
             other, place = next(iter(known.items()))
             yield Finding(
@@ -70,39 +71,33 @@ def manager_in_another_namespace(context: Context, started: tuple[StartedProgram
             )
 
 
-def untyped_controllers(started: tuple[StartedProgram, ...]) -> Findings:
+def untyped_controllers(programs: tuple[StartedProgram, ...]) -> Findings:
     """A controller manager without parameters, and so without types of controllers."""
-    spawners = [node for node in started if any(True for _ in controllers(node))]
+    spawners = [node for node in programs if spawns_controllers(node)]
     words = {word.text for node in spawners for word in node.words}
     if not spawners or not words.isdisjoint((None, "-p", "--param-file")):
         return
-    for node in started:
+    for node in programs:
         parameters = node.parameters.every
         is_manager = (node.package, node.executable) == (MANAGER, "ros2_control_node")
         if is_manager and parameters is not None and _OF_NODE.issuperset(parameters):
             yield Finding(
-                Location(node.span, node.frame),
+                node.at,
                 "ros2_control_node has no parameter file, so no controller has a type",
                 "pass the YAML file of the controllers to it",
                 related=(Related(spawners[0].span, "a spawner"),),
             )
 
 
-def _renames(started: StartedProgram) -> bool:
-    """True for a program that spawns a robot with ``-robot_namespace``."""
-    spawner = spawner_of(started)
-    return spawner is not None and "robot_namespace" in options(started, spawner)[0]
-
-
 def _managers(
-    context: Context, started: tuple[StartedProgram, ...]
+    context: Context, programs: tuple[StartedProgram, ...]
 ) -> Iterator[tuple[str | None, Span]]:
     """The controller managers that are started; None for an unknown name."""
-    for node in started:
+    for node in programs:
         if node.package == MANAGER and node.executable == "ros2_control_node":
             is_plain = node.namespace is not None and node.name in ("", MANAGER)
             yield resolve_name(MANAGER, node.namespace) if is_plain else None, node.span
-    if not any(map(spawner_of, started)):
+    if not any(map(model_spawner, programs)):
         return
     for description, robot in context.described_robots:
         for plugin in control_plugins(robot.model):

@@ -7,7 +7,7 @@ rst-tu-dortmund/teb_local_planner#202 ("expected [double] got [integer]").
 import re
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import Finding, Findings, Location, Severity
+from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.known_parameters import given_values
@@ -58,15 +58,15 @@ def wrong_sizes(node: NodeParameters) -> Findings:
             yield Finding(value.span, message, f"write {round(float(value.text))}")
 
 
-def integer_frequency(started: StartedProgram) -> Findings:
+def integer_frequency(program: StartedProgram) -> Findings:
     """An integer frequency of robot_state_publisher, which ROS 1 accepts and ROS 2 rejects."""
-    value = started.parameters.values.get(FREQUENCY) or ""
-    is_ros2 = started.span.source.path.endswith(".py")
-    if started.package == PUBLISHER and is_ros2 and re.fullmatch(r"\d+", value):
+    value = program.parameters.values.get(FREQUENCY) or ""
+    is_ros2 = program.span.source.path.endswith(".py")
+    if program.package == PUBLISHER and is_ros2 and re.fullmatch(r"\d+", value):
         message = (
             f"{PUBLISHER} stops: {FREQUENCY} is declared as a double, and {value} is an integer"
         )
-        yield Finding(Location(started.span, started.frame), message, f"write {value}.0")
+        yield Finding(program.at, message, f"write {value}.0")
 
 
 def outdated_motion_model(node: NodeParameters) -> Findings:

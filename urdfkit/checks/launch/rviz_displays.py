@@ -60,8 +60,8 @@ def unknown_classes(context: Context) -> Findings:
 
 def volatile_maps(context: Context) -> Findings:
     """Displays of the map that miss it: map_server publishes it once, for late subscribers, too."""
-    started = context.launch.programs  # slam_toolbox repeats the map
-    if not any(node.executable == "map_server" for node in started):
+    programs = context.launch.programs  # slam_toolbox repeats the map
+    if not any(node.executable == "map_server" for node in programs):
         return
     for file, display, name in read_by_rviz(context):
         durability = mapping(display, "Topic").get("Durability Policy")

@@ -11,8 +11,8 @@ from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.spawned_controllers import activates, controllers
-from urdfkit.ros.launch.spawning import spawner_of
+from urdfkit.ros.launch.spawned_controllers import spawned_controllers
+from urdfkit.ros.launch.spawning import model_spawner
 from urdfkit.ros.launch.worlds import GZ, worlds
 from urdfkit.ros.ros_control import Component, components, control_plugins
 from urdfkit.text.comments import blank_comments
@@ -38,16 +38,16 @@ _STATES, _POSES = "joint-state-publisher", "pose-publisher"
 _MAX_NAMED = 2
 
 
-def missing_clock(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def missing_clock(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes that use the time of a gz-sim whose clock is not bridged."""
     if not any(world.generation == GZ for world in worlds(context.launch)):
         return
     unread = (path.rpartition("/")[2] for path in context.launch.unread)
-    is_gz = any(node.package == "ros_gz_sim" and spawner_of(node) for node in started)
-    waiting = next((node for node in started if _sim_time(node, context.resolver) is True), None)
+    is_gz = any(node.package == "ros_gz_sim" and model_spawner(node) for node in programs)
+    waiting = next((node for node in programs if _sim_time(node, context.resolver) is True), None)
     if not is_gz or waiting is None or not all(file in _GAZEBO for file in unread):
         return
-    bridges = [node for node in started if is_bridge(node)]
+    bridges = [node for node in programs if is_bridge(node)]
     if not all(_is_known(node) for node in bridges):
         return
     bridged = [topic for node in bridges for topic in bridged_topics(node, context.resolver)]
@@ -59,16 +59,16 @@ def missing_clock(context: Context, started: tuple[StartedProgram, ...]) -> Find
     place = bridges[0] if bridges else waiting
     message = f"'{waiting.executable}' waits with {_SIM_TIME} for /clock, which nothing publishes"
     help = "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"
-    yield Finding(Location(place.span, place.frame), message, help)
+    yield Finding(place.at, message, help)
 
 
-def wall_clock_nodes(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes without simulation time, while other nodes use it."""
     if context.launch.has_scopes:
         return
-    resolver, is_simulated = context.resolver, any(map(spawner_of, started))
-    other = next((node for node in started if _sim_time(node, resolver) is True), None)
-    for node in started:
+    resolver, is_simulated = context.resolver, any(map(model_spawner, programs))
+    other = next((node for node in programs if _sim_time(node, resolver) is True), None)
+    for node in programs:
         severity = data("nodes")["stamping"].get(node.package)
         own = _sim_time(node, resolver) if severity else None
         if own is None or own is True:
@@ -80,32 +80,32 @@ def wall_clock_nodes(context: Context, started: tuple[StartedProgram, ...]) -> F
         else:
             continue
         help = f'give it {{"{_SIM_TIME}": True}}'
-        yield Finding(Location(node.span, node.frame), message, help, severity=Severity(severity))
+        yield Finding(node.at, message, help, severity=Severity(severity))
 
 
-def paused(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def paused(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """A gz sim that starts paused."""
-    if not any(map(spawner_of, started)):
+    if not any(map(model_spawner, programs)):
         return
-    waiting = any(activates(node) and any(True for _ in controllers(node)) for node in started)
+    waiting = any(controller.is_activated for controller in spawned_controllers(programs))
     for world in worlds(context.launch):
         if world.is_paused and world.is_sure:
             effect = "no controller becomes active" if waiting else "nothing moves"
             yield Finding(
-                Location(world.span, world.frame),
+                world.at,
                 f"Gazebo starts paused: {effect} until Play is pressed",
                 "write -r before the world",
                 severity=None if waiting else Severity.INFO,
             )
 
 
-def unloaded_hardware(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def unloaded_hardware(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Hardware of a robot in Gazebo that Gazebo's control plugin does not load.
 
     It is mock hardware, or the files of the robot also name that of Gazebo, for other arguments.
     A launch file may describe its robot again, for MoveIt alone.
     """
-    if not any(map(spawner_of, started)):
+    if not any(map(model_spawner, programs)):
         return
     robots = list(context.described_robots)
     simulated = {
@@ -143,10 +143,10 @@ def _names_simulator(robot: Context) -> bool:
     return any(name in text for text in texts for name in names)
 
 
-def hardware_without_simulator(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def hardware_without_simulator(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Hardware of Gazebo in ros2_control_node, without Gazebo."""
-    managers = [node for node in started if node.executable == "ros2_control_node"]
-    if not managers or any(map(spawner_of, started)):
+    managers = [node for node in programs if node.executable == "ros2_control_node"]
+    if not managers or any(map(model_spawner, programs)):
         return
     for description in context.launch.descriptions:
         robot = context.other_robot(description.path, description.arguments)
@@ -164,12 +164,12 @@ def hardware_without_simulator(context: Context, started: tuple[StartedProgram, 
                 )
 
 
-def unpublished_joint_states(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def unpublished_joint_states(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """A robot of gz-sim in RViz whose joints have no states, so that links have no transform."""
-    publisher = next((node for node in started if node.package == "robot_state_publisher"), None)
-    bridges = [node for node in started if is_bridge(node)]
-    packages = {node.package for node in started}
-    is_gz = any(node.package == "ros_gz_sim" and spawner_of(node) for node in started)
+    publisher = next((node for node in programs if node.package == "robot_state_publisher"), None)
+    bridges = [node for node in programs if is_bridge(node)]
+    packages = {node.package for node in programs}
+    is_gz = any(node.package == "ros_gz_sim" and model_spawner(node) for node in programs)
     if publisher is None or not is_gz or "rviz2" not in packages or not bridges:
         return
     if not all(map(_STATELESS.fullmatch, packages)) or not all(map(_is_known, bridges)):
@@ -188,7 +188,7 @@ def unpublished_joint_states(context: Context, started: tuple[StartedProgram, ..
         if not any(_STATES in system for system in systems):
             help = f"add gz-sim-{_STATES}-system to the robot, and {help}"
         yield Finding(
-            Location(publisher.span, publisher.frame),
+            publisher.at,
             f"nothing publishes the states of {few(joints, _MAX_NAMED)}: RViz has no transform of "
             "their links",
             help,

@@ -23,7 +23,7 @@ from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.node_parameters import given_parameter, node_parameters
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import topic_of
-from urdfkit.ros.launch.spawned_controllers import controllers
+from urdfkit.ros.launch.spawned_controllers import spawned_controllers
 from urdfkit.text.located_yaml import Node, Value, mapping
 from urdfkit.text.source import Span
 
@@ -68,11 +68,11 @@ def unpublished_inputs(context: Context) -> Findings:
     for read in inputs:
         # If this launch file starts no publisher of such messages, another may.
         for launches in ((context.launch,), others):
-            started = [node for launch in launches for node in launch.programs]
-            published = dict(_published(context, started, read.message))
+            programs = [node for launch in launches for node in launch.programs]
+            published = dict(_published(context, programs, read.message))
             if published:
                 break
-        is_known = all(_is_known(node, read.message) for node in started)
+        is_known = all(_is_known(node, read.message) for node in programs)
         name = "/" + read.topic.strip("/")
         names = {name, *(f"/{topic.strip('/')}" for topic in read.others)}
         if any(node.package == _FILTER for launch in others for node in launch.started):
@@ -91,16 +91,16 @@ def unpublished_inputs(context: Context) -> Findings:
         )
 
 
-def _is_known(started: StartedProgram, message: str) -> bool:
+def _is_known(program: StartedProgram, message: str) -> bool:
     """True if the topics on which a program publishes a message are known."""
-    package = started.package
+    package = program.package
     is_other = package in (_CONTROLLERS, _FILTER) and message not in _READ.values()
     if is_other or _SILENT.fullmatch(package):
         return True
-    is_remapped = started.is_remapped
-    if package == _FILTER and message != "Odometry" and started.remappings is not None:
-        is_remapped = not {name.strip("/") for name in started.remappings} <= _OUTPUTS
-    is_plain = started.is_sure and not is_remapped and started.namespace == ""
+    is_remapped = program.is_remapped
+    if package == _FILTER and message != "Odometry" and program.remappings is not None:
+        is_remapped = not {name.strip("/") for name in program.remappings} <= _OUTPUTS
+    is_plain = program.is_sure and not is_remapped and program.namespace == ""
     return is_plain and package in _PUBLISHERS
 
 
@@ -131,13 +131,13 @@ def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
                     yield _ReadTopic(value.text, value.span, message, node.name)
                 elif isinstance(value, dict):
                     yield from _read_by_layer(value, node.name)
-    for started in context.launch.programs if not context.launch.has_scopes else ():
-        is_own = started.frame is None and started.is_sure and started.remappings == {}
-        defaults: dict[str, str] = data("nodes")["defaults"].get(started.package, {})
-        topic = defaults.get(_SCAN_TOPIC) if is_own and started.namespace == "" else None
-        if topic and given_parameter(started, _SCAN_TOPIC, context.resolver) == "":
-            who = started.executable
-            yield _ReadTopic(topic, started.span, "LaserScan", who, key=_SCAN_TOPIC)
+    for program in context.launch.programs if not context.launch.has_scopes else ():
+        is_own = program.frame is None and program.is_sure and program.remappings == {}
+        defaults: dict[str, str] = data("nodes")["defaults"].get(program.package, {})
+        topic = defaults.get(_SCAN_TOPIC) if is_own and program.namespace == "" else None
+        if topic and given_parameter(program, _SCAN_TOPIC, context.resolver) == "":
+            who = program.executable
+            yield _ReadTopic(topic, program.span, "LaserScan", who, key=_SCAN_TOPIC)
 
 
 def _read_by_layer(
@@ -151,17 +151,16 @@ def _read_by_layer(
 
 
 def _published(
-    context: Context, started: list[StartedProgram], message: str
+    context: Context, programs: list[StartedProgram], message: str
 ) -> Iterator[tuple[str, StartedProgram]]:
     """Topics on which a message is published, and their publishers."""
     types = {name: controller.type for name, controller in defined_controllers(context).items()}
-    for node in started:
+    for node in programs:
         for topic in bridged_topics(node, context.resolver):
             if topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}"):
                 yield "/" + topic.ros_topic.strip("/"), node
-        for word in controllers(node):
-            name = (word.text or "").strip("/")
-            kind = types.get(name, "").rpartition("/")[2]
-            published, topic_name = data("nodes")["outputs"].get(kind, ("", ""))
-            if published == message:
-                yield f"/{name}/{topic_name}", node
+    for controller in spawned_controllers(programs):
+        kind = types.get(controller.name, "").rpartition("/")[2]
+        published, topic_name = data("nodes")["outputs"].get(kind, ("", ""))
+        if published == message:
+            yield f"/{controller.name}/{topic_name}", controller.program

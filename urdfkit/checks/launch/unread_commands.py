@@ -17,7 +17,7 @@ from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.unread_remappings import remappings_of_plugins
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.topics import are_all_known
 from urdfkit.ros.launch.argument_checks import is_included
@@ -28,8 +28,8 @@ from urdfkit.ros.launch.node_parameters import given_parameter, node_parameters
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import (
     MANAGER,
-    controllers,
     resolve_name,
+    spawned_controllers,
     topic_name,
 )
 from urdfkit.text.located_yaml import Value, mapping
@@ -61,9 +61,9 @@ class _Reader(Record):
     at: Span
 
 
-def unread_commands(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def unread_commands(context: Context) -> Findings:
     """Nodes whose velocity commands nothing reads."""
-    sources = list(_sources(started))
+    sources = list(_sources(context.launch.programs))
     if not sources or is_included(context.source.path, context.resolver):
         return
     launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
@@ -71,10 +71,8 @@ def unread_commands(context: Context, started: tuple[StartedProgram, ...]) -> Fi
     if not all(map(_is_whole, launches)) or not all(map(_is_known, programs)):
         return
     defined = defined_controllers(context)
-    spawned = [
-        defined.get((word.text or "").strip("/")) for x in programs for word in controllers(x)
-    ]
-    if not all(node and node.kind for node in spawned):
+    controllers = [defined.get(spawned.name) for spawned in spawned_controllers(programs)]
+    if not all(controller and controller.kind for controller in controllers):
         return  # unknown controllers may read any topic
     if not all(are_all_known(robot.model) for _, robot in context.described_robots):
         return
@@ -86,7 +84,7 @@ def unread_commands(context: Context, started: tuple[StartedProgram, ...]) -> Fi
         if topic.removesuffix(_PLAIN) not in read and not _is_named(topic, launches, context):
             other = nearest(topic, readers, 0) or next(iter(readers))
             yield Finding(
-                Location(node.span, node.frame),
+                node.at,
                 f"'{node.executable}' publishes '{topic}', which nothing reads; velocity commands "
                 f"are read on '{other}'",
                 f"remap {topic} to {other}",
@@ -94,9 +92,9 @@ def unread_commands(context: Context, started: tuple[StartedProgram, ...]) -> Fi
             )
 
 
-def mistyped_commands(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes whose velocity commands have another type than their readers expect."""
-    for node, topic in _sources(started):
+    for node, topic in _sources(programs):
         switch, default = data("nodes")["stamped"].get(_key(node), ("", ""))
         is_stamped = given_parameter(node, switch, context.resolver)
         if is_stamped is None or (is_stamped or default).lower() not in ("true", "false"):
@@ -104,30 +102,30 @@ def mistyped_commands(context: Context, started: tuple[StartedProgram, ...]) -> 
         message = _TWIST_STAMPED if (is_stamped or default).lower() == "true" else _TWIST
         # Without stamps a drive has another topic until Humble, and later none.
         topics = (topic, f"{topic}{_PLAIN}")
-        readers = [reader for reader in _readers(context, started) if reader.topic in topics]
+        readers = [reader for reader in _readers(context, programs) if reader.topic in topics]
         expected = [_TWIST_STAMPED if x.topic != topic else x.message for x in readers]
         if readers and message not in expected:
             reader, who = readers[0], f"'{node.executable}' publishes {message} on '{topic}'"
             set_parameter = f"set its parameter {switch}: {str(message == _TWIST).lower()}"
             yield Finding(
-                Location(node.span, node.frame),
+                node.at,
                 f"{who}, where {expected[0]} is read",
                 set_parameter if reader.topic == topic else f"remap {topic} to {reader.topic}",
                 related=(Related(reader.at, "the reader"),),
             )
 
 
-def _sources(started: Iterable[StartedProgram]) -> Iterator[tuple[StartedProgram, str]]:
+def _sources(programs: Iterable[StartedProgram]) -> Iterator[tuple[StartedProgram, str]]:
     """The nodes that publish velocity commands, and the topics of these."""
     published: dict[str, str] = data("nodes")["commands"]
-    for node in started:
+    for node in programs:
         name = published.get(_key(node))
         if name and (topic := topic_name(name, node)):
             yield node, topic
 
 
-def _key(started: StartedProgram) -> str:
-    return f"{started.package}/{started.executable}"
+def _key(program: StartedProgram) -> str:
+    return f"{program.package}/{program.executable}"
 
 
 def is_part_of_ros(path: str) -> bool:
@@ -139,16 +137,16 @@ def _is_whole(launch: Launch) -> bool:
     return not launch.has_scopes and all(map(is_part_of_ros, launch.unread))
 
 
-def _is_known(started: StartedProgram) -> bool:
+def _is_known(program: StartedProgram) -> bool:
     """True if the topics on which a program reads velocity commands are known."""
-    if started.remappings is None or started.namespace is None:
+    if program.remappings is None or program.namespace is None:
         return False
-    if started.package == MANAGER:  # its remappings and arguments apply to the controllers
+    if program.package == MANAGER:  # its remappings and arguments apply to the controllers
         renamed = " ".join(
-            (*started.remappings, *(word.text or "cmd_vel" for word in started.words))
+            (*program.remappings, *(word.text or "cmd_vel" for word in program.words))
         )
         return _COMMAND.search(renamed) is None
-    return started.package in _SMOOTHERS or bool(_OTHERS.fullmatch(started.package))
+    return program.package in _SMOOTHERS or bool(_OTHERS.fullmatch(program.package))
 
 
 def _readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[_Reader]:
@@ -165,17 +163,18 @@ def _readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[_
             is_twist = message in (_TWIST, _TWIST_STAMPED)
             if is_twist and topic.direction != FROM_GAZEBO and name:
                 yield _Reader(name, message, topic.span)
-        for word in controllers(node):
-            controller = defined.get((word.text or "").strip("/"))
-            kind = controller.type.rpartition("/")[2] if controller and controller.ros == 2 else ""
-            if controller and DRIVE.fullmatch(kind):
-                name = "reference" if "Steering" in kind or "Mecanum" in kind else "cmd_vel"
-                stamped = [value.text.lower() for value in controller.section.values(_STAMPED)]
-                is_plain = "false" in stamped
-                topic_of_drive = f"/{controller.name}/{name}{_PLAIN * is_plain}"
-                topic_of_drive = renamed.get(topic_of_drive, topic_of_drive)
-                yield _Reader(topic_of_drive, _TWIST if is_plain else _TWIST_STAMPED, word.span)
         yield from _read_by_mux(node, context)
+    for spawned in spawned_controllers(programs):
+        controller = defined.get(spawned.name)
+        kind = controller.type.rpartition("/")[2] if controller and controller.ros == 2 else ""
+        if controller and DRIVE.fullmatch(kind):
+            name = "reference" if "Steering" in kind or "Mecanum" in kind else "cmd_vel"
+            stamped = [value.text.lower() for value in controller.section.values(_STAMPED)]
+            is_plain = "false" in stamped
+            topic_of_drive = f"/{controller.name}/{name}{_PLAIN * is_plain}"
+            topic_of_drive = renamed.get(topic_of_drive, topic_of_drive)
+            at = spawned.word.span
+            yield _Reader(topic_of_drive, _TWIST if is_plain else _TWIST_STAMPED, at)
 
 
 def _read_by_mux(node: StartedProgram, context: Context) -> Iterator[_Reader]:

@@ -12,7 +12,12 @@ from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.spawned_controllers import MANAGER, controllers, resolve_name
+from urdfkit.ros.launch.spawned_controllers import (
+    MANAGER,
+    resolve_name,
+    spawned_controllers,
+    spawns_controllers,
+)
 from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.document import Element
 
@@ -28,17 +33,17 @@ _HELP = (
 def unread_remappings(context: Context) -> Findings:
     """Remappings of controllers' topics in a spawner or in robot_state_publisher."""
     launch = context.launch
-    spawned = {word.text for node in launch.programs for word in controllers(node)}
+    spawned = {controller.word.text for controller in spawned_controllers(launch.programs)}
     for node in launch.started:
         for name in node.remappings or () if node.is_ros_2 else ():
-            if _is_spawner(node):
+            if spawns_controllers(node):
                 is_unread = MANAGER not in name
             else:
                 owner = name.strip("/").partition("/")[0]
                 is_unread = node.package == "robot_state_publisher" and owner in spawned
             if is_unread:
                 yield Finding(
-                    Location(node.span, node.frame),
+                    node.at,
                     f"remapping of '{name}' has no effect: controllers run in the controller "
                     f"manager, not in '{node.executable}'",
                     _HELP,
@@ -64,7 +69,7 @@ def unstamped_commands(context: Context) -> Findings:
     ]
     for node in context.launch.started:
         if node.package == MANAGER and node.executable not in _SPAWNERS:
-            renamed += ((old, Location(node.span, node.frame)) for old in node.remappings or ())
+            renamed += ((old, node.at) for old in node.remappings or ())
     for old, at in renamed:
         name, _, topic = old.strip("/~").rpartition("/")
         controller = defined.get(name)
@@ -92,7 +97,7 @@ def reversed_remappings(context: Context) -> Findings:
             name = resolve_name(new, "")
             if name in own and name not in pairs and old not in own:
                 yield Finding(
-                    Location(node.span, node.frame),
+                    node.at,
                     f"remapping of '{old}' has no effect: the topic of '{node.executable}' is "
                     f"'{new}'",
                     f"write it the other way round: from {new} to {old}",
@@ -100,9 +105,5 @@ def reversed_remappings(context: Context) -> Findings:
                 )
 
 
-def _topics(started: StartedProgram, topics: dict[str, str]) -> list[str]:
-    return topics.get(f"{started.package}/{started.executable}", "").split()
-
-
-def _is_spawner(started: StartedProgram) -> bool:
-    return any(True for _ in controllers(started))
+def _topics(program: StartedProgram, topics: dict[str, str]) -> list[str]:
+    return topics.get(f"{program.package}/{program.executable}", "").split()

@@ -18,8 +18,9 @@ Sources:
 from collections.abc import Iterator
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.robot.joint import SINGLE_DOF, Joint
 from urdfkit.robot.joints import related, several
-from urdfkit.robot.model import SINGLE_DOF, Joint, RobotModel
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml
 from urdfkit.text.schema import JOINT_TYPES
 

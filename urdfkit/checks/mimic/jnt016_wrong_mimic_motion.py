@@ -17,9 +17,9 @@ Sources:
 
 from urdfkit.core.spatial import dot, length, minus, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
+from urdfkit.robot.joint import Joint, Mimic
 from urdfkit.robot.joints import bounds, overshoot
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Joint, Mimic
 from urdfkit.robot.samples import hand_xml
 from urdfkit.robot.symmetry import pairs
 from urdfkit.robot.values import number

@@ -23,7 +23,7 @@ from collections.abc import Iterable
 from urdfkit.core.repeats import repeated
 from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.model import Material
+from urdfkit.robot.link import Material
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.document import Element
 

@@ -16,7 +16,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.rejection import shared_frames
 

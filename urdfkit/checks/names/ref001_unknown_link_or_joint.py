@@ -19,7 +19,8 @@ Sources:
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value, from_macro, insert_before

@@ -116,11 +116,11 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
 
 def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
     """The control plugins and controllers of the robots, that their own packages do not declare."""
-    from urdfkit.ros.launch.spawning import spawner_of
+    from urdfkit.ros.launch.spawning import model_spawner
     from urdfkit.ros.ros_control import control_plugins
 
     launch = context.launch
-    is_simulated = any(map(spawner_of, launch.programs))
+    is_simulated = any(map(model_spawner, launch.programs))
     for description, robot in context.described_robots if is_simulated else ():
         own = manifest_of(context.resolver, description.path)
         if own is None:

@@ -32,6 +32,8 @@ GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="$
 _UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
 #: All conditions with one value have it from one argument.
 _CONDITION = r"the condition is '.*', neither true nor false"
+#: All uses of a missing key of a YAML file.
+_NO_KEY = "The yaml dictionary has no key '[^']*'"
 
 
 @rule(
@@ -51,7 +53,7 @@ def check(context: Context) -> Findings:
             help = "write <xacro:macro> and </xacro:macro>, and xmlns:xacro in the root"
             yield finding._replace(message=message, help=help, group_key="<macro>")
             continue
-        lacking = re.match(f"{_UNDEFINED}|{_CONDITION}", finding.message)
+        lacking = re.match(f"{_UNDEFINED}|{_CONDITION}|{_NO_KEY}", finding.message)
         if lacking and lacking[1]:
             unprefixed.setdefault(finding.span.source.path, []).append(finding)
         else:

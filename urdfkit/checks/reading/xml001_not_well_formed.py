@@ -4,7 +4,7 @@ Most parsers reject the whole file, among them xacro and Python's XML parsers. u
 stray `&`, a missing space, or content after the root element, which it ignores without a message.
 All errors are listed where they have to be fixed, not where a parser stops: a tag that is not
 closed, a missing quote, a stray `<` or `&`, an attribute given twice, a NUL byte, `--` inside a
-comment, an element or text after `</robot>`.
+comment, a comment that begins with `<--`, an element or text after `</robot>`.
 
 A template is an info: a generator replaces the placeholder that is the name of a tag, as in
 `<xacro:$ROBOT_NAME$>` or `<xacro:{{ name }}>`.
@@ -31,7 +31,7 @@ FIXED = GOOD = BAD.replace("--debug", "- -debug")
 _PLACEHOLDER_TAG = re.compile(rb"<(?:[A-Za-z]\w*:)?(?:\$\w+\$|\{\{|@\w+@)")
 
 
-@rule(Severity.ERROR, needs=(), help="close every tag and quote; write < as &lt; and & as &amp;")
+@rule(Severity.ERROR, needs=())
 def check(context: Context) -> Findings:
     for finding in reported(context, "XML001"):
         is_template = _PLACEHOLDER_TAG.search(context.source.data)

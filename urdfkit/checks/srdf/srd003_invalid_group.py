@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.tree import closed_loops
 from urdfkit.ros.catalog import data

@@ -16,7 +16,7 @@ from collections.abc import Iterable
 
 from urdfkit.core.repeats import repeated
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.samples import SHOULDER
 from urdfkit.ros.moveit.samples import named_xml, srdf_files

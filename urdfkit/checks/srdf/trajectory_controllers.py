@@ -9,10 +9,9 @@ from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog import data
 from urdfkit.ros.controllers import Controller, read
-from urdfkit.ros.launch import spawned_controllers
 from urdfkit.ros.launch.contents import Word
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
-from urdfkit.ros.launch.spawned_controllers import MANAGER
+from urdfkit.ros.launch.spawned_controllers import MANAGER, spawned_controllers
 from urdfkit.ros.moveit.config import controller_entries
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, scalars
@@ -132,8 +131,7 @@ def _spawned(path: str, resolver: Resolver) -> dict[str, Word]:
     is_whole = all(each.searched is None or comes_with_ros(each.name) for each in packages)
     if not is_whole or any(word.text is None for node in spawners for word in node.words):
         return {}
-    words = chain.from_iterable(map(spawned_controllers.controllers, spawners))
-    return {word.text: word for word in words if word.text}
+    return {spawned.word.text or "": spawned.word for spawned in spawned_controllers(spawners)}
 
 
 def _omitted_joints(model: RobotModel, srdf: Srdf) -> set[str]:

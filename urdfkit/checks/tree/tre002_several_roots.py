@@ -12,7 +12,7 @@ Sources:
 
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.model import Link
+from urdfkit.robot.link import Link
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.robot.tree import KinematicTree
 

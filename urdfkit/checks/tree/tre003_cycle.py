@@ -14,7 +14,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 
 BAD = robot_xml(

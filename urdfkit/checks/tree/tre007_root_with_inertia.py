@@ -10,7 +10,8 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
-from urdfkit.robot.model import Link, RobotModel
+from urdfkit.robot.link import Link
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.text.editing.edits import from_macro, insert_before
 

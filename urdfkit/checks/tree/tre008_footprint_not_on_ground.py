@@ -15,7 +15,7 @@ Sources:
 from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate, vector
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Body
+from urdfkit.robot.link import Body
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.shapes import primitive
 from urdfkit.robot.tree import KinematicTree

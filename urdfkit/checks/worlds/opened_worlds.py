@@ -34,7 +34,7 @@ class OpenedWorld(Record):
         """The ``<world>``, or the start of the world if the file is not available."""
         if self.world is not None:
             return self.world.at.span
-        return Location(self.started.span, self.started.frame)
+        return self.started.at
 
     @property
     def note(self) -> tuple[Related, ...]:

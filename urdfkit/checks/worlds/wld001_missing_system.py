@@ -26,14 +26,14 @@ Sources:
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import element_xml
 from urdfkit.ros.catalog.plugins import Plugin, all_plugins
 from urdfkit.ros.catalog.sensors import types
 from urdfkit.ros.gazebo.samples import CART_LAUNCH, gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.worlds import Models, all_systems, default_systems, own_systems, systems_in
-from urdfkit.ros.launch.spawning import spawner_of
+from urdfkit.ros.launch.spawning import model_spawner
 from urdfkit.ros.launch.worlds import FACTORY, GZ
 
 NAME = "launch/robot.launch.py"
@@ -120,10 +120,10 @@ def _without_factory(context: Context, opened: OpenedWorld) -> Findings:
     plugins = opened.world.plugins if opened.world is not None else []
     files = {*opened.started.libraries, *(plugin.get("filename") for plugin in plugins)}
     spawners = context.launch.programs
-    spawns = any(node.executable == "spawn_entity.py" and spawner_of(node) for node in spawners)
+    spawns = any(node.executable == "spawn_entity.py" and model_spawner(node) for node in spawners)
     if spawns and FACTORY not in files:
         yield Finding(
-            Location(opened.started.span, opened.started.frame),
+            opened.started.at,
             f"Gazebo is started without {FACTORY}, which spawn_entity.py requires",
             f"add -s libgazebo_ros_init.so -s {FACTORY}, or include gazebo.launch.py of gazebo_ros",
             severity=Severity.ERROR,
@@ -162,7 +162,7 @@ def _without_defaults(context: Context, opened: OpenedWorld, loaded: frozenset[s
 def _required_defaults(context: Context, opened: OpenedWorld) -> Iterator[str]:
     if any(True for _ in context.described_robots):
         yield "Physics"
-    if any(map(spawner_of, context.launch.programs)):
+    if any(map(model_spawner, context.launch.programs)):
         yield "UserCommands"
     if opened.started.has_window:
         yield "SceneBroadcaster"

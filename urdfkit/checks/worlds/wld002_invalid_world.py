@@ -38,7 +38,7 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import TITLES, find, misspelt
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.worlds import Models, World, model_name
-from urdfkit.ros.launch.spawning import options, spawner_of
+from urdfkit.ros.launch.spawning import model_spawner, options
 from urdfkit.ros.launch.worlds import GZ, worlds
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
@@ -103,7 +103,7 @@ def _unreadable(opened: OpenedWorld) -> Findings:
     error = next((problem for problem in opened.problems if problem.code == "XML001"), None)
     if source is not None and any(mark in source.data for mark in _TEMPLATES):
         return
-    at = Location(opened.started.span, opened.started.frame)
+    at = opened.started.at
     if error is not None:
         message = f"'{file}' is not a world: {error.message}"
         yield Finding(error.span, message, "fix the file", related=opened.note)
@@ -220,7 +220,7 @@ def _other_gazebo(opened: OpenedWorld, world: World) -> list[Finding]:
     other, own = _TITLES[not is_gz], _TITLES[is_gz]
     message = f"{opened.title} is for {other}, but is started in {own}, which loads none of its "
     message += f"{len(kinds)} plugins"
-    place = Location(opened.started.span, opened.started.frame)
+    place = opened.started.at
     help = f"start it in {other}, or name a world for {own}"
     return [Finding(place, message, help, severity=Severity.WARNING)]
 
@@ -308,7 +308,7 @@ def _selected_engines(opened: OpenedWorld) -> Iterator[tuple[Location | Span, st
     """The engine of the command line, otherwise of the Sensors system."""
     started = opened.started
     if started.engine:
-        yield Location(started.span, started.frame), started.engine
+        yield started.at, started.engine
         return
     for plugin in opened.world.plugins if opened.world is not None else ():
         engine = plugin.child("render_engine")
@@ -325,14 +325,14 @@ def _other_worlds(context: Context, opened: OpenedWorld) -> Findings:
     """Nodes that spawn the robot into a world of another name."""
     if opened.started.generation != GZ or not opened.name or not opened.started.is_sure:
         return
-    for started in context.launch.programs:
-        spawner = spawner_of(started)
-        word = options(started, spawner)[0].get("world") if spawner else None
-        name = word.text if word else started.parameters.values.get("world")
+    for program in context.launch.programs:
+        spawner = model_spawner(program)
+        word = options(program, spawner)[0].get("world") if spawner else None
+        name = word.text if word else program.parameters.values.get("world")
         if spawner and not spawner.is_strict and name and name != opened.name:
-            span: Span = word.span if word else started.span
+            span: Span = word.span if word else program.span
             yield Finding(
-                Location(span, started.frame),
+                Location(span, program.frame),
                 f"the robot is spawned into world '{name}', but world '{opened.name}' is started",
                 f"write {opened.name}, or omit the name",
             )

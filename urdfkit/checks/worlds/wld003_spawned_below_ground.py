@@ -22,7 +22,7 @@ from urdfkit.robot.stability import is_freestanding, standing_verdict
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.samples import solid_xml
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.spawning import options, spawner_of
+from urdfkit.ros.launch.spawning import model_spawner, options
 from urdfkit.ros.launch.worlds import CLASSIC, worlds
 
 NAME = "launch/robot.launch.py"
@@ -72,7 +72,7 @@ def check(context: Context) -> Findings:
     if not len(opened) == len(robots) == len(starts) == 1:
         return  # it is unknown which robot is spawned in which world
     (robot,) = robots
-    spawners = list(filter(spawner_of, context.launch.programs))
+    spawners = list(filter(model_spawner, context.launch.programs))
     if len(spawners) == 1:
         yield from _without_floor(opened[0], robot)
     ground = _ground(opened[0])
@@ -121,13 +121,13 @@ def _ground(opened: OpenedWorld) -> float | None:
     return 0.0 if is_plane and not opened.path else None
 
 
-def _height(started: StartedProgram) -> tuple[float, Location] | None:
+def _height(program: StartedProgram) -> tuple[float, Location] | None:
     """The z in m at which a node spawns the robot upright, and its location; None if unknown."""
-    spawner = spawner_of(started)
+    spawner = model_spawner(program)
     if spawner is None:
         return None
-    arguments, is_known = options(started, spawner)
-    parameters = {} if spawner.is_strict else started.parameters.every
+    arguments, is_known = options(program, spawner)
+    parameters = {} if spawner.is_strict else program.parameters.every
     if parameters is None:
         return None
     texts = dict(parameters) | {name: word.text for name, word in arguments.items()}
@@ -138,8 +138,8 @@ def _height(started: StartedProgram) -> tuple[float, Location] | None:
         return None
     if "reference_frame" in texts:
         return None
-    span = arguments["z"].span if "z" in arguments else started.span
-    return z, Location(span, started.frame)
+    span = arguments["z"].span if "z" in arguments else program.span
+    return z, Location(span, program.frame)
 
 
 def _lowest(robot: Context) -> tuple[float, str] | None:

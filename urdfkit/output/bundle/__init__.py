@@ -25,7 +25,7 @@ from urdfkit.output.bundle.robot import (
     rewritten,
     texture_references,
 )
-from urdfkit.robot.model import Placed
+from urdfkit.robot.placed import Placed
 from urdfkit.text.source import shown
 
 #: The manifest of a bundle; it marks a directory as a bundle.

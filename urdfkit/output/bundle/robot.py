@@ -8,7 +8,8 @@ from collections.abc import Callable, Iterator
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
-from urdfkit.robot.model import Placed, RobotModel
+from urdfkit.robot.model import RobotModel
+from urdfkit.robot.placed import Placed
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.apply import apply_edits

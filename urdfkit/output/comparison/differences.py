@@ -14,8 +14,10 @@ from types import MappingProxyType
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot.inertia import rotated
+from urdfkit.robot.joint import Joint, Limit
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Body, Inertial, Joint, Limit, Link, RobotModel, Shape, Tensor
+from urdfkit.robot.link import Body, Inertial, Link, Shape, Tensor
+from urdfkit.robot.model import RobotModel
 
 #: Kinds of differences. ``links`` and ``joints``: added or removed; ``names``: renamed; ``joints``:
 #: also types, links, axes and mimics; ``masses``: also centres of mass; ``shapes``: also origins;

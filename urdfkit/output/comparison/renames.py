@@ -7,7 +7,8 @@ must be unchanged. A joint is matched by its two links. Ambiguous matches are ig
 from collections.abc import Iterator
 
 from urdfkit.output.comparison.differences import RenamedParts, Tolerances, of_frames, of_link
-from urdfkit.robot.model import Joint, RobotModel
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.model import RobotModel
 
 
 def renames(before: RobotModel, after: RobotModel, allowed: Tolerances) -> RenamedParts:

@@ -8,7 +8,7 @@ from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary, Unavailable
 from urdfkit.lint.context import Context
 from urdfkit.output.comparison.differences import Difference, RenamedParts, Tolerances
-from urdfkit.robot.model import Shape
+from urdfkit.robot.link import Shape
 
 
 def changed_surfaces(

@@ -5,7 +5,7 @@ import numpy as np
 from urdfkit.core.spatial import Transform
 from urdfkit.mesh.geometry import Floats
 from urdfkit.mesh.transforms import homogeneous
-from urdfkit.robot.model import Link
+from urdfkit.robot.link import Link
 from urdfkit.robot.rigid_bodies import properties_of
 
 #: Masses in kg and moments in kg·m² below this count as zero.

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.robot.model import Body
+from urdfkit.robot.link import Body
 
 #: Number of points on a hull whose distance from the mesh is measured.
 _SAMPLES = 500

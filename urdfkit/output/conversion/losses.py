@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from enum import Enum
 
 from urdfkit.core.record import Record
-from urdfkit.robot.model import reads_quaternions
+from urdfkit.robot.origin import reads_quaternions
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.source import Span
 

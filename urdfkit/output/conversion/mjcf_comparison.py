@@ -19,9 +19,10 @@ from urdfkit.output.conversion.mjcf_geoms import (
 from urdfkit.output.conversion.mjcf_pieces import WrittenShape
 from urdfkit.output.conversion.mjcf_robot import NARROWEST
 from urdfkit.output.conversion.text_reading import TextReading
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.kinematics import laws
-from urdfkit.robot.model import Body, Joint, Shape
+from urdfkit.robot.link import Body, Shape
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.values import number
 

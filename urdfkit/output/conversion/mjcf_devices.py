@@ -7,8 +7,8 @@ import mujoco
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.mjcf_inputs import add_given_actuators
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_loads import effort
-from urdfkit.robot.model import Joint
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.values import text_of
 from urdfkit.ros.ros_control import components, driven_joints

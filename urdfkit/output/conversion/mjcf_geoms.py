@@ -19,7 +19,7 @@ from urdfkit.output.conversion.mjcf_pieces import Piece, halved, quaternion
 from urdfkit.output.conversion.mjcf_textures import Textures
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Body, Link, Shape
+from urdfkit.robot.link import Body, Link, Shape
 from urdfkit.ros.surface_materials import PLAIN, ModelMaterials, SurfaceMaterial
 from urdfkit.text.source import Span
 

@@ -14,9 +14,10 @@ from urdfkit.output.conversion.mjcf_geoms import Geoms
 from urdfkit.output.conversion.mjcf_pieces import WrittenShape, quaternion
 from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.inertia import MassProperties, combined, principal_moments
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_loads import effort
 from urdfkit.robot.kinematics import direction, laws
-from urdfkit.robot.model import Joint, Link, Tensor
+from urdfkit.robot.link import Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number

@@ -12,7 +12,7 @@ from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.mjcf_pieces import quaternion
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.ros.gazebo.poses import UnreadablePose, pose_in
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.document import Element

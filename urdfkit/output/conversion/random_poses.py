@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from random import Random
 
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 
 #: Bound of positions, in rad or m, if the limit of a joint is larger or missing.
 _MAX_POSITION = 3.0

@@ -4,7 +4,8 @@ from collections.abc import Iterator
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.context import Context
-from urdfkit.robot.model import SINGLE_DOF, Joint, reads_quaternions
+from urdfkit.robot.joint import SINGLE_DOF, Joint
+from urdfkit.robot.origin import reads_quaternions
 from urdfkit.robot.values import number, numbers, vector
 from urdfkit.text.document import Element
 from urdfkit.text.schema import JOINT_TYPES

@@ -25,7 +25,7 @@ from urdfkit.output.conversion.sdf_losses import OTHERWISE, REASONS, record_loss
 from urdfkit.output.conversion.sdf_model import VERSION, SdfModel
 from urdfkit.output.conversion.sdf_proof import prove
 from urdfkit.output.conversion.sdf_reader import Sdf
-from urdfkit.robot.model import Link
+from urdfkit.robot.link import Link
 from urdfkit.ros.gazebo.conversion import JOINT_TYPES, NEW, SdfConversion
 from urdfkit.ros.gazebo.rejection import CODES, IN_JOINTS, rejections
 from urdfkit.text.diagnostic import Severity

@@ -16,7 +16,7 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.output.conversion.sdf_extensions import set_value
 from urdfkit.output.conversion.sdf_values import number_text, pose_text, snapped_rpy
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, rotated
-from urdfkit.robot.model import Link
+from urdfkit.robot.link import Link
 from urdfkit.text.document import Element
 
 

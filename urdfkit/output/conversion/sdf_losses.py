@@ -9,7 +9,8 @@ from urdfkit.output.conversion.sdf_model import SdfModel, is_hinge
 from urdfkit.output.conversion.sdf_proof import difference
 from urdfkit.output.conversion.sdf_values import snapped_rpy
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Body, Joint, Link, Material
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Body, Link, Material
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.ros.gazebo.conversion import SdfConversion
 from urdfkit.text.document import Attribute, Element

@@ -14,7 +14,8 @@ from urdfkit.output.conversion.sdf_extensions import GazeboBlocks, child_of, set
 from urdfkit.output.conversion.sdf_inertia import Inertias
 from urdfkit.output.conversion.sdf_values import number_text, numbers_text, pose_text, snapped_rpy
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Body, Joint, Limit, Material, Shape
+from urdfkit.robot.joint import Joint, Limit
+from urdfkit.robot.link import Body, Material, Shape
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number, vector
 from urdfkit.ros.gazebo.conversion import WORLD, SdfConversion, SimulatedJoint, SimulatedLink

@@ -10,8 +10,9 @@ from urdfkit.output.conversion.result import Proof
 from urdfkit.output.conversion.sdf_reader import Sdf, pose, text
 from urdfkit.output.conversion.sdf_values import SNAP
 from urdfkit.robot.inertia import ZERO, MassProperties, combined
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import frames, positions
-from urdfkit.robot.model import Joint, Tensor
+from urdfkit.robot.link import Tensor
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number

@@ -13,7 +13,7 @@ from urdfkit.mesh.repair.soup import soup_of
 from urdfkit.output.conversion.mjcf_pieces import Piece, halved
 from urdfkit.robot.assets.collision_shapes import MAX_RELATIVE_ERROR
 from urdfkit.robot.assets.geometry import body_mesh
-from urdfkit.robot.model import Body
+from urdfkit.robot.link import Body
 
 
 class SimplerCollision(Record):

@@ -29,7 +29,7 @@ from urdfkit.output.conversion.result import REPORT, Conversion, proven
 from urdfkit.output.conversion.usd_losses import OTHERWISE, mark_parts
 from urdfkit.output.conversion.usd_proof import Stage, prove
 from urdfkit.output.conversion.usd_rotations import write_rotations
-from urdfkit.robot.model import reads_quaternions
+from urdfkit.robot.origin import reads_quaternions
 from urdfkit.robot.values import numbers
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element

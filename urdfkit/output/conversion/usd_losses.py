@@ -10,7 +10,8 @@ from urdfkit.output.conversion.losses import LossTable
 from urdfkit.output.conversion.usd_proof import RESISTANCE, Stage
 from urdfkit.output.conversion.usd_shapes import gprims
 from urdfkit.robot.assets.colours import Colours
-from urdfkit.robot.model import Body, Joint, Link
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Body, Link
 
 #: Note on elements that the converter does not support.
 OTHERWISE = "stored under urdf:, which no simulator reads"

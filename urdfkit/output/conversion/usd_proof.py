@@ -16,8 +16,9 @@ from urdfkit.mesh.transforms import homogeneous
 from urdfkit.output.conversion.body_inertia import difference, of_link, pseudo_inertia
 from urdfkit.output.conversion.result import Proof
 from urdfkit.output.conversion.usd_shapes import converted_shapes, shape_difference
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Body, Joint, Link
+from urdfkit.robot.link import Body, Link
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.values import number
 

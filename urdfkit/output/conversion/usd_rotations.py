@@ -13,8 +13,8 @@ from urdfkit.core.spatial import Rotation
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.output.conversion.usd_proof import Stage, rotation_of
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Joint
 
 _ORIENT = "xformOp:orient"
 

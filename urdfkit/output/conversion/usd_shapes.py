@@ -10,7 +10,7 @@ from pxr import Usd, UsdGeom, UsdPhysics
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.mesh.transforms import homogeneous
-from urdfkit.robot.model import Body, Link, Shape
+from urdfkit.robot.link import Body, Link, Shape
 
 #: Prim types of URDF's primitives.
 _TYPES = {"box": "Cube", "sphere": "Sphere", "cylinder": "Cylinder"}

@@ -14,7 +14,7 @@ from urdfkit.text.source import shown
 
 if TYPE_CHECKING:
     from urdfkit.mesh.geometry import Floats, Mesh
-    from urdfkit.robot.model import Link
+    from urdfkit.robot.link import Link
 
 
 class Solids(Record):

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
+from urdfkit.robot.joint import DEGREES_OF_FREEDOM, Joint
 from urdfkit.robot.joints import bounds
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import DEGREES_OF_FREEDOM, Joint
 from urdfkit.robot.tree import KinematicTree
 
 

@@ -6,7 +6,8 @@ from urdfkit.errors import MissingLibrary, Unavailable
 from urdfkit.lint.context import Context
 from urdfkit.output.overview import summarise
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.model import Joint, Link, Shape
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link, Shape
 from urdfkit.text.source import Span, shown
 
 Row = dict[str, Any]

@@ -6,8 +6,8 @@ import mujoco
 
 from urdfkit.output.simulation.simulated_robot import SimulatedRobot, diverged
 from urdfkit.physics.verdicts import Verdict
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_loads import FASTEST, ROTOR, STEP
-from urdfkit.robot.model import Joint
 
 #: Within this time in s, a joint must reach this velocity in rad/s or m/s, this part of its
 #: velocity limit, or an end of its range. Talos' grippers reach half of their limit.

@@ -16,9 +16,9 @@ from urdfkit.output.bundle.writing import write_collisions
 from urdfkit.output.conversion.mjcf_assembly import assembled, compiled, floats, ignore_warning
 from urdfkit.output.conversion.mjcf_robot import MjcfRobot
 from urdfkit.output.conversion.options import ConversionOptions
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_loads import GRAVITY, STEP
 from urdfkit.robot.kinematics import laws
-from urdfkit.robot.model import Joint
 from urdfkit.ros.moveit.srdf import Srdf, read_named
 from urdfkit.text.document import Element
 

@@ -11,10 +11,10 @@ import numpy as np
 from urdfkit.output.simulation.hold import SAG, torques
 from urdfkit.output.simulation.simulated_robot import OVERLAP, SimulatedRobot
 from urdfkit.physics.verdicts import Verdict
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_loads import STEP
 from urdfkit.robot.joints import overshoot, span
 from urdfkit.robot.kinematics import MimicLaw, laws, positions
-from urdfkit.robot.model import Joint
 
 #: Number of positions of a joint that are tested in its range.
 SAMPLES = 24

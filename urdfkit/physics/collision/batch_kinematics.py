@@ -15,9 +15,9 @@ import numpy as np
 from urdfkit.core.grouping import by_key
 from urdfkit.mesh.geometry import Floats
 from urdfkit.mesh.transforms import homogeneous
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joints import span, start_of
 from urdfkit.robot.kinematics import LOCKED, MimicLaw, direction, laws
-from urdfkit.robot.model import Joint
 from urdfkit.robot.tree import KinematicTree
 
 #: Largest meaningful distance in m; squares of larger ones may overflow.

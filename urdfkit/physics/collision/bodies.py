@@ -9,7 +9,7 @@ from math import dist, hypot
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Transform, Vector
 from urdfkit.core.static_typing import TYPE_CHECKING
-from urdfkit.robot.model import Body, Shape
+from urdfkit.robot.link import Body, Shape
 
 if TYPE_CHECKING:
     from urdfkit.mesh.measures import Measures

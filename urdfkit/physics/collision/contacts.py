@@ -24,7 +24,7 @@ from urdfkit.robot.kinematics import LOCKED, frames, laws, motion
 if TYPE_CHECKING:
     from urdfkit.physics.collision.exact import ExactDistances
     from urdfkit.robot import Robot
-    from urdfkit.robot.model import Joint
+    from urdfkit.robot.joint import Joint
 
 #: Random poses in which a pair must overlap to overlap always.
 _SAMPLES = 50

@@ -14,7 +14,8 @@ from urdfkit.mesh.transforms import homogeneous
 from urdfkit.mesh.welding import weld
 from urdfkit.physics.collision.bodies import MAX_COORDINATE, THINNEST, primitive_size, why_omitted
 from urdfkit.robot.assets.triangles import Meshes
-from urdfkit.robot.model import Link, RobotModel, Shape
+from urdfkit.robot.link import Link, Shape
+from urdfkit.robot.model import RobotModel
 
 
 class CollisionArrays(NamedTuple):

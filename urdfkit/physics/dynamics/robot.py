@@ -18,8 +18,9 @@ from urdfkit.core.spatial import Rotation, Transform, Vector, transposed
 from urdfkit.errors import UrdfkitError
 from urdfkit.mesh.geometry import Floats
 from urdfkit.robot.inertia import MassProperties, combined
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction, laws
-from urdfkit.robot.model import Joint, Link, Tensor
+from urdfkit.robot.link import Link, Tensor
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.tree import KinematicTree
 

@@ -11,7 +11,7 @@ from urdfkit.core.spatial import Transform, Vector, rotate, to_rpy
 from urdfkit.core.words import rounded
 from urdfkit.robot.assets.geometry import body_mesh
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Body, Link
+from urdfkit.robot.link import Body, Link
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import rewriting

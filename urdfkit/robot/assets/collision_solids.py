@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core import libraries
 from urdfkit.robot.inertia import MassProperties, combined
-from urdfkit.robot.model import Body, Link, Tensor
+from urdfkit.robot.link import Body, Link, Tensor
 from urdfkit.robot.shapes import MeshSolid, primitive
 
 if TYPE_CHECKING:

@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 from itertools import chain
 
-from urdfkit.robot.model import Body, Link, Material, RobotModel
+from urdfkit.robot.link import Body, Link, Material
+from urdfkit.robot.model import RobotModel
 
 
 class Colours:

@@ -2,7 +2,7 @@
 
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.robot import Robot
-from urdfkit.robot.model import Body
+from urdfkit.robot.link import Body
 from urdfkit.robot.shapes import Primitive, primitive
 
 

@@ -9,7 +9,7 @@ from urdfkit.mesh.io.facts import MAX_BYTES, READ
 from urdfkit.mesh.measures import Measures
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.assets.mesh_uses import MeshUse
-from urdfkit.robot.model import Body, Shape
+from urdfkit.robot.link import Body, Shape
 
 if TYPE_CHECKING:
     from urdfkit.core.progress import Progress

@@ -13,7 +13,9 @@ from urdfkit.core.record import Record
 from urdfkit.core.suggest import SIMILAR_FILE, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX, MAX_BYTES, MeshFacts, has_other_up_axis, is_gltf
 from urdfkit.robot.assets.file_names import is_mistyped, numbers_in, stem, suffix
-from urdfkit.robot.model import Body, Link, Placed, RobotModel, Shape
+from urdfkit.robot.link import Body, Link, Shape
+from urdfkit.robot.model import RobotModel
+from urdfkit.robot.placed import Placed
 from urdfkit.text.document import Attribute, Tag
 from urdfkit.workspace.references import ResolvedReference
 from urdfkit.workspace.resolve import Resolver

@@ -8,7 +8,8 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.measures import Measures
 from urdfkit.robot.inertials.shape_mass import stretched
-from urdfkit.robot.model import Body, Link, Placed, Shape
+from urdfkit.robot.link import Body, Link, Shape
+from urdfkit.robot.placed import Placed
 from urdfkit.robot.shapes import MeshSolid
 from urdfkit.text.document import Attribute
 

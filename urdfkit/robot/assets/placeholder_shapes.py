@@ -24,7 +24,7 @@ from urdfkit.robot.assets.target_bounds import (
     target_bounds,
     turning_axis,
 )
-from urdfkit.robot.model import Body, Link
+from urdfkit.robot.link import Body, Link
 
 #: A part is stretched to its bounds if the factors of its edges differ by this ratio at most.
 _DISTORTION = 2.0

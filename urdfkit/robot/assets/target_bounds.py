@@ -9,7 +9,7 @@ from urdfkit.core.spatial import IDENTITY, Z_AXIS, Rotation, Transform, Vector, 
 from urdfkit.robot import Robot
 from urdfkit.robot.bounding_box import box_of
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Body, Link
+from urdfkit.robot.link import Body, Link
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, Primitive
 
 #: Edges in m outside this range, computed from an inertia tensor, show that the tensor is wrong.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from urdfkit.core.static_typing import TYPE_CHECKING
-from urdfkit.robot.model import Shape
+from urdfkit.robot.link import Shape
 
 if TYPE_CHECKING:
     from urdfkit.core.progress import Progress

@@ -26,7 +26,8 @@ from urdfkit.core.spatial import (
     times,
     to_rpy,
 )
-from urdfkit.robot.model import Body, Link, RobotModel, Shape
+from urdfkit.robot.link import Body, Link, Shape
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.shapes import OTHER_UNIT, BoundingBox, LinkSolid, MeshSolid, solid
 from urdfkit.text.document import Tag
 

@@ -16,8 +16,9 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot import inertia
 from urdfkit.robot.inertials.defects import MAX_PART_DENSITY, MIN_MOMENT_RATIO
 from urdfkit.robot.inertials.link_comparison import EXACT_RATIO, ROUNDING, LinkInertia
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_loads import is_effort_excessive
-from urdfkit.robot.model import Joint, Tensor
+from urdfkit.robot.link import Tensor
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.shapes import OTHER_UNIT
 from urdfkit.robot.values import number

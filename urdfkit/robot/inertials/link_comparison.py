@@ -7,7 +7,7 @@ from math import inf
 from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Vector, transposed
 from urdfkit.robot import inertia
-from urdfkit.robot.model import Body, Inertial, Link, Tensor
+from urdfkit.robot.link import Body, Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody
 from urdfkit.robot.shapes import BoundingBox, LinkSolid, MeshSolid, Primitive, solid
 

@@ -9,7 +9,7 @@ import re
 
 from urdfkit.core.record import Record
 from urdfkit.robot import DescribedRobot
-from urdfkit.robot.model import Body, Link
+from urdfkit.robot.link import Body, Link
 from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Edit, Fix
 from urdfkit.text.document import Attribute, CallFrame, Element, Tag

@@ -6,7 +6,8 @@ from functools import cached_property
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.defects import MAX_PART_DENSITY, InertiaDefect, find_defects
 from urdfkit.robot.inertials.link_comparison import SIGNIFICANT_PART, LinkInertia, by_tensor
-from urdfkit.robot.model import Body, Link, RobotModel, Tensor
+from urdfkit.robot.link import Body, Link, Tensor
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import NO_MASS, RigidBody, rigid_bodies
 from urdfkit.robot.shapes import MeshSolid
 from urdfkit.robot.symmetry import numbered_pairs, pairs

@@ -9,7 +9,7 @@ from urdfkit.core.spatial import Transform, Vector, rotate, vector
 from urdfkit.robot.inertia import rotated
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
-from urdfkit.robot.model import Tensor
+from urdfkit.robot.link import Tensor
 from urdfkit.robot.symmetry import have_same_meshes
 from urdfkit.text.document import Element
 

@@ -8,7 +8,7 @@ from math import dist
 from urdfkit.core.spatial import Transform, Vector, transposed, vector
 from urdfkit.robot.inertia import MassProperties, rotated
 from urdfkit.robot.inertials.link_comparison import LinkInertia
-from urdfkit.robot.model import Tensor
+from urdfkit.robot.link import Tensor
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.edits import replace_value

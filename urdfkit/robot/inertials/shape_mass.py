@@ -13,7 +13,7 @@ from urdfkit.core.spatial import Vector
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.mesh.measures import OVERLAP, Measures, Uniform
 from urdfkit.robot.inertia import MassProperties, combined, scaled
-from urdfkit.robot.model import Body, Link, Shape, Tensor
+from urdfkit.robot.link import Body, Link, Shape, Tensor
 from urdfkit.robot.shapes import solid
 
 if TYPE_CHECKING:

@@ -15,7 +15,9 @@ from functools import cached_property
 
 from urdfkit.core.record import Record
 from urdfkit.robot.inertia import MassProperties
-from urdfkit.robot.model import Body, Joint, Link, RobotModel
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Body, Link
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS, NO_MASS, RigidBody, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.gazebo.values import is_true

@@ -7,8 +7,9 @@ from math import hypot
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, length, minus, rotate, times
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.link import Link
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.plugins import Drive

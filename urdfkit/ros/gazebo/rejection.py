@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.robot.inertia import principal_moments
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.ros.gazebo import REJECTED, REJECTED_BY_GZ
 from urdfkit.ros.gazebo.conversion import SdfConversion
 from urdfkit.text.diagnostic import Diagnostic, Severity

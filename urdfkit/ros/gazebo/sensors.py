@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.record import Record
-from urdfkit.robot.model import Placed, RobotModel
+from urdfkit.robot.model import RobotModel
+from urdfkit.robot.placed import Placed
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.sensors import Setting, settings
 from urdfkit.text.document import Attribute, Element

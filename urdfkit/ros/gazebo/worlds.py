@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 
 from urdfkit.core.record import Record
-from urdfkit.robot.model import Placed
+from urdfkit.robot.placed import Placed
 from urdfkit.robot.values import number, numbers
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import find

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link
 from urdfkit.ros.importers.imported import Imported, ImportedBody
 from urdfkit.ros.importers.orders import WORLD
 from urdfkit.text.document import Element

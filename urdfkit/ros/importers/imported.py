@@ -8,7 +8,8 @@ from functools import cached_property
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Transform
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, scaled
-from urdfkit.robot.model import Joint, Link
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.link import Link
 from urdfkit.robot.rigid_bodies import RigidBody, properties_of, rigid_bodies
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.importers.facts import ImporterFacts

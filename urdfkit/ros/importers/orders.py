@@ -3,7 +3,7 @@
 from collections import deque
 from collections.abc import Callable, Iterable
 
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.tree import KinematicTree
 
 #: Name of the world in all programs.

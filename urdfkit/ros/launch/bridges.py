@@ -83,9 +83,9 @@ def ros_messages(gz_message: str) -> tuple[str, ...]:
     )
 
 
-def is_bridge(started: StartedProgram) -> bool:
-    is_executable = started.executable in ("parameter_bridge", "bridge_node")
-    return is_executable and started.package in ("ros_gz_bridge", "ros_ign_bridge")
+def is_bridge(program: StartedProgram) -> bool:
+    is_executable = program.executable in ("parameter_bridge", "bridge_node")
+    return is_executable and program.package in ("ros_gz_bridge", "ros_ign_bridge")
 
 
 def config_file(words: Iterable[Word]) -> Word | None:
@@ -96,24 +96,24 @@ def config_file(words: Iterable[Word]) -> Word | None:
     return None
 
 
-def bridged_topics(started: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:
+def bridged_topics(program: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:
     """Topics of a bridge of ros_gz; empty for other programs."""
-    if started.executable == "image_bridge" and started.package in _IMAGE_PACKAGES:
-        yield from _images(started)
-    if not is_bridge(started):
+    if program.executable == "image_bridge" and program.package in _IMAGE_PACKAGES:
+        yield from _images(program)
+    if not is_bridge(program):
         return
-    config = config_file(started.words)
-    path = config.text if config else started.parameters.values.get("config_file")
-    for word in started.words:
+    config = config_file(program.words)
+    path = config.text if config else program.parameters.values.get("config_file")
+    for word in program.words:
         if topic := _of_word(word):
             yield topic
     if path:
         yield from _in_file(path, resolver)
 
 
-def _images(started: StartedProgram) -> Iterator[BridgedTopic]:
+def _images(program: StartedProgram) -> Iterator[BridgedTopic]:
     """Topics of images, each a word of the command line; the ROS topic has the same name."""
-    for word in started.words:
+    for word in program.words:
         text = word.text or ""
         if text.startswith("-"):
             return  # --ros-args

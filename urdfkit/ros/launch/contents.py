@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem
-from urdfkit.text.document import CallFrame
+from urdfkit.text.document import CallFrame, Location
 from urdfkit.text.source import Source, Span
 
 #: Name of a parameter file in messages.
@@ -80,6 +80,11 @@ class Word(Record):
     text: str | None
     span: Span
 
+    @property
+    def name(self) -> str:
+        """The text as a name in ROS, without surrounding slashes; empty if unknown."""
+        return (self.text or "").strip("/")
+
 
 class GivenParameters(Record):
     """The parameters of a node."""
@@ -110,6 +115,16 @@ class StartedProgram(Record):
     parameters: GivenParameters = GivenParameters({})  # passed to it
     namespace: str | None = ""  # without surrounding slashes; None if known only at run time
     name: str = ""  # of the node; empty if missing, or known only at run time
+
+    @property
+    def title(self) -> str:
+        """Its name for messages."""
+        return self.name or self.executable
+
+    @property
+    def at(self) -> Location:
+        """Location of the action."""
+        return Location(self.span, self.frame)
 
     @property
     def is_ros_2(self) -> bool:

@@ -18,13 +18,13 @@ _FORMER = ("robot_state_publisher", "state_publisher")
 
 
 def mistakes(
-    started: Iterable[StartedProgram], included: Iterable[IncludedFile], resolver: Resolver
+    programs: Iterable[StartedProgram], included: Iterable[IncludedFile], resolver: Resolver
 ) -> Iterator[Problem]:
     """Problems of references that do not exist in these packages; included files are ignored.
 
     A workspace may have packages of these names with other contents.
     """
-    for program in started:
+    for program in programs:
         if program.frame is not None:
             continue
         problem = unknown_executable(program) if program.is_ros_2 else _former_executable(program)
@@ -76,28 +76,28 @@ def _is_own(package: str, by: StartedProgram | IncludedFile, resolver: Resolver)
     return directory.startswith(resolver.packages.workspace(near))
 
 
-def unknown_executable(started: StartedProgram) -> Problem | None:
+def unknown_executable(program: StartedProgram) -> Problem | None:
     """An executable that a package of ROS 2 does not have."""
-    known = data("launch")["executables"].get(started.package, "").split()
-    former = data("launch")["former_executables"].get(started.package, "").split()
-    name = started.executable
+    known = data("launch")["executables"].get(program.package, "").split()
+    former = data("launch")["former_executables"].get(program.package, "").split()
+    name = program.executable
     if not known or not name or name in known:
         return None
-    message = f"package '{started.package}' has no executable '{name}'{did_you_mean(name, known)}"
+    message = f"package '{program.package}' has no executable '{name}'{did_you_mean(name, known)}"
     severity = Severity.WARNING
     if name in former:
         message, severity = f"{message} (supported up to Galactic)", Severity.INFO
     help = f"write one of {', '.join(known)}"
-    return Problem("LAU003", started.span, message, help, started.frame, severity=severity)
+    return Problem("LAU003", program.span, message, help, program.frame, severity=severity)
 
 
-def _former_executable(started: StartedProgram) -> Problem | None:
+def _former_executable(program: StartedProgram) -> Problem | None:
     """An executable that ROS 1 has no more: roslaunch stops."""
-    if (started.package, started.executable) != _FORMER:
+    if (program.package, program.executable) != _FORMER:
         return None
-    message = f"'{started.executable}' was removed in ROS Noetic"
-    help = f'write type="{started.package}"'
-    return Problem("LAU003", started.span, message, help, severity=Severity.INFO)
+    message = f"'{program.executable}' was removed in ROS Noetic"
+    help = f'write type="{program.package}"'
+    return Problem("LAU003", program.span, message, help, severity=Severity.INFO)
 
 
 def unknown_file(included: IncludedFile) -> Problem | None:

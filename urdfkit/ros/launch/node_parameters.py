@@ -39,16 +39,16 @@ def node_parameters(source: Source) -> Iterator[NodeParameters]:
         stack += [(value, key, inner_namespace) for key, value in keys]
 
 
-def given_parameter(started: StartedProgram, name: str, resolver: Resolver) -> str | None:
+def given_parameter(program: StartedProgram, name: str, resolver: Resolver) -> str | None:
     """A parameter of a node, from the launch file or its parameter files.
 
     Returns:
         An empty string if it is not given; None if it is known only at run time.
     """
-    given = started.parameters
+    given = program.parameters
     if name in given.values:
         return given.values[name]
-    if not given.is_whole or any(name in (word.text or name) for word in started.words):
+    if not given.is_whole or any(name in (word.text or name) for word in program.words):
         return None
     values: set[str | None] = set()
     for source in map(resolver.readable, given.files):

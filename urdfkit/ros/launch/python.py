@@ -182,7 +182,7 @@ class _PythonReader:
             if value and (self.values.text(value) or "").endswith(_PARAMETER_FILES):
                 self._file(value, PARAMETERS)
         executable = argument(call, None, "executable") or argument(call, None, "node_executable")
-        started = StartedProgram(
+        program = StartedProgram(
             name or "",
             self.values.text(executable) or "",
             self.values.words(words),
@@ -194,11 +194,11 @@ class _PythonReader:
             namespace=self._namespace(call),
             name=self.values.text(argument(call, None, "name")) or "",
         )
-        self.collector.start(started)
-        if started.executable == "move_group":
+        self.collector.start(program)
+        if program.executable == "move_group":
             problems = moveit.parameter_problems(call, self._tree, self.values, self.collector)
             self.collector.problems += problems
-        elif started.package == "rviz2":
+        elif program.package == "rviz2":
             problems = moveit.without_kinematics(call, self._tree, self.values, self.collector)
             self.collector.problems += problems
 

@@ -42,7 +42,7 @@ class RobotArguments(Record):
         return not self.unknown
 
 
-def started(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
+def started_robots(launch: Launch, path: str) -> Iterator[tuple[str, RobotArguments]]:
     """The robots that a launch file starts: paths and arguments.
 
     Args:
@@ -208,7 +208,7 @@ def _started(
         for source in launch_files(directory, mentioned, resolver)
         if not only_parameters or _LOADING.search(source.data)
         for choice in _choices(source)
-        for robot in started(read_launch(source, resolver, choice), source.path)
+        for robot in started_robots(read_launch(source, resolver, choice), source.path)
     )
 
 

@@ -4,10 +4,14 @@ Sources: ``spawner`` of ros-controls/ros_control (noetic) and of ros-controls/ro
 to rolling), ``load_controller`` of its ros2controlcli.
 """
 
-from collections.abc import Iterator
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
+from urdfkit.core.record import Record
 from urdfkit.ros.launch.contents import StartedProgram, Word
+from urdfkit.text.document import Location
 
 _SPAWNERS = ("spawner", "spawner.py")
 _LOADS = ("load", "spawn")
@@ -26,9 +30,41 @@ _LEFT_INACTIVE = ("--inactive", "--stopped", "--load-only", "load")
 _DEFINING = frozenset(("-t", "--controller-type"))
 
 
-def controllers(started: StartedProgram) -> Iterator[Word]:
-    """Names of the controllers that a program loads, unless it defines their type itself."""
-    words = _arguments(started)
+class SpawnedController(Record):
+    """A controller that a program loads."""
+
+    word: Word  # of the command line
+    program: StartedProgram
+
+    @property
+    def name(self) -> str:
+        return self.word.name
+
+    @property
+    def at(self) -> Location:
+        """Location of its name in the command line."""
+        return Location(self.word.span, self.program.frame)
+
+    @property
+    def is_activated(self) -> bool:
+        """True if the program also starts the controllers that it loads."""
+        texts = {word.text for word in self.program.words}
+        return None not in texts and texts.isdisjoint(_LEFT_INACTIVE)
+
+
+def spawned_controllers(programs: Iterable[StartedProgram]) -> Iterator[SpawnedController]:
+    """The controllers that programs load, unless a program defines their type itself."""
+    for program in programs:
+        yield from (SpawnedController(word, program) for word in _controllers(program))
+
+
+def spawns_controllers(program: StartedProgram) -> bool:
+    return any(True for _ in _controllers(program))
+
+
+def _controllers(program: StartedProgram) -> Iterator[Word]:
+    """The names of controllers in the command line of a program."""
+    words = _arguments(program)
     texts = [(word.text or "").partition("=")[0] for word in words]
     if not _DEFINING.isdisjoint(texts):
         return
@@ -48,9 +84,9 @@ def has_value(option: str) -> bool:
     return option in _VALUED
 
 
-def manager(started: StartedProgram) -> Word | None:
+def manager(program: StartedProgram) -> Word | None:
     """The controller manager in the command line of a program; None if it is missing."""
-    words = _arguments(started)
+    words = _arguments(program)
     for flag, word in pairwise(words):
         if flag.text in _MANAGER:
             return word
@@ -59,14 +95,14 @@ def manager(started: StartedProgram) -> Word | None:
     return assignment and Word((assignment.text or "").partition("=")[2], assignment.span)
 
 
-def manager_name(started: StartedProgram) -> str | None:
+def manager_name(program: StartedProgram) -> str | None:
     """Full name of the controller manager that a program calls; None if unknown."""
-    option = manager(started)
+    option = manager(program)
     is_known = option is None or bool(option.text)
-    has_namespace = any((word.text or "").startswith("--namespace") for word in started.words)
-    if started.namespace is None or not is_known or has_namespace:  # --namespace is of ROS 1
+    has_namespace = any((word.text or "").startswith("--namespace") for word in program.words)
+    if program.namespace is None or not is_known or has_namespace:  # --namespace is of ROS 1
         return None
-    return resolve_name(option.text or "" if option else MANAGER, started.namespace)
+    return resolve_name(option.text or "" if option else MANAGER, program.namespace)
 
 
 def resolve_name(name: str, namespace: str | None) -> str:
@@ -74,28 +110,22 @@ def resolve_name(name: str, namespace: str | None) -> str:
     return name if name.startswith("/") else f"/{namespace}/{name}".replace("//", "/")
 
 
-def topic_name(name: str, started: StartedProgram) -> str | None:
+def topic_name(name: str, program: StartedProgram) -> str | None:
     """Full name of a topic of a node, after remapping; None if unknown."""
-    if started.remappings is None or started.namespace is None:
+    if program.remappings is None or program.namespace is None:
         return None
-    full_name = resolve_name(name, started.namespace)
-    renames = {resolve_name(old, started.namespace): new for old, new in started.remappings.items()}
-    return resolve_name(renames.get(full_name, full_name), started.namespace)
+    full_name = resolve_name(name, program.namespace)
+    renames = {resolve_name(old, program.namespace): new for old, new in program.remappings.items()}
+    return resolve_name(renames.get(full_name, full_name), program.namespace)
 
 
-def activates(started: StartedProgram) -> bool:
-    """True if a program also starts the controllers that it loads."""
-    texts = {word.text for word in started.words}
-    return None not in texts and texts.isdisjoint(_LEFT_INACTIVE)
-
-
-def _arguments(started: StartedProgram) -> tuple[Word, ...]:
+def _arguments(program: StartedProgram) -> tuple[Word, ...]:
     """The words after the command; empty if it loads no controllers."""
-    words = started.words
-    if started.package == MANAGER:
-        if started.executable in _SPAWNERS:
+    words = program.words
+    if program.package == MANAGER:
+        if program.executable in _SPAWNERS:
             return words
-        if started.executable == MANAGER and words and words[0].text in _LOADS:
+        if program.executable == MANAGER and words and words[0].text in _LOADS:
             return words[1:]
     if tuple(word.text for word in words[:3]) == _LOAD_CONTROLLER:
         return words[3:]

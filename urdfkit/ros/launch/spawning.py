@@ -9,8 +9,8 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram, Word
 
 
-class Spawner(Record):
-    """A program that spawns models in Gazebo."""
+class ModelSpawner(Record):
+    """A program that spawns models in Gazebo; the spawner of ros2_control loads controllers."""
 
     #: valued and plain: its options with and without a value.
     valued: frozenset[str]
@@ -28,21 +28,21 @@ _NUMBER = re.compile(r"-[\d.]")
 _WITH_NUMBER = re.compile(r"-([A-Za-z])(-?[\d.]+)$")
 
 
-def spawner_of(started: StartedProgram) -> Spawner | None:
-    """The spawner that is started; None for other programs."""
-    entry = data("launch")["spawners"].get(f"{started.package}/{started.executable}")
+def model_spawner(program: StartedProgram) -> ModelSpawner | None:
+    """The options of a program that spawns models in Gazebo; None for other programs."""
+    entry = data("launch")["spawners"].get(f"{program.package}/{program.executable}")
     if entry is None:
         return None
     valued, plain = (frozenset(entry[key].split()) for key in ("valued", "plain"))
     required = tuple(tuple(group.split()) for group in entry["required"])
-    return Spawner(valued, plain, required, entry["is_strict"])
+    return ModelSpawner(valued, plain, required, entry["is_strict"])
 
 
-def options(started: StartedProgram, spawner: Spawner) -> tuple[dict[str, Word], bool]:
+def options(program: StartedProgram, spawner: ModelSpawner) -> tuple[dict[str, Word], bool]:
     """Options with the words of their values; the boolean is False if some may be unknown."""
     found_options: dict[str, Word] = {}
     is_known = True
-    words = iter(started.words)
+    words = iter(program.words)
     for word in words:
         text = word.text
         if text is None or not text.startswith("-") or _NUMBER.match(text):
@@ -59,3 +59,9 @@ def options(started: StartedProgram, spawner: Spawner) -> tuple[dict[str, Word],
         if option in spawner.valued and not value:
             found_options[option] = next(words, word)
     return found_options, is_known
+
+
+def spawn_option(program: StartedProgram, name: str) -> Word | None:
+    """The value of an option of a program that spawns models; None if it is missing."""
+    spawner = model_spawner(program)
+    return options(program, spawner)[0].get(name) if spawner else None

@@ -33,13 +33,13 @@ class StaticTransform(Record):
     position: Vector  # of the child in the parent, in m
 
 
-def static_transform(started: StartedProgram) -> StaticTransform | None:
+def static_transform(program: StartedProgram) -> StaticTransform | None:
     """The transform that a program publishes; None for other programs, or unknown arguments."""
-    is_publisher = started.executable == "static_transform_publisher"
-    if started.package not in ("tf", "tf2_ros") or not is_publisher:
+    is_publisher = program.executable == "static_transform_publisher"
+    if program.package not in ("tf", "tf2_ros") or not is_publisher:
         return None
-    words = [word for word in started.words if word.text is not None]
-    if len(words) < len(started.words):
+    words = [word for word in program.words if word.text is not None]
+    if len(words) < len(program.words):
         return None
     options = {flag.text: value for flag, value in pairwise(words)}
     parent, child = options.get("--frame-id"), options.get("--child-frame-id")
@@ -53,11 +53,11 @@ def static_transform(started: StartedProgram) -> StaticTransform | None:
     return StaticTransform(names[0], names[1], (numbers[0], numbers[1], numbers[2]))
 
 
-def mistakes(started: StartedProgram) -> Iterator[tuple[Word, str, str]]:
+def mistakes(program: StartedProgram) -> Iterator[tuple[Word, str, str]]:
     """Words that ``static_transform_publisher`` of ROS 2 rejects, with message and help."""
-    if not started.is_ros_2 or f"{started.package}/{started.executable}" != _PROGRAM:
+    if not program.is_ros_2 or f"{program.package}/{program.executable}" != _PROGRAM:
         return
-    words = list(takewhile(lambda word: word.text != "--ros-args", started.words))
+    words = list(takewhile(lambda word: word.text != "--ros-args", program.words))
     if not words or any(word.text is None for word in words):
         return
     flags = [word for word in words if (word.text or "").startswith("--")]

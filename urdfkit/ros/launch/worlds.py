@@ -10,7 +10,7 @@ from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import IncludedFile, Launch, StartedProgram, Word
-from urdfkit.text.document import CallFrame
+from urdfkit.text.document import CallFrame, Location
 from urdfkit.text.source import Span
 
 GZ, CLASSIC = "gz", "classic"
@@ -41,6 +41,11 @@ class StartedWorld(Record):
     is_glued: bool = False  # True if there is no space between ``-r`` and the path of the world
 
     @property
+    def at(self) -> Location:
+        """Location of the world's name."""
+        return Location(self.span, self.frame)
+
+    @property
     def is_shipped(self) -> bool:
         """True for a world that comes with gz sim."""
         return self.generation == GZ and self.name in data("worlds")["worlds"]
@@ -51,8 +56,8 @@ def worlds(launch: Launch) -> Iterator[StartedWorld]:
     for included in launch.includes:
         if world := _of_file(included):
             yield world
-    for started in launch.programs:
-        if world := _of_program(started):
+    for program in launch.programs:
+        if world := _of_program(program):
             yield world
 
 
@@ -73,23 +78,23 @@ def _of_file(included: IncludedFile) -> StartedWorld | None:
     return world._replace(libraries=_OF_ROS) if world else None
 
 
-def _of_program(started: StartedProgram) -> StartedWorld | None:
+def _of_program(program: StartedProgram) -> StartedWorld | None:
     """The world of a node, or of a command."""
-    generation = data("worlds")["programs"].get(f"{started.package}/{started.executable}", "")
-    texts = [word.text for word in started.words]
+    generation = data("worlds")["programs"].get(f"{program.package}/{program.executable}", "")
+    texts = [word.text for word in program.words]
     if generation == GZ:
-        path = started.parameters.values.get("world_sdf_file")
-        return _started(GZ, ["-s", "-r", path], started.span, started) if path else None
+        path = program.parameters.values.get("world_sdf_file")
+        return _started(GZ, ["-s", "-r", path], program.span, program) if path else None
     known = [text for text in texts if text is not None]
     if len(known) < len(texts):
         return None
-    words = command_words(" ".join(known)) if not started.package else known
-    for command, kind in _COMMANDS.items() if not started.package else ():
+    words = command_words(" ".join(known)) if not program.package else known
+    for command, kind in _COMMANDS.items() if not program.package else ():
         if tuple(words[: len(command)]) == command:
             generation, words = kind, words[len(command) :]
             break
-    world = _started(generation, words, started.span, started) if generation else None
-    return world._replace(libraries=_OF_ROS) if world and started.package else world
+    world = _started(generation, words, program.span, program) if generation else None
+    return world._replace(libraries=_OF_ROS) if world and program.package else world
 
 
 def _split(word: str) -> list[str]:

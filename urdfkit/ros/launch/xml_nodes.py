@@ -28,7 +28,7 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
                 full_path = path_from(file.source, path)
                 file.collector.file(full_path, arguments.span, "RViz configuration")
     executable = element.attributes.get("exec") or element.attributes.get("type")
-    started = StartedProgram(
+    program = StartedProgram(
         name or "",
         file.text(executable) or "",
         words,
@@ -40,7 +40,7 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
         namespace=_namespace(file, element),
         name=element.get("name") or "",
     )
-    file.collector.start(started)
+    file.collector.start(program)
 
 
 def _remappings(file: XmlLaunchFile, node: Element) -> dict[str, str] | None:

@@ -11,7 +11,7 @@ from functools import cached_property
 from urdfkit.core.grouping import by_key
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UrdfkitError
-from urdfkit.robot.model import Joint
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros import RosDescription
 from urdfkit.text.diagnostic import Problem

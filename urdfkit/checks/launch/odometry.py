@@ -1,0 +1,128 @@
+"""The transforms from odometry to the robot that the programs of a launch file publish.
+
+Source: ``DiffDrive.cc`` and ``OdometryPublisher.cc`` of gz-sim.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.core.record import Record
+from urdfkit.lint.rules import Context, Location
+from urdfkit.ros.gazebo.topics import of_plugin
+from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.node_parameters import node_parameters
+from urdfkit.ros.launch.spawned_controllers import spawned_controllers
+from urdfkit.text.document import Element
+from urdfkit.text.located_yaml import Value
+
+_DRIVE = "diff_drive_controller/DiffDriveController"
+#: The nodes of robot_localization, and their default names.
+_FILTERS = {"ekf_node": "ekf_filter_node", "ukf_node": "ukf_filter_node"}
+#: Parameters of a filter, with their defaults.
+_PARAMETERS = {
+    "publish_tf": "true",
+    "odom_frame": "odom",
+    "world_frame": "odom",
+    "base_link_frame": "",  # base_link by default, but a section that is not found may set it
+}
+#: Tags of Gazebo's plugins for the parent and the child frame of odometry.
+_PARENTS, _CHILDREN = ("frame_id", "odom_frame"), ("child_frame_id", "robot_base_frame")
+
+
+class OdometryTransform(Record):
+    """A transform from odometry to the robot, and its publisher."""
+
+    #: parent and child: the frames of odometry and of the robot; empty if unknown.
+    parent: str
+    child: str
+    publisher: str  # for messages
+    at: Location  # of the publisher; in a parameter file for a controller
+    named_at: Element | None = None  # the tag that names the child in a plugin of Gazebo
+
+
+def of_filters(programs: Iterable[StartedProgram], context: Context) -> Iterator[OdometryTransform]:
+    """The transforms of robot_localization."""
+    for program in programs:
+        frames = _frames_of_filter(program, context)
+        if frames and frames["world_frame"] == frames["odom_frame"]:
+            publisher = f"'{program.title}'"
+            parent, child = frames["odom_frame"], frames["base_link_frame"]
+            yield OdometryTransform(parent, child, publisher, program.at)
+
+
+def _frames_of_filter(program: StartedProgram, context: Context) -> dict[str, str]:
+    """The frames of a filter, by parameter; empty if some are unknown, or if it publishes none."""
+    if program.package != "robot_localization" or program.executable not in _FILTERS:
+        return {}
+    name = program.name or _FILTERS[program.executable]
+    frames = dict(_PARAMETERS)
+    is_known = program.parameters.is_whole and bool(program.parameters.files)
+    for path in program.parameters.files:
+        source = context.resolver.readable(path)
+        if source is None:
+            return {}
+        for node in node_parameters(source):
+            if node.name == name:
+                values = ((key, node.values.get(key)) for key in _PARAMETERS)
+                frames |= {key: value.text for key, value in values if isinstance(value, Value)}
+    for key, text in program.parameters.values.items():
+        is_known = is_known and (key not in _PARAMETERS or text is not None)
+        frames[key] = text or ""
+    if not is_known or frames["publish_tf"].lower() != "true":
+        return {}
+    return {key: text.strip("/") for key, text in frames.items()}
+
+
+def of_drives(programs: Iterable[StartedProgram], context: Context) -> Iterator[OdometryTransform]:
+    """The transforms of active wheel controllers of ros2_control."""
+    defined = defined_controllers(context)
+    for spawned in spawned_controllers(programs):
+        controller = defined.get(spawned.name) if spawned.is_activated else None
+        if controller is None or controller.ros != 2 or controller.type != _DRIVE:
+            continue
+        values = controller.section.values
+        switches, parents = values("enable_odom_tf"), values("odom_frame_id")
+        if any(value.text.lower() == "false" for value in switches):
+            continue
+        places = switches or parents
+        at = places[0].span if places else controller.section.at or controller.type_at
+        yield OdometryTransform(
+            _first_frame(parents, "odom"),
+            _first_frame(values("base_frame_id"), "base_link"),
+            f"controller '{controller.name}'",
+            Location(at),
+        )
+
+
+def _first_frame(values: list[Value], default: str) -> str:
+    return values[0].text.strip("/") if values else default
+
+
+def of_bridges(
+    programs: Iterable[StartedProgram], context: Context, robot: Context
+) -> Iterator[OdometryTransform]:
+    """The transforms of Gazebo's plugins of a robot that a bridge forwards to tf."""
+    for program in programs:
+        for topic in bridged_topics(program, context.resolver):
+            is_tf = topic.direction != TO_GAZEBO and topic.ros_topic.strip("/") == "tf"
+            for plugin in robot.plugins if is_tf and not program.is_remapped else ():
+                child = _first_child(plugin.at, _CHILDREN)
+                is_published = any(
+                    gz_topic.message == "Pose_V" and gz_topic.is_called(topic.topic)
+                    for gz_topic in of_plugin(plugin.at)
+                )
+                if child is not None and is_published:
+                    parent = _first_child(plugin.at, _PARENTS)
+                    frames = (_frame(parent) if parent is not None else "", _frame(child))
+                    yield OdometryTransform(*frames, plugin.title, program.at, child)
+
+
+def _first_child(plugin: Element, tags: tuple[str, ...]) -> Element | None:
+    return next((child for tag in tags if (child := plugin.child(tag)) is not None), None)
+
+
+def _frame(element: Element) -> str:
+    return element.text.strip().strip("/")
