@@ -83,6 +83,36 @@ def test_clocks(tmp_path: Path, parameters: str, count: int) -> None:
     assert messages(tmp_path, STATE.format(parameters) + other) == []
 
 
+GAZEBO = """IncludeLaunchDescription(
+    PythonLaunchDescriptionSource(
+        os.path.join(get_package_share_directory("ros_gz_sim"), "launch", "gz_sim.launch.py")
+    ),
+    launch_arguments={"gz_args": "-r empty.sdf"}.items(),
+)
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "more", "count"),
+    [
+        # BILLEE: the remapping is in the command line
+        (", '--ros-args', '-r', '/world/w/clock:=/clock'", "", 0),
+        (", '--ros-args', '--remap', 'bridge:/world/w/clock:=/clock'", "", 0),
+        (", '--ros-args', '-r', unknown", "", 0),
+        ("", ", ros_arguments=['-r', '/world/w/clock:=/clock']", 0),
+        (", '--ros-args', '-r', '__ns:=/bot'", "", 1),
+        ("", "", 1),
+    ],
+)
+def test_a_clock_that_is_remapped(tmp_path: Path, words: str, more: str, count: int) -> None:
+    state = STATE.format(", parameters=[{'robot_description': x, 'use_sim_time': True}]")
+    spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    topic = "'/world/w/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock'"
+    bridge = NODE.format("ros_gz_bridge", "parameter_bridge", f"arguments=[{topic}{words}]{more}")
+    found = messages(tmp_path, state + spawn + bridge + GAZEBO)
+    assert len([one for one in found if "/clock" in one]) == count
+
+
 BRIDGE = NODE.format(
     "ros_gz_bridge", "parameter_bridge", "arguments=['{}@sensor_msgs/msg/Imu[gz.msgs.IMU'{}]"
 )

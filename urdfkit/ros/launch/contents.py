@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from itertools import pairwise
 
 from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem
@@ -135,6 +136,26 @@ class StartedProgram(Record):
     def is_remapped(self) -> bool:
         """True if it remaps topics."""
         return self.remappings is None or bool(self.remappings)
+
+
+def with_words(
+    remappings: Mapping[str, str] | None, words: Sequence[str | None], *, is_ros_2: bool
+) -> Mapping[str, str] | None:
+    """Remappings with those of a command line: ``--ros-args -r OLD:=NEW``, in ROS 1 ``OLD:=NEW``.
+
+    None if some are unknown.
+    """
+    pairs = [word for word in words if word]
+    if is_ros_2:
+        options = words[words.index("--ros-args") :] if "--ros-args" in words else ()
+        given = [pair for option, pair in pairwise(options) if option in ("-r", "--remap")]
+        pairs = [pair for pair in given if pair]
+        remappings = remappings if len(pairs) == len(given) else None
+    if remappings is None:
+        return None
+    parts = (pair.partition(":=") for pair in pairs if ":=" in pair and pair[0] != "_")
+    # The name of a topic may follow that of the node.
+    return {**remappings, **{old.rpartition(":")[2]: new for old, _, new in parts}}
 
 
 @lru_cache(1)

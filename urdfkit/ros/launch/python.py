@@ -20,6 +20,7 @@ from urdfkit.ros.launch.contents import (
     IncludedFile,
     LaunchedFile,
     StartedProgram,
+    with_words,
 )
 from urdfkit.ros.launch.event_handlers import never_reached, started_twice, wrong_targets
 from urdfkit.ros.launch.python_calls import wrong_calls
@@ -182,15 +183,21 @@ class _PythonReader:
             if value and (self.values.text(value) or "").endswith(_PARAMETER_FILES):
                 self._file(value, PARAMETERS)
         executable = argument(call, None, "executable") or argument(call, None, "node_executable")
+        command = self.values.words(words)
+        ros_arguments = argument(call, None, "ros_arguments")
+        options = [word.text for word in (*command, *self.values.words(ros_arguments))]
+        if ros_arguments is not None:
+            options.insert(len(command), "--ros-args")
+        remappings = self._remappings(argument(call, None, "remappings"))
         program = StartedProgram(
             name or "",
             self.values.text(executable) or "",
-            self.values.words(words),
+            command,
             self.values.span(call),
             self.frame,
             is_sure=not self._has_groups and self._condition(call) is True,
-            remappings=self._remappings(argument(call, None, "remappings")),
-            parameters=self._parameters(parameters, argument(call, None, "ros_arguments")),
+            remappings=with_words(remappings, options, is_ros_2=True),
+            parameters=self._parameters(parameters, ros_arguments),
             namespace=self._namespace(call),
             name=self.values.text(argument(call, None, "name")) or "",
         )

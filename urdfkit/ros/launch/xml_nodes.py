@@ -5,7 +5,7 @@ import re
 from itertools import pairwise
 
 from urdfkit.ros.launch.collect import frame_at, path_from
-from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, StartedProgram
+from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, StartedProgram, with_words
 from urdfkit.ros.launch.signature import arguments_in
 from urdfkit.ros.launch.substitutions import unresolved
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
@@ -35,7 +35,11 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
         element.span,
         file.frame,
         is_sure=not file.unknown_conditions,
-        remappings=_remappings(file, element),
+        remappings=with_words(
+            _remappings(file, element),
+            [word.text for word in words],
+            is_ros_2="type" not in element.attributes,
+        ),
         parameters=_parameters(file, element),
         namespace=_namespace(file, element),
         name=element.get("name") or "",
