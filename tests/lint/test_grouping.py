@@ -33,6 +33,16 @@ def test_many_that_are_alike_are_reported_as_the_first() -> None:
     ]
 
 
+def test_a_missing_file_of_visual_and_collision_is_one_finding() -> None:
+    mesh = '<geometry><mesh filename="package://arm/meshes/arm.stl"/></geometry>'
+    bodies = f"<visual>{mesh}</visual>\n<collision>{mesh}</collision>"
+    (finding,) = shown("MSH001", f'<link name="arm">\n{bodies}</link>')
+    assert finding.span.line == 3
+    assert [note.span.line for note in finding.related] == [4]
+    others = bodies.replace("arm.stl", "hull.stl", 1)
+    assert len(shown("MSH001", f'<link name="arm">\n{others}</link>')) == 2
+
+
 def test_the_fixes_of_all_are_one_fix() -> None:
     (finding,) = shown("URD001", links(9))
     assert finding.fix is not None

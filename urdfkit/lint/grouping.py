@@ -41,8 +41,13 @@ def groups(diagnostics: Sequence[Diagnostic]) -> Iterator[list[Diagnostic]]:
             key = (finding.code, finding.severity, finding.group_key, path, finding.variants)
         by_key.setdefault(key, []).append(finding)
     for group in by_key.values():
-        most = 1 if group[0].code in _ACROSS_FILES else MAX_SINGLE
-        yield from [group] if len(group) > most else ([finding] for finding in group)
+        is_one = len(group) > MAX_SINGLE or group[0].code in _ACROSS_FILES or _is_repeated(group)
+        yield from [group] if is_one else ([finding] for finding in group)
+
+
+def _is_repeated(group: list[Diagnostic]) -> bool:
+    """True for one missing file, such as that of visual and collision."""
+    return group[0].code == "MSH001" and len({finding.span.text for finding in group}) == 1
 
 
 def _as_one(group: list[Diagnostic], *, brief: bool) -> Diagnostic:

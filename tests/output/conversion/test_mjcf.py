@@ -213,7 +213,7 @@ def test_missing_or_wrong_equalities(
 
 def test_an_error_of_urdfkits_parser(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Pinocchio reads the text, whatever urdfkit makes of it."""
-    monkeypatch.setattr("urdfkit.robot.model._rotation", lambda _: IDENTITY)
+    monkeypatch.setattr("urdfkit.robot.origin._rotation", lambda _: IDENTITY)
     turned = arm(LIMIT).data.replace(b'0 0 0.5"', b'0 0 0.5" rpy="0 1 0"')
     with pytest.raises(UrdfkitError, match="do not agree on the robot"):
         convert(read(Source("arm.urdf", turned)), tmp_path / "o")
