@@ -8,7 +8,7 @@ import pytest
 from tests.conftest import CORPUS, needs_corpus
 from tests.robot.test_kinematics import tree
 from urdfkit.lint.loading import read
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.reach import reach
 

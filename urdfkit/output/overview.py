@@ -14,7 +14,7 @@ from urdfkit.core.spatial import Transform
 from urdfkit.lint.context import Context
 from urdfkit.robot.bounding_box import extent_of, without_meshes
 from urdfkit.robot.composite_body import CompositeBody, composite_body
-from urdfkit.robot.joints import driven
+from urdfkit.robot.joint_limits import driven
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.link import Shape
 from urdfkit.robot.model import RobotModel

@@ -25,8 +25,8 @@ from urdfkit.core.spatial import (
     times,
     transposed,
 )
+from urdfkit.robot.joint_limits import span
 from urdfkit.robot.joint_loads import GRAVITY
-from urdfkit.robot.joints import span
 from urdfkit.robot.kinematics import LOCKED, MimicLaw, direction, laws
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.tree import KinematicTree

@@ -14,7 +14,7 @@ from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.joint import DEGREES_OF_FREEDOM
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.values import number, numbers
 from urdfkit.text.source import Source
 

@@ -23,7 +23,7 @@ from urdfkit.render.labels import opaque
 from urdfkit.render.pixels import STUDIO
 from urdfkit.render.scene import Scene
 from urdfkit.robot import kinematics
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack

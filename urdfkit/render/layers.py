@@ -22,7 +22,7 @@ from urdfkit.render.scene import Label, Scene, SceneItem, build, placed
 from urdfkit.robot.composite_body import composite_body
 from urdfkit.robot.inertia import uniform_solid
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import direction, positions
 from urdfkit.robot.link import Link
 from urdfkit.ros.surface_materials import Colour, SurfaceMaterial

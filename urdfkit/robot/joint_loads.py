@@ -10,7 +10,7 @@ from math import hypot
 from urdfkit.core.spatial import basis
 from urdfkit.robot.inertia import MassProperties, rotated, shifted
 from urdfkit.robot.joint import DEGREES_OF_FREEDOM, Joint
-from urdfkit.robot.joints import span
+from urdfkit.robot.joint_limits import span
 from urdfkit.robot.kinematics import direction, laws
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.tree import KinematicTree

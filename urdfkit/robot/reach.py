@@ -11,7 +11,7 @@ from random import Random
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import ORIGIN, Vector, cross, dot, minus
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import span
+from urdfkit.robot.joint_limits import span
 from urdfkit.robot.kinematics import best_angle, direction, motion
 from urdfkit.robot.tree import KinematicTree
 

@@ -12,7 +12,7 @@ from math import atan2, cos, hypot, pi, sin
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot import Robot
-from urdfkit.robot.joints import BOUNDED
+from urdfkit.robot.joint_limits import BOUNDED
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.link import Body, Shape
 from urdfkit.robot.model import RobotModel

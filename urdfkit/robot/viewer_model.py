@@ -5,7 +5,7 @@ from typing import Any
 
 from urdfkit.core.spatial import Transform
 from urdfkit.robot.inertia import uniform_solid
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import direction, laws
 from urdfkit.robot.link import Link
 from urdfkit.robot.model import RobotModel

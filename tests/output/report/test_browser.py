@@ -15,7 +15,7 @@ from tests.output.report.browsers import Page, browser, needs_browser
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.loading import read
 from urdfkit.output.report.writing import report
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import frames
 
 pytestmark = needs_browser

@@ -17,7 +17,7 @@ from urdfkit.lint.loading import read
 from urdfkit.mesh.transforms import homogeneous
 from urdfkit.physics.collision.batch_kinematics import slopes, tree_arrays
 from urdfkit.robot import kinematics
-from urdfkit.robot.joints import MAX_TRAVEL
+from urdfkit.robot.joint_limits import MAX_TRAVEL
 
 MIMIC = '<mimic joint="a_b" multiplier="-2" offset="0.1"/>'
 ENTRIES = [

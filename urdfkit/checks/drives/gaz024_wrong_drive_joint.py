@@ -13,7 +13,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.ros.gazebo.drives import drive_of, driven
 from urdfkit.ros.gazebo.plugins import Reference
 from urdfkit.ros.gazebo.samples import WHEELED, gazebo_xml, plugin_xml

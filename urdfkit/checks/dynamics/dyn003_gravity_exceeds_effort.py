@@ -21,8 +21,8 @@ from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect, center_is_outside
 from urdfkit.robot.joint import Joint
+from urdfkit.robot.joint_limits import driven
 from urdfkit.robot.joint_loads import GRAVITY, overloadable_joints
-from urdfkit.robot.joints import driven
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 
 if TYPE_CHECKING:

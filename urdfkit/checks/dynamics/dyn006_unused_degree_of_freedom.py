@@ -10,8 +10,8 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.robot.joint_limits import driven
 from urdfkit.robot.joint_loads import joints_without_load
-from urdfkit.robot.joints import driven
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.samples import solid_xml
 

@@ -20,6 +20,7 @@ Sources:
 """
 
 from collections.abc import Iterator
+from itertools import chain
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.core.words import more_like_this
@@ -27,7 +28,7 @@ from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Need, Sev
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import types
-from urdfkit.ros.gazebo.plugins import PluginUse
+from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.targets import ROS
@@ -80,23 +81,29 @@ def _unknown(context: Context) -> Findings:
 
 def _frames(context: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
     """Each frame that is named: by whom, where, its name."""
-    links = context.model.links_by_name
     for use in context.plugins:
-        if _is_dropped(use.at, context.model):
-            continue
-        for item in use.items:
-            parameter = use.plugin.parameters.get(item.path) if use.plugin else None
-            if parameter is None or parameter.type != "frame" or item.text in parameter.words:
-                continue
-            if _is_of_ros1(use) and any(link.endswith(f"/{item.text}") for link in links):
-                continue  # the plugin puts the namespace, perhaps the model's name, in front of it
-            is_far = _is_of_the_world(item.path) or _is_of_the_world(item.text)
-            if not is_far or (item.text.startswith("/") and not _is_of_ros1(use)):
-                yield use.title, item.at, item.text
+        if not _is_dropped(use.at, context.model):
+            yield from (
+                (use.title, item.at, item.text)
+                for item in use.items
+                if _is_frame_of_robot(use, item, context.model)
+            )
     for sensor in sensors(context.model):
-        for tag in () if _is_dropped(sensor.at, context.model) else _TAGS:
-            for element in sensor.at.all(tag):
+        if not _is_dropped(sensor.at, context.model):
+            for element in chain.from_iterable(map(sensor.at.all, _TAGS)):
                 yield sensor.who, element, element.text.strip()
+
+
+def _is_frame_of_robot(use: PluginUse, item: PluginParameter, model: RobotModel) -> bool:
+    """True for a parameter that names a link of the robot, and not another frame."""
+    parameter = use.plugin.parameters.get(item.path) if use.plugin else None
+    if parameter is None or parameter.type != "frame" or item.text in parameter.words:
+        return False
+    is_of_ros1 = _is_of_ros1(use)
+    if is_of_ros1 and any(link.endswith(f"/{item.text}") for link in model.links_by_name):
+        return False  # the plugin puts the namespace, perhaps the model's name, in front of it
+    is_far = _is_of_the_world(item.path) or _is_of_the_world(item.text)
+    return not is_far or (item.text.startswith("/") and not is_of_ros1)
 
 
 def _is_dropped(element: Element, model: RobotModel) -> bool:

@@ -13,7 +13,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.joints import can_move
+from urdfkit.robot.joint_limits import can_move
 from urdfkit.robot.link import Link
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 

@@ -18,7 +18,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import Joint, Limit
-from urdfkit.robot.joints import BOUNDED
+from urdfkit.robot.joint_limits import BOUNDED
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import arm_xml
 

@@ -21,7 +21,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.joint import Joint, Limit
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number

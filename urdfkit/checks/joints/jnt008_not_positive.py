@@ -28,7 +28,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import can_move, driven, limits_of, related, several
+from urdfkit.robot.joint_limits import can_move, driven, limits_of, related, several
 from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number

@@ -30,7 +30,7 @@ from math import pi, radians
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import arm_xml

@@ -22,7 +22,7 @@ Sources:
 from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import length
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
-from urdfkit.robot.joints import bounds, related, several
+from urdfkit.robot.joint_limits import bounds, related, several
 from urdfkit.robot.link import Body
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml

@@ -29,7 +29,7 @@ from collections.abc import Iterator
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import SOFT_LIMITS, bounds, related, several, soft_bounds
+from urdfkit.robot.joint_limits import SOFT_LIMITS, bounds, related, several, soft_bounds
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number

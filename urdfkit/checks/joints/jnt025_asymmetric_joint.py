@@ -34,7 +34,7 @@ from urdfkit.core.spatial import Transform, Vector, dot, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import hand_xml

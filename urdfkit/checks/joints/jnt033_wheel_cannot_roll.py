@@ -18,7 +18,7 @@ from urdfkit.core.spatial import AXES, Z_AXIS, Vector, dot, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.link import Body, Link
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml

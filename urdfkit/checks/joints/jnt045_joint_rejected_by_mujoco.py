@@ -19,7 +19,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint import SINGLE_DOF, Joint
-from urdfkit.robot.joints import BOUNDED, several
+from urdfkit.robot.joint_limits import BOUNDED, several
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.values import number
 

@@ -27,7 +27,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, repor
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import MAP, FileUse
-from urdfkit.ros.launch.worlds import GZ, worlds
+from urdfkit.ros.launch.worlds import GZ, StartedWorld, worlds
 from urdfkit.text.located_yaml import Value, load, mapping
 from urdfkit.text.source import Span
 from urdfkit.workspace.gitignore import is_ignored
@@ -85,32 +85,40 @@ def _outside_workspace(subject: str, span: Span) -> Finding:
 
 def _worlds(context: Context) -> Findings:
     """Missing world files, and misspelt names of Gazebo's own worlds."""
-    packages = context.resolver.packages
     for world in worlds(context.launch):
-        name = world.name
-        if world.is_glued and world.span.source is context.source:
-            message = f"missing space between '-r' and the world '{name}'"
+        if world.span.source is not context.source:
+            continue
+        if world.is_glued:
+            message = f"missing space between '-r' and the world '{world.name}'"
             yield Finding(world.span, message, "write '-r ' with a space")
-            continue
-        if world.span.source is not context.source or name.startswith(UNKNOWN):
-            continue
-        if os.path.isabs(name):
-            exists = disk.exists(name) or context.resolver.installed(name)
-            if disk.is_file(name) and not context.resolver.admits(name):
-                yield _outside_workspace(f"world {name}", world.span)
-            elif not exists and not _may_exist_elsewhere(context, name):
-                yield _not_found("world", name, world.span)
-        elif world.generation == GZ and name and not world.is_shipped:
-            other = f"{os.path.splitext(name)[0]}.sdf"  # Gazebo Classic has empty.world
-            suggested = next(
-                (known for known in shipped_worlds() if is_typo(name, known) or known == other),
-                None,
-            )
-            root = packages.workspace(context.source.path)
-            files = context.resolver.directories.files_below(root, _MAX_DIRECTORIES)
-            if suggested and not any(path.endswith(f"/{name}") for path in files):
-                hint = f"did you mean '{suggested}'?"
-                yield Finding(world.span, f"Gazebo has no world '{name}'", hint)
+        elif os.path.isabs(world.name):
+            if not world.name.startswith(UNKNOWN):
+                yield from _world_file(context, world)
+        elif world.generation == GZ and world.name and not world.is_shipped:
+            yield from _unknown_world(context, world)
+
+
+def _world_file(context: Context, world: StartedWorld) -> Findings:
+    path = world.name
+    exists = disk.exists(path) or context.resolver.installed(path)
+    if disk.is_file(path) and not context.resolver.admits(path):
+        yield _outside_workspace(f"world {path}", world.span)
+    elif not exists and not _may_exist_elsewhere(context, path):
+        yield _not_found("world", path, world.span)
+
+
+def _unknown_world(context: Context, world: StartedWorld) -> Findings:
+    """A misspelt name of a world that comes with gz sim, unless the workspace has such a file."""
+    name = world.name
+    in_classic = f"{os.path.splitext(name)[0]}.sdf"  # Gazebo Classic has empty.world
+    suggested = next(
+        (known for known in shipped_worlds() if is_typo(name, known) or known == in_classic), None
+    )
+    root = context.resolver.packages.workspace(context.source.path)
+    files = context.resolver.directories.files_below(root, _MAX_DIRECTORIES)
+    if suggested and not any(path.endswith(f"/{name}") for path in files):
+        hint = f"did you mean '{suggested}'?"
+        yield Finding(world.span, f"Gazebo has no world '{name}'", hint)
 
 
 def _may_exist_elsewhere(context: Context, path: str) -> bool:

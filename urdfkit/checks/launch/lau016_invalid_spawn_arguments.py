@@ -73,22 +73,11 @@ def check(context: Context) -> Findings:
 def _value(context: Context, option: str, word: Word, place: Location) -> Findings:
     """The invalid value of an option."""
     text = word.text or ""
-    if option == "file" and text.endswith(".xacro") and not _is_expanded(context, text):
-        message = f"'{os.path.basename(text)}' is a xacro file, which Gazebo does not expand"
-        yield Finding(place, message, f"publish the expanded robot on {_TOPIC} and spawn that")
+    if option == "file":
+        yield from _file(context, text, place)
     elif option == "string" and text.endswith((".urdf", ".xacro", ".sdf")):
         message = f"-string takes the text of a robot, but '{os.path.basename(text)}' is a path"
         yield Finding(place, message, f"spawn -topic {_TOPIC}, or an expanded -file")
-    elif option == "file" and os.path.isabs(text) and not text.startswith(f"{UNKNOWN}/"):
-        is_inside = context.resolver.allows(text, context.source.path)
-        is_made = _is_mentioned(context, text) or (not is_inside and text.startswith("/tmp/"))
-        if not disk.exists(text) and not is_made:
-            yield Finding(
-                place,
-                f"file not found: {text}",
-                "create the file, or fix its name",
-                severity=None if is_inside else Severity.WARNING,
-            )
     elif option in ("topic", "param"):
         name = text.rpartition("/")[2]
         is_as_long = abs(len(name) - len(_TOPIC)) < 3
@@ -97,9 +86,22 @@ def _value(context: Context, option: str, word: Word, place: Location) -> Findin
             yield Finding(place, message, f"write {_TOPIC}")
 
 
+def _file(context: Context, path: str, place: Location) -> Findings:
+    if path.endswith(".xacro") and not _is_expanded(context, path):
+        message = f"'{os.path.basename(path)}' is a xacro file, which Gazebo does not expand"
+        yield Finding(place, message, f"publish the expanded robot on {_TOPIC} and spawn that")
+    elif os.path.isabs(path) and not path.startswith(f"{UNKNOWN}/") and not disk.exists(path):
+        is_inside = context.resolver.allows(path, context.source.path)
+        is_made = not is_inside and path.startswith("/tmp/")
+        if not is_made and not _is_mentioned(context, path):
+            help = "create the file, or fix its name"
+            severity = None if is_inside else Severity.WARNING
+            yield Finding(place, f"file not found: {path}", help, severity=severity)
+
+
 def _is_mentioned(context: Context, path: str) -> bool:
     """True if a program of the launch file, not a node, has a path: it probably writes the file."""
-    programs = (started for started in context.launch.started if not started.package)
+    programs = (program for program in context.launch.started if not program.package)
     return any(path in (word.text or "") for program in programs for word in program.words)
 
 

@@ -167,68 +167,89 @@ def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
             f"ROS rejects the topic '{topic.ros_topic}': '{part}' begins with a digit",
             "give it another ros_topic_name in a config_file, and keep gz_topic_name",
         )
-    package, _, name = topic.ros_type.partition("/")
-    if "/msg/" not in topic.ros_type and gazebo_messages(f"{package}/msg/{name}"):
-        right = f"{package}/msg/{name}"
-        message = f"unknown message type '{topic.ros_type}'; did you mean '{right}'?"
-        yield "ros_type_name", message, f"write {right}"
-    prefix, _, message = topic.gz_type.rpartition(".")
-    name = topic.ros_type.rpartition("/")[2]  # Gazebo has few messages with the names of ROS
+    if suggested := _ros_type(topic.ros_type):
+        message = f"unknown message type '{topic.ros_type}'; did you mean '{suggested}'?"
+        yield "ros_type_name", message, f"write {suggested}"
+    yield from _wrong_gazebo_types(topic)
+
+
+def _ros_type(written: str) -> str | None:
+    """The message type that a misspelt one means; None if it is known, or resembles none."""
+    package, _, name = written.partition("/")
+    if "/msg/" not in written and gazebo_messages(f"{package}/msg/{name}"):
+        return f"{package}/msg/{name}"
+    return None if gazebo_messages(written) else nearest(written, ros_types(), CLOSE_TYPO)
+
+
+def _wrong_gazebo_types(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
     known = gazebo_messages(topic.ros_type)
     if known is None:
-        meant = nearest(topic.ros_type, ros_types(), CLOSE_TYPO)
-        if meant and meant != topic.ros_type:
-            hint = f"unknown message type '{topic.ros_type}'; did you mean '{meant}'?"
-            yield "ros_type_name", hint, f"write {meant}"
         return
+    prefix, _, message = topic.gz_type.rpartition(".")
+    is_message = message in all_messages()
     right = f"write gz.msgs.{known[0]}"
     if prefix not in ("gz.msgs", "ignition.msgs"):
         yield "gz_type_name", f"'{topic.gz_type}' is not a Gazebo message type", right
+    # Gazebo has few messages with the names of ROS.
     elif message not in known and (
-        message in all_messages() or message == name or nearest(message, known)
+        is_message or message == topic.ros_type.rpartition("/")[2] or nearest(message, known)
     ):
         pair = f"'{topic.ros_type}' and '{topic.gz_type}'"
-        both = [f"{prefix}.{one} for {topic.ros_type}" for one in known]
-        both += [f"{one} for {topic.gz_type}" for one in ros_messages(message)]
-        help = f"write {' or '.join(both)}" if message in all_messages() else right
+        both = [f"{prefix}.{name} for {topic.ros_type}" for name in known]
+        both += [f"{ros_type} for {topic.gz_type}" for ros_type in ros_messages(message)]
+        help = f"write {' or '.join(both)}" if is_message else right
         yield "gz_type_name", f"the bridge cannot convert {pair}", help
 
 
 def _unused(context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]) -> Findings:
     """Bridged topics without messages: unused in Gazebo, or bridged in the wrong direction."""
     of_robot = list(_topics(context))
-    passed = {topic.topic for topic, _ in bridged}
+    of_other_arguments = set(_topics_of_other_arguments(context))
+    names = {topic.topic for topic, _ in bridged}
+    unbridged = [gz for gz in of_robot if not any(map(gz.is_called, names))]
+    served = {gz.who for gz in of_robot if gz not in unbridged}
     is_known = _is_known(context)
-    others = set(_topics_of_other_arguments(context))
     unnamed: set[str] = set()
-    unbridged = [gz for gz in of_robot if not any(map(gz.is_called, passed))]
-    served = {gz.who for gz in of_robot if any(map(gz.is_called, passed))}
     for topic, frame in bridged:
-        own = [known for known in (*of_robot, *_OF_GAZEBO) if known.is_called(topic.topic)]
-        only = {FROM_GAZEBO: True, TO_GAZEBO: False}.get(topic.direction)
-        if only is not None and own and all(gz.is_read is only for gz in own):
-            verb, right = ("reads", TO_GAZEBO) if only else ("publishes", FROM_GAZEBO)
-            message = f"wrong direction {topic.direction}: {own[0].who} {verb} '{topic.topic}'"
-            at = Location(topic.at("direction"), frame)
-            help = f"write {right if topic.places else SIGNS[right]}"
-            yield Finding(at, message, help, severity=Severity.WARNING)
-        if not own and {topic.topic.strip("/"), topic.topic.strip("/").rpartition("/")[0]} & others:
+        own = [gz for gz in (*of_robot, *_OF_GAZEBO) if gz.is_called(topic.topic)]
+        name = topic.topic.strip("/")
+        if own:
+            if not any(_passes(topic, gz) for gz in own):
+                yield _wrong_direction(topic, own[0].who, frame)
+            continue
+        if not of_other_arguments.isdisjoint((name, name.rpartition("/")[0])):
             continue
         kind = topic.gz_type.rpartition(".")[2]
-        waiting = [gz for gz in unbridged if gz.message == kind and gz.is_read is not only]
+        waiting = [gz for gz in unbridged if gz.message == kind and _passes(topic, gz)]
         at = Location(topic.at("gz_topic_name", "topic_name", "ros_topic_name"), frame)
-        if not own and waiting:
+        if waiting:
             other = _nearest(topic.topic, waiting, served)
-            if other.is_unnamed and other.who in unnamed:
-                continue  # a <topic> in this sensor names both topics
+            # A <topic> in this sensor names all its topics.
+            if not other.is_unnamed or other.who not in unnamed:
+                yield Finding(at, *_unknown_topic(topic.topic, other), severity=Severity.WARNING)
             unnamed.add(other.who)
-            yield Finding(at, *_unknown_topic(topic.topic, other), severity=Severity.WARNING)
-        elif not own and is_known and kind in _OF_ROBOTS:
+        elif is_known and kind in _OF_ROBOTS:
             verb = "reads" if topic.direction == TO_GAZEBO else "publishes"
             message = f"nothing in Gazebo {verb} '{topic.topic}': the robot has no sensor and no "
             message += f"system with {topic.gz_type}"
             help = "add one to the robot, or remove the topic from the bridge"
             yield Finding(at, message, help, severity=Severity.WARNING)
+
+
+def _passes(topic: BridgedTopic, gz: GazeboTopic) -> bool:
+    """True if the bridge forwards the messages of a topic of Gazebo, or those that it reads."""
+    return topic.direction != (FROM_GAZEBO if gz.is_read else TO_GAZEBO)
+
+
+def _wrong_direction(topic: BridgedTopic, who: str, frame: CallFrame | None) -> Finding:
+    is_read = topic.direction == FROM_GAZEBO
+    verb, right = ("reads", TO_GAZEBO) if is_read else ("publishes", FROM_GAZEBO)
+    return Finding(
+        Location(topic.at("direction"), frame),
+        f"wrong direction {topic.direction}: {who} {verb} '{topic.topic}'",
+        f"write {right if topic.places else SIGNS[right]}",
+        severity=Severity.WARNING,
+    )
 
 
 def _is_known(context: Context) -> bool:

@@ -54,13 +54,13 @@ from itertools import chain
 
 from urdfkit.checks.launch import costmap_parameters, parameter_names, parameter_types
 from urdfkit.checks.launch.lifecycle import not_activated
+from urdfkit.checks.launch.parameter_sections import misnamed_sections
 from urdfkit.checks.launch.rviz_displays import meshes_without_uri, unknown_classes, volatile_maps
 from urdfkit.checks.launch.unread_remappings import (
     reversed_remappings,
     unread_remappings,
     unstamped_commands,
 )
-from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import (
     Context,
@@ -68,17 +68,14 @@ from urdfkit.lint.rules import (
     Findings,
     Location,
     Need,
-    Related,
     Severity,
     reported,
     rule,
 )
-from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.node_parameters import NodeParameters, node_parameters
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.transforms import mistakes
-from urdfkit.text.located_yaml import Key, load
+from urdfkit.text.located_yaml import load
 
 NAME = "launch/filter.launch.py"
 BAD = """\
@@ -99,11 +96,8 @@ FILES = {
     "package.xml": b"<package><name>arm</name></package>",
 }
 
-#: Values of a row of robot_localization: position, angles, velocities, rates, accelerations.
-_STATES = 15
 _CONFIG_FILE = 'write {"config_file": PATH} in its parameters'
 _BELOW_NODE = "write the parameters below the name of the node and ros__parameters"
-_CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node", "move_group")
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
@@ -114,7 +108,7 @@ def check(context: Context) -> Findings:
     sections = list(chain.from_iterable(files.values()))
     names = [section.name for section in sections]
     for section in sections:
-        yield from _configurations(section)
+        yield from parameter_types.wrong_configurations(section)
         yield from parameter_types.wrong_types(section)
         yield from parameter_types.outdated_motion_model(section)
         yield from parameter_types.wrong_sizes(section)
@@ -131,7 +125,7 @@ def check(context: Context) -> Findings:
     for own in files.values():
         yield from costmap_parameters.mixed_names(own)
     yield from _lists(context)
-    yield from _other_nodes(context, files)
+    yield from misnamed_sections(context, files)
     yield from not_activated(context)
     yield from unknown_classes(context)
     yield from meshes_without_uri(context)
@@ -176,119 +170,3 @@ def _unknown_pipeline(program: StartedProgram) -> Findings:
             f"add '{name}' to planning_pipelines, with its settings",
             severity=Severity.WARNING,
         )
-
-
-def _configurations(node: NodeParameters) -> Findings:
-    for key, value in node.values.items():
-        if not isinstance(key, Key) or not parameter_types.CONFIGURATION.fullmatch(key):
-            continue
-        if isinstance(value, list) and len(value) != _STATES:
-            yield Finding(
-                key.span,
-                f"'{node.name}': {key} has {len(value)} values, not {_STATES}",
-                "write five rows: x y z, roll pitch yaw, their velocities, accelerations of x y z",
-            )
-
-
-def _other_nodes(context: Context, files: dict[str, list[NodeParameters]]) -> Findings:
-    """Parameter files that a node loads, but whose sections belong to other nodes."""
-    launch = context.launch
-    programs = launch.programs
-    for path, sections in files.items():
-        users = [node for node in programs if path in node.parameters.files]
-        names = {section.name for section in sections}
-        yield from _misnamed(sections, users)
-        if not launch.has_scopes:
-            yield from _outside_namespace(sections, users)
-        is_known = users and all(map(_has_known_name, users)) and not launch.has_scopes
-        if not names or not is_known or any("*" in name for name in names):
-            continue
-        unserved = [user for user in users if not _has_section(user, files)]
-        known = (*costmap_parameters.COSTMAPS, *(user.name for user in users))
-        if unserved and names.isdisjoint(known):
-            node = unserved[0]
-            likely = node.executable if node.executable in names else nearest(node.name, names)
-            section = next((each for each in sections if each.name == likely), sections[0])
-            if _is_read_elsewhere(section, path, node, context):
-                continue
-            help = f"write {node.name}, or name the node {section.name}"
-            yield _of_other_name(section, node, node.name, help)
-
-
-def _has_section(node: StartedProgram, files: dict[str, list[NodeParameters]]) -> bool:
-    """True if one of the files of a node has parameters of it: others may be of other nodes."""
-    sections = chain.from_iterable(files.get(path, ()) for path in node.parameters.files)
-    return any(section.name == node.name for section in sections)
-
-
-def _is_read_elsewhere(
-    section: NodeParameters, path: str, node: StartedProgram, context: Context
-) -> bool:
-    """True if another launch file loads a parameter file for the node of a section.
-
-    If it starts the same program with the right name, the name of this node is wrong.
-    """
-    programs = chain.from_iterable(
-        launch.programs for launch in launches_of_workspace(path, context.resolver)
-    )
-    return any(
-        path in program.parameters.files
-        and _node_name(program).removesuffix(".py") == section.name
-        and (program.package, program.executable) != (node.package, node.executable)
-        for program in programs
-    )
-
-
-def _of_other_name(section: NodeParameters, node: StartedProgram, name: str, help: str) -> Finding:
-    """Parameters of a section that the node with another name does not read."""
-    return Finding(
-        section.at,
-        f"parameters of '{section.name}' are not read: the node is '{name}'",
-        help,
-        related=(Related(node.span, "the node that loads the file"),),
-        severity=Severity.WARNING,
-    )
-
-
-def _outside_namespace(sections: list[NodeParameters], users: list[StartedProgram]) -> Findings:
-    """Sections without the namespace in which their node is started."""
-    namespaces: dict[str, set[str]] = {}
-    for section in sections:
-        if "*" in f"{section.namespace}/{section.name}":
-            return
-        namespaces.setdefault(section.name, set()).add(section.namespace.strip("/"))
-    for section in sections:
-        owners = [user for user in users if _node_name(user) == section.name]
-        written = namespaces[section.name]
-        if owners and all(user.namespace and user.namespace not in written for user in owners):
-            namespace = owners[0].namespace
-            help = f"write the section below {namespace}:, or below /**:"
-            yield _of_other_name(section, owners[0], f"/{namespace}/{section.name}", help)
-
-
-def _node_name(program: StartedProgram) -> str:
-    """The name of a node, or its likely default name."""
-    is_manager = program.executable == "ros2_control_node"
-    return program.name or ("controller_manager" if is_manager else program.executable)
-
-
-def _misnamed(sections: list[NodeParameters], users: list[StartedProgram]) -> Findings:
-    """Misspelt sections of servers of Nav2."""
-    managed = data("nodes")["lifecycle"].split()
-    servers = {
-        user.executable: user for user in users if user.executable in managed and not user.name
-    }
-    lacking = servers.keys() - {section.name for section in sections}
-    for section in sections:
-        suggested = nearest(section.name, lacking) if section.name not in servers else None
-        if suggested and suggested.startswith(section.name.partition("_")[0]):
-            yield _of_other_name(section, servers[suggested], suggested, f"write {suggested}")
-
-
-def _has_known_name(program: StartedProgram) -> bool:
-    """True for a single node with a known name."""
-    return (
-        bool(program.name)
-        and program.namespace == ""
-        and not any(program.executable.startswith(name) for name in _CONTAINERS)
-    )

@@ -7,6 +7,7 @@ cra-ros-pkg/robot_localization, humble to rolling.
 import re
 from math import inf
 
+from urdfkit.checks.launch.parameter_types import CONFIGURATION
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, is_typo, nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.robot.values import number
@@ -16,7 +17,6 @@ from urdfkit.ros.launch.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Value, scalars
 
 _INPUT = re.compile(r"(odom|imu|pose|twist)\d+")
-_CONFIGURED = re.compile(r"(odom|imu|pose|twist)\d+_config")
 #: Letters of words that are not typos of each other.
 _SHORT = 3
 
@@ -118,7 +118,7 @@ def _is_footprint(text: str) -> bool:
 
 def unread_inputs(node: NodeParameters) -> Findings:
     """Inputs of robot_localization without the list of what is read of them."""
-    if not any(_CONFIGURED.fullmatch(name) for name in node.values):
+    if not any(CONFIGURATION.fullmatch(name) for name in node.values):
         return
     for name, value in node.values.items():
         is_input = _INPUT.fullmatch(name) and isinstance(value, Value)

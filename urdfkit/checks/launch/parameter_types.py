@@ -17,6 +17,9 @@ from urdfkit.text.located_yaml import Key, Node, Value, scalars
 
 _SIZES = ("width", "height")
 PUBLISHER, FREQUENCY = "robot_state_publisher", "publish_frequency"
+#: Values of a configuration of robot_localization: position, angles, velocities, rates,
+#: accelerations.
+_STATES = 15
 #: What a node of robot_localization reads of its inputs.
 CONFIGURATION = re.compile(r"(odom|imu|pose|twist)\d+_config")
 
@@ -56,6 +59,19 @@ def wrong_sizes(node: NodeParameters) -> Findings:
         if isinstance(value, Value) and re.fullmatch(r"[-+]?\d+\.\d*", value.text):
             message = f"'{node.name}' stops: {key} is declared as an integer, not {value.text}"
             yield Finding(value.span, message, f"write {round(float(value.text))}")
+
+
+def wrong_configurations(node: NodeParameters) -> Findings:
+    """Configurations of robot_localization of another length than the filter reads."""
+    for key, value in node.values.items():
+        if not isinstance(key, Key) or not CONFIGURATION.fullmatch(key):
+            continue
+        if isinstance(value, list) and len(value) != _STATES:
+            yield Finding(
+                key.span,
+                f"'{node.name}': {key} has {len(value)} values, not {_STATES}",
+                "write five rows: x y z, roll pitch yaw, their velocities, accelerations of x y z",
+            )
 
 
 def integer_frequency(program: StartedProgram) -> Findings:

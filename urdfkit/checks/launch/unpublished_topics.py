@@ -19,7 +19,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
-from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.node_parameters import given_parameter, node_parameters
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import topic_of
@@ -60,26 +60,19 @@ class _ReadTopic(Record):
 
 
 def unpublished_inputs(context: Context) -> Findings:
-    topics = (*_read_by_nodes(context), *_read_by_rviz(context))
+    topics = (*_read_by_nodes(context), *_read_by_defaults(context), *_read_by_rviz(context))
     inputs = [read for read in topics if not read.topic.startswith(("$", "~"))]
     if not inputs or is_included(context.source.path, context.resolver):
         return
-    others = launches_of_workspace(context.source.path, context.resolver)
+    of_workspace = launches_of_workspace(context.source.path, context.resolver)
+    is_filtered = any(node.package == _FILTER for launch in of_workspace for node in launch.started)
     for read in inputs:
-        # If this launch file starts no publisher of such messages, another may.
-        for launches in ((context.launch,), others):
-            programs = [node for launch in launches for node in launch.programs]
-            published = dict(_published(context, programs, read.message))
-            if published:
-                break
-        is_known = all(_is_known(node, read.message) for node in programs)
+        published = _publishers(context, of_workspace, read.message)
         name = "/" + read.topic.strip("/")
         names = {name, *(f"/{topic.strip('/')}" for topic in read.others)}
-        if any(node.package == _FILTER for launch in others for node in launch.started):
+        if is_filtered:
             names.discard(_FILTERED)
-        if not published or not is_known or not names or not names.isdisjoint(published):
-            continue
-        if any(launch.has_scopes for launch in launches):
+        if not published or not names or names & published.keys():
             continue
         other = nearest(name, published, 0) or next(iter(published))
         yield Finding(
@@ -89,6 +82,22 @@ def unpublished_inputs(context: Context) -> Findings:
             f"set {read.key}: {other}" if read.key else f"write {other}",
             related=(Related(published[other].span, "the publisher is started here"),),
         )
+
+
+def _publishers(
+    context: Context, of_workspace: tuple[Launch, ...], message: str
+) -> dict[str, StartedProgram]:
+    """The topics on which a message is published; empty if a program may publish others.
+
+    If this launch file starts no publisher of such messages, another may.
+    """
+    for launches in ((context.launch,), of_workspace):
+        programs = [node for launch in launches for node in launch.programs]
+        if published := dict(_published(context, programs, message)):
+            has_scopes = any(launch.has_scopes for launch in launches)
+            is_known = not has_scopes and all(_is_known(node, message) for node in programs)
+            return published if is_known else {}
+    return {}
 
 
 def _is_known(program: StartedProgram, message: str) -> bool:
@@ -117,6 +126,7 @@ def _read_by_rviz(context: Context) -> Iterator[_ReadTopic]:
 
 
 def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
+    """Topics in parameter files."""
     inputs: dict[str, str] = data("nodes")["inputs"]
     for file in context.launch.parameters:
         source = context.resolver.readable(file.path)
@@ -124,18 +134,21 @@ def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
             if node.name == _MONITOR:
                 yield from _read_by_layer(node.values, node.name, "type")
             for key, value in node.values.items():
-                match = _INPUT.fullmatch(key)
-                if match and isinstance(value, Value) and f"{key}_config" in node.values:
-                    yield _ReadTopic(value.text, value.span, _READ[match.group(1)], node.name)
-                elif (message := inputs.get(f"{node.name}/{key}")) and isinstance(value, Value):
-                    yield _ReadTopic(value.text, value.span, message, node.name)
-                elif isinstance(value, dict):
+                if isinstance(value, dict):
                     yield from _read_by_layer(value, node.name)
+                match = _INPUT.fullmatch(key) if f"{key}_config" in node.values else None
+                message = _READ[match[1]] if match else inputs.get(f"{node.name}/{key}")
+                if message and isinstance(value, Value):
+                    yield _ReadTopic(value.text, value.span, message, node.name)
+
+
+def _read_by_defaults(context: Context) -> Iterator[_ReadTopic]:
+    """Topics that nodes of the file itself read because no parameter is given."""
     for program in context.launch.programs if not context.launch.has_scopes else ():
         is_own = program.frame is None and program.is_sure and program.remappings == {}
-        defaults: dict[str, str] = data("nodes")["defaults"].get(program.package, {})
-        topic = defaults.get(_SCAN_TOPIC) if is_own and program.namespace == "" else None
-        if topic and given_parameter(program, _SCAN_TOPIC, context.resolver) == "":
+        topic = data("nodes")["defaults"].get(program.package, {}).get(_SCAN_TOPIC)
+        is_read = topic and is_own and program.namespace == ""
+        if is_read and given_parameter(program, _SCAN_TOPIC, context.resolver) == "":
             who = program.executable
             yield _ReadTopic(topic, program.span, "LaserScan", who, key=_SCAN_TOPIC)
 

@@ -19,7 +19,7 @@ from collections.abc import Iterator
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint import SINGLE_DOF, Joint
-from urdfkit.robot.joints import related, several
+from urdfkit.robot.joint_limits import related, several
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml
 from urdfkit.text.schema import JOINT_TYPES

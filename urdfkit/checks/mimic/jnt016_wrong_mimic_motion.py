@@ -18,11 +18,13 @@ Sources:
 from urdfkit.core.spatial import dot, length, minus, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import Joint, Mimic
-from urdfkit.robot.joints import bounds, overshoot
+from urdfkit.robot.joint_limits import bounds, overshoot
 from urdfkit.robot.kinematics import direction
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml
 from urdfkit.robot.symmetry import pairs
 from urdfkit.robot.values import number
+from urdfkit.text.document import Element
 
 _LIMIT = '<limit lower="0" upper="0.8" effort="20" velocity="2"/>'
 BAD = hand_xml("revolute", [_LIMIT], [_LIMIT, '<mimic joint="left_joint" multiplier="-1"/>'])
@@ -53,29 +55,31 @@ def _plugins(context: Context) -> Findings:
     """Mimic plugins with another multiplier than the joint."""
     for block in context.model.gazebo:
         for plugin in block.all("plugin"):
-            if "mimic" not in (plugin.get("filename") or ""):
-                continue
-            named, leader, written, shift = (
-                plugin.child(tag) for tag in ("mimicJoint", "joint", "multiplier", "offset")
-            )
-            joint = context.model.joints_by_name.get(named.text.strip()) if named else None
-            multiplier = number(written.text) if written else None
-            if written is None or multiplier is None or joint is None or joint.mimic is None:
-                continue
-            of_joint = joint.mimic.multiplier
-            is_led = leader is not None and leader.text.strip() == joint.leader
-            offset = number(shift.text) if shift else 0.0
-            if offset != joint.mimic.offset:
-                continue  # another function, which was computed
-            if is_led and abs(multiplier - of_joint) > _MAX_DIFFERENCE * abs(of_joint):
-                yield Finding(
-                    written,
-                    f"plugin '{plugin.get('name')}' moves joint '{joint.name}' by {multiplier:g} "
-                    f"times '{joint.leader}', its <mimic> by {of_joint:g} times",
-                    "write the same multiplier in both",
-                    related=(Related(joint.mimic.at.span, "the <mimic>"),),
-                    confidence=Confidence.INFERRED,
-                )
+            if "mimic" in (plugin.get("filename") or ""):
+                yield from _plugin(plugin, context.model)
+
+
+def _plugin(plugin: Element, model: RobotModel) -> Findings:
+    named, leader, written, shift = (
+        plugin.child(tag) for tag in ("mimicJoint", "joint", "multiplier", "offset")
+    )
+    joint = model.joints_by_name.get(named.text.strip()) if named else None
+    multiplier = number(written.text) if written else None
+    if written is None or multiplier is None or joint is None or joint.mimic is None:
+        return
+    own = joint.mimic.multiplier
+    is_led = leader is not None and leader.text.strip() == joint.leader
+    # With another offset it is another function, which was computed.
+    is_same = (number(shift.text) if shift else 0.0) == joint.mimic.offset
+    if is_led and is_same and abs(multiplier - own) > _MAX_DIFFERENCE * abs(own):
+        yield Finding(
+            written,
+            f"plugin '{plugin.get('name')}' moves joint '{joint.name}' by {multiplier:g} times "
+            f"'{joint.leader}', its <mimic> by {own:g} times",
+            "write the same multiplier in both",
+            related=(Related(joint.mimic.at.span, "the <mimic>"),),
+            confidence=Confidence.INFERRED,
+        )
 
 
 def _limits(joint: Joint, mimic: Mimic, leader: Joint) -> Findings:

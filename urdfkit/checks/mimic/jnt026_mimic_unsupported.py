@@ -15,7 +15,7 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.joints import related, several
+from urdfkit.robot.joint_limits import related, several
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml, inertial_xml, robot_xml
 from urdfkit.ros.catalog.plugins import find

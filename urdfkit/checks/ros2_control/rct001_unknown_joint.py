@@ -22,12 +22,16 @@ Sources:
     PilzDE/pilz_robots#16: https://github.com/PilzDE/pilz_robots/issues/16
 """
 
+from collections.abc import Iterator
+
+from urdfkit.core.grouping import by_key
+from urdfkit.core.record import Record
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.controllers import Controller
+from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import (
     called,
@@ -108,70 +112,91 @@ def _unknown_leaders(context: Context) -> Findings:
                 yield Finding(named, message, "list the joint in the same block, or fix the name")
 
 
+class _Use(Record):
+    """The joints that a controller in a parameter file uses."""
+
+    file: ParameterFile
+    controller: Controller
+    joints: list[Value]
+    fits: bool  # True if the robot has one of them
+
+
 def _controller_joints(context: Context) -> Findings:
     known = set(context.model.joints_by_name)
     for component in components(context.model):  # a controller may also command a GPIO
         known.update(part.name for part in component.parts)
     suggester = Suggester(known)
-    in_gazebo = bool(control_plugins(context.model))
     joints = [(file, controller, _joints(controller)) for file, controller in context.controllers]
-    fitting = {file.path for file, _, values in joints if _has_any(values, known)}
-    foreign = {id(user) for _, user, values in joints if values and not _has_any(values, known)}
-    for file in {file.path: file for file, _, _ in joints if file.path not in fitting}.values():
-        of_file = [(user, values) for one, user, values in joints if one.path == file.path]
-        if found := _of_another_robot(context, of_file, known, suggester):
-            robot = Related(context.document.root.span, "compared with this robot")
-            yield found._replace(related=(file.note, robot))
-            joints = [one for one in joints if one[0].path != file.path]
-    for file, controller, values in joints:
-        is_broadcaster = controller.type == _BROADCASTER and foreign == {id(controller)}
-        # It is in the file of the robot's other controllers; without interfaces it reads no joints.
-        is_of_robot = _has_any(values, known) or (
-            is_broadcaster and bool(controller.values(["interfaces"]))
-        )
-        for value in values:
-            is_prefixed = _is_prefixed(value.text, known)
-            if value.text in known or (is_prefixed and not is_of_robot):
-                continue
-            if not is_prefixed and is_switched_off(context, value.text):
-                continue
-            hint = suggester.hint(value.text)
-            is_certain = controller.ros != 1 or (in_gazebo and (is_of_robot or bool(hint)))
-            if is_of_robot or hint or file.path not in fitting:
-                yield Finding(
-                    value.span,
-                    f"controller '{controller.name}': unknown joint '{value.text}'{hint}",
-                    "fix the name in the parameter file",
-                    related=(file.note,),
-                    group_key="" if hint else file.path,
-                    severity=None if is_certain else Severity.WARNING,
-                )
+    uses = [_Use(*use, fits=any(joint.text in known for joint in use[-1])) for use in joints]
+    fitting = {use.file.path for use in uses if use.fits}
+    for path, of_file in by_key((use.file.path, use) for use in uses).items():
+        is_fitting = path in fitting
+        other = None if is_fitting else _of_another_robot(context, of_file, known, suggester)
+        if other:
+            yield other
+            continue
+        for use in of_file:
+            is_of_robot = use.fits or _is_broadcaster_of_robot(use, uses)
+            for joint in _unknown_to_robot(use, known, context, is_of_robot=is_of_robot):
+                hint = suggester.hint(joint.text)
+                is_likely = is_of_robot or bool(hint)
+                if is_likely or not is_fitting:
+                    yield _unknown_joint(use, joint, hint, context, is_likely=is_likely)
+
+
+def _is_broadcaster_of_robot(use: _Use, uses: list[_Use]) -> bool:
+    """True for a broadcaster in the file of the robot's other controllers."""
+    foreign = [other for other in uses if other.joints and not other.fits]
+    is_only = len(foreign) == 1 and foreign[0] is use
+    reads_joints = bool(use.controller.values(["interfaces"]))
+    return use.controller.type == _BROADCASTER and is_only and reads_joints
+
+
+def _unknown_to_robot(
+    use: _Use, known: set[str], context: Context, *, is_of_robot: bool
+) -> Iterator[Value]:
+    """The joints that the robot lacks, and has with no other prefix or argument."""
+    for joint in use.joints:
+        is_prefixed = _is_prefixed(joint.text, known)
+        is_of_variant = not is_of_robot if is_prefixed else is_switched_off(context, joint.text)
+        if joint.text not in known and not is_of_variant:
+            yield joint
+
+
+def _unknown_joint(
+    use: _Use, joint: Value, hint: str, context: Context, *, is_likely: bool
+) -> Finding:
+    # Hardware of ROS 1 may have joints of its own, unless it is Gazebo.
+    is_certain = use.controller.ros != 1 or (is_likely and bool(control_plugins(context.model)))
+    return Finding(
+        joint.span,
+        f"controller '{use.controller.name}': unknown joint '{joint.text}'{hint}",
+        "fix the name in the parameter file",
+        related=(use.file.note,),
+        group_key="" if hint else use.file.path,
+        severity=None if is_certain else Severity.WARNING,
+    )
 
 
 def _of_another_robot(
-    context: Context,
-    joints: list[tuple[Controller, list[Value]]],
-    known: set[str],
-    suggester: Suggester,
+    context: Context, uses: list[_Use], known: set[str], suggester: Suggester
 ) -> Finding | None:
     """The finding about a file with many joints, all of another robot; None if some may fit."""
-    values = [value for _, of_controller in joints for value in of_controller]
-    names = {value.text for value in values}
+    joints = [joint for use in uses for joint in use.joints]
+    names = {joint.text for joint in joints}
     misspelt = sum(bool(suggester.suggested(name)) for name in names)
     if len(names) < _MANY or 2 * misspelt > len(names):
         return None
     if any(_is_prefixed(name, known) or is_switched_off(context, name) for name in names):
         return None
+    robot = Related(context.document.root.span, "compared with this robot")
     return Finding(
-        min((value.span for value in values), key=lambda span: span.start),
+        min((joint.span for joint in joints), key=lambda span: span.start),
         f"none of the {len(names)} joints of the controllers is a joint of the robot",
         "load the parameters of this robot, or start the robot that has these joints",
-        severity=Severity.WARNING if joints[0][0].ros == 1 else None,
+        related=(uses[0].file.note, robot),
+        severity=Severity.WARNING if uses[0].controller.ros == 1 else None,
     )
-
-
-def _has_any(values: list[Value], names: set[str]) -> bool:
-    return any(value.text in names for value in values)
 
 
 def _is_prefixed(name: str, known: set[str]) -> bool:

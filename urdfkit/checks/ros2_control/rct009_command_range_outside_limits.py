@@ -18,7 +18,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml
 from urdfkit.ros.ros_control import Component, ControlPart, Interface, components

@@ -22,7 +22,7 @@ from collections.abc import Iterator
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.joint_limits import PlannedLimit, planned_limits
 from urdfkit.ros.parameter_types import is_not_positive, type_of

@@ -5,7 +5,7 @@ from typing import Any
 from urdfkit.core.strict_json import dumped
 from urdfkit.output.diagrams.rows import rows
 from urdfkit.robot.joint import DEGREES_OF_FREEDOM, Joint
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.tree import KinematicTree
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.robot.joint import DEGREES_OF_FREEDOM, Joint
-from urdfkit.robot.joints import bounds
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.tree import KinematicTree
 

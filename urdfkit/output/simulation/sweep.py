@@ -12,8 +12,8 @@ from urdfkit.output.simulation.hold import SAG, torques
 from urdfkit.output.simulation.simulated_robot import OVERLAP, SimulatedRobot
 from urdfkit.physics.verdicts import Verdict
 from urdfkit.robot.joint import Joint
+from urdfkit.robot.joint_limits import overshoot, span
 from urdfkit.robot.joint_loads import STEP
-from urdfkit.robot.joints import overshoot, span
 from urdfkit.robot.kinematics import MimicLaw, laws, positions
 
 #: Number of positions of a joint that are tested in its range.

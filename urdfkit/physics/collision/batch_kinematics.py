@@ -16,7 +16,7 @@ from urdfkit.core.grouping import by_key
 from urdfkit.mesh.geometry import Floats
 from urdfkit.mesh.transforms import homogeneous
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joints import span, start_of
+from urdfkit.robot.joint_limits import span, start_of
 from urdfkit.robot.kinematics import LOCKED, MimicLaw, direction, laws
 from urdfkit.robot.tree import KinematicTree
 

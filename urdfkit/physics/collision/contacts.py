@@ -18,7 +18,7 @@ from urdfkit.physics.collision.bodies import THINNEST, TOUCH, CollisionBody, col
 from urdfkit.physics.collision.broad_phase import lower_bound, nearby, relative
 from urdfkit.physics.collision.closed_forms import point_distance, signed_distance
 from urdfkit.robot.adjacency import Adjacency
-from urdfkit.robot.joints import span, start_of
+from urdfkit.robot.joint_limits import span, start_of
 from urdfkit.robot.kinematics import LOCKED, frames, laws, motion
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import pytest
 
 from tests.jointed import joint, limit, robot
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.robot import joints
+from urdfkit.robot import joint_limits
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.model import RobotModel
 from urdfkit.text.source import Source
@@ -37,7 +37,7 @@ def one(kind: str, content: str) -> Joint:
     ],
 )
 def test_bounds(kind: str, content: str, bounds: tuple[float, float] | None) -> None:
-    assert joints.bounds(one(kind, content)) == bounds
+    assert joint_limits.bounds(one(kind, content)) == bounds
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ def test_bounds(kind: str, content: str, bounds: tuple[float, float] | None) -> 
     ],
 )
 def test_soft_bounds(content: str, bounds: tuple[float, float] | None) -> None:
-    assert joints.soft_bounds(one("continuous", content)) == bounds
+    assert joint_limits.soft_bounds(one("continuous", content)) == bounds
 
 
 @pytest.mark.parametrize(
@@ -90,25 +90,25 @@ def test_other_joints(kind: str) -> None:
 )
 def test_several(count: int, text: str) -> None:
     robots = model(robot(*(joint(f"j{number}", "fixed") for number in range(count))))
-    assert joints.several(robots.joints) == text
+    assert joint_limits.several(robots.joints) == text
 
 
 def test_driven() -> None:
     text = robot(joint("a", "continuous"))
-    assert joints.driven(model(text)) == frozenset()
+    assert joint_limits.driven(model(text)) == frozenset()
     transmission = '<transmission name="t"><joint name="a"/><actuator name="m"/></transmission>'
     control = (
         '<ros2_control name="c" type="system"><joint name="b"><command_interface name="effort"/>'
         '</joint><joint name="c"><state_interface name="position"/></joint></ros2_control>'
     )
-    assert joints.driven(model(text + transmission + control)) == {"a", "b"}
+    assert joint_limits.driven(model(text + transmission + control)) == {"a", "b"}
 
 
 def test_where_a_joint_moves() -> None:
     """Limits, or all there is where they mean nothing; no more than a turn, with 0 if it may."""
 
     def ends(kind: str, lower: str = "", upper: str = "") -> tuple[float, float]:
-        return joints.span(one(kind, limit(lower, upper) if lower else ""))
+        return joint_limits.span(one(kind, limit(lower, upper) if lower else ""))
 
     assert ends("revolute", "-1", "2") == (-1, 2)
     assert ends("revolute", "0.5", "0.5") == (0.5, 0.5)
@@ -120,8 +120,11 @@ def test_where_a_joint_moves() -> None:
     assert ends("revolute", "0", "7") == (0, 2 * pi)
     assert ends("revolute", "100", "110") == (100, 100 + 2 * pi)
     assert ends("prismatic", "-0.1", "0.2") == (-0.1, 0.2)
-    assert ends("prismatic", "-1e308", "1e308") == (-joints.MAX_TRAVEL, joints.MAX_TRAVEL)
-    assert ends("prismatic", "2000", "3000") == (joints.MAX_TRAVEL, joints.MAX_TRAVEL)
+    assert ends("prismatic", "-1e308", "1e308") == (
+        -joint_limits.MAX_TRAVEL,
+        joint_limits.MAX_TRAVEL,
+    )
+    assert ends("prismatic", "2000", "3000") == (joint_limits.MAX_TRAVEL, joint_limits.MAX_TRAVEL)
     for still in (("prismatic",), ("prismatic", "1", "-1"), ("fixed", "1", "2"), ("planar",)):
         assert ends(*still) == (0, 0)
 
@@ -132,5 +135,5 @@ def test_where_a_joint_moves() -> None:
 )
 def test_where_a_joint_begins(lower: str, upper: str, start: float) -> None:
     for kind in ("revolute", "prismatic"):
-        assert joints.start_of(one(kind, limit(lower, upper))) == start
-    assert joints.start_of(one("revolute", limit("7", "20"))) == pytest.approx(7 + pi)
+        assert joint_limits.start_of(one(kind, limit(lower, upper))) == start
+    assert joint_limits.start_of(one("revolute", limit("7", "20"))) == pytest.approx(7 + pi)

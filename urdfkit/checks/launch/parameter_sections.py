@@ -1,0 +1,124 @@
+"""Sections of parameter files that have another name or namespace than the node that loads them."""
+
+from itertools import chain
+
+from urdfkit.checks.launch.costmap_parameters import COSTMAPS
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.node_parameters import NodeParameters
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+
+#: Programs that start several nodes, or nodes of other names.
+_CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node", "move_group")
+
+
+def misnamed_sections(context: Context, files: dict[str, list[NodeParameters]]) -> Findings:
+    """Parameter files that a node loads, but whose sections belong to other nodes."""
+    for path, sections in files.items():
+        users = [node for node in context.launch.programs if path in node.parameters.files]
+        yield from _misspelt_servers(sections, users)
+        if not context.launch.has_scopes:
+            yield from _outside_namespace(sections, users)
+            yield from _of_other_nodes(context, path, users, files)
+
+
+def _of_other_nodes(
+    context: Context,
+    path: str,
+    users: list[StartedProgram],
+    files: dict[str, list[NodeParameters]],
+) -> Findings:
+    """A file of parameters for other nodes than those that load it, whose names are known."""
+    sections = {section.name: section for section in reversed(files[path])}
+    are_known = all(map(_has_known_name, users)) and not any("*" in name for name in sections)
+    if not sections or not are_known:
+        return
+    unserved = [user for user in users if not _has_section(user, files)]
+    if unserved and sections.keys().isdisjoint((*COSTMAPS, *(user.name for user in users))):
+        node = unserved[0]
+        likely = node.executable if node.executable in sections else nearest(node.name, sections)
+        section = sections.get(likely or "", files[path][0])
+        if not _is_read_elsewhere(section, path, node, context):
+            help = f"write {node.name}, or name the node {section.name}"
+            yield _of_other_name(section, node, node.name, help)
+
+
+def _has_section(node: StartedProgram, files: dict[str, list[NodeParameters]]) -> bool:
+    """True if one of the files of a node has parameters of it: others may be of other nodes."""
+    sections = chain.from_iterable(files.get(path, ()) for path in node.parameters.files)
+    return any(section.name == node.name for section in sections)
+
+
+def _is_read_elsewhere(
+    section: NodeParameters, path: str, node: StartedProgram, context: Context
+) -> bool:
+    """True if another launch file loads a parameter file for the node of a section.
+
+    If it starts the same program with the right name, the name of this node is wrong.
+    """
+    programs = chain.from_iterable(
+        launch.programs for launch in launches_of_workspace(path, context.resolver)
+    )
+    return any(
+        path in program.parameters.files
+        and _node_name(program).removesuffix(".py") == section.name
+        and (program.package, program.executable) != (node.package, node.executable)
+        for program in programs
+    )
+
+
+def _of_other_name(section: NodeParameters, node: StartedProgram, name: str, help: str) -> Finding:
+    """Parameters of a section that the node with another name does not read."""
+    return Finding(
+        section.at,
+        f"parameters of '{section.name}' are not read: the node is '{name}'",
+        help,
+        related=(Related(node.span, "the node that loads the file"),),
+        severity=Severity.WARNING,
+    )
+
+
+def _outside_namespace(sections: list[NodeParameters], users: list[StartedProgram]) -> Findings:
+    """Sections without the namespace in which their node is started."""
+    namespaces: dict[str, set[str]] = {}
+    for section in sections:
+        if "*" in f"{section.namespace}/{section.name}":
+            return
+        namespaces.setdefault(section.name, set()).add(section.namespace.strip("/"))
+    for section in sections:
+        owners = [user for user in users if _node_name(user) == section.name]
+        written = namespaces[section.name]
+        if owners and all(user.namespace and user.namespace not in written for user in owners):
+            namespace = owners[0].namespace
+            help = f"write the section below {namespace}:, or below /**:"
+            yield _of_other_name(section, owners[0], f"/{namespace}/{section.name}", help)
+
+
+def _node_name(program: StartedProgram) -> str:
+    """The name of a node, or its likely default name."""
+    is_manager = program.executable == "ros2_control_node"
+    return program.name or ("controller_manager" if is_manager else program.executable)
+
+
+def _misspelt_servers(sections: list[NodeParameters], users: list[StartedProgram]) -> Findings:
+    """Misspelt sections of servers of Nav2."""
+    managed = data("nodes")["lifecycle"].split()
+    servers = {
+        user.executable: user for user in users if user.executable in managed and not user.name
+    }
+    lacking = servers.keys() - {section.name for section in sections}
+    for section in sections:
+        suggested = nearest(section.name, lacking) if section.name not in servers else None
+        if suggested and suggested.startswith(section.name.partition("_")[0]):
+            yield _of_other_name(section, servers[suggested], suggested, f"write {suggested}")
+
+
+def _has_known_name(program: StartedProgram) -> bool:
+    """True for a single node with a known name."""
+    return (
+        bool(program.name)
+        and program.namespace == ""
+        and not any(program.executable.startswith(name) for name in _CONTAINERS)
+    )
