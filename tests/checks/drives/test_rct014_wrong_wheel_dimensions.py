@@ -10,6 +10,7 @@ from tests.reported import messages, places
 from tests.reported import reported as reported_anywhere
 from urdfkit import Diagnostic, check
 from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Severity
 
 DIFF = "diff_drive_controller/DiffDriveController"
 ACKERMANN = "ackermann_steering_controller/AckermannSteeringController"
@@ -103,6 +104,22 @@ def test_tyres_away_from_their_joints(tmp_path: Path) -> None:
     assert reported(tmp_path, drive(0.4, 0.1), model) == [], "between the joints"
     (found,) = reported(tmp_path, drive(0.6, 0.1), model)
     assert found.message.endswith("but the distance between the wheels is 0.5 m")
+
+
+@pytest.mark.parametrize(
+    ("separation", "severity"), [(0.48, Severity.INFO), (0.3, Severity.WARNING)]
+)
+def test_several_wheels_on_a_side_may_be_calibrated(
+    tmp_path: Path, separation: float, severity: Severity
+) -> None:
+    """BILLEE: three wheels on each side slip in turns, as if they were further apart."""
+    (found,) = reported(tmp_path, drive(separation, 0.1), robot())
+    assert found.severity is severity
+    assert found.help.startswith("write 0.4")
+    assert ("wheel_separation_multiplier" in found.help) is (severity is Severity.INFO)
+    two = drive(separation, 0.1).replace(", rl", "").replace(", rr", "")
+    (found,) = reported(tmp_path, two, robot())
+    assert found.severity is Severity.WARNING
 
 
 def test_unknown_dimensions(tmp_path: Path) -> None:

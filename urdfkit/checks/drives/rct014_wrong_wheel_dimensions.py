@@ -6,11 +6,14 @@ turns by the wrong angle. The model defines the positions of the wheels and, if 
 geometry is a cylinder or a sphere, their radius. Use these values in the plugin or the parameter
 file; use multipliers for corrections.
 
-Not reported: lengths with a multiplier, a separation larger than the track for wheels that slip in
-turns, a separation if the collision geometry of a wheel is farther from its joint than its
-diameter, and the wheelbase of a car whose driven wheels are the steered ones. If a file has several
-controllers for the same wheels, only those with the fewest differences are reported: the others may
-be for another robot.
+An info: a separation larger than the track, if a side has several wheels. They slip in turns, and
+the value may be calibrated.
+
+Not reported: lengths with a multiplier, a separation larger than the track for a plugin of
+skid-steered robots, a separation if the collision geometry of a wheel is farther from its joint
+than its diameter, and the wheelbase of a car whose driven wheels are the steered ones. If a file
+has several controllers for the same wheels, only those with the fewest differences are reported:
+the others may be for another robot.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -41,6 +44,8 @@ if TYPE_CHECKING:
 
 #: Relative difference, within which real robots are calibrated.
 TOLERANCE = 0.05
+#: Wheels that slip in turns act as if they were further apart, up to this factor (Husky: 1.875).
+MAX_SLIP = 2.5
 #: In m: the positions of wheels that are closer are not yet defined.
 SAME_PLACE = 1e-3
 
@@ -89,7 +94,10 @@ def _check_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
             default = ", the default" if at is use.at else ""
             message = f"{use.title}: <{name}> is {value:g} m{default}, but {_MEASURED[measured]} "
             message += f"{real[0]:.4g} m"
-            yield Finding(at, message, _help(real[0]), weight=abs(value - real[0]))
+            is_info = measured == "separation" and len(driven) > 2 and _may_slip(value, real)
+            severity = Severity.INFO if is_info else None
+            weight = abs(value - real[0])
+            yield Finding(at, message, _help(real[0]), weight=weight, severity=severity)
 
 
 def _separations(driven: list[DrivenWheel]) -> list[float]:
@@ -118,13 +126,25 @@ def _check_controller(controller: Controller, context: Context) -> Findings:
         if _is_multiplied(controller, measure.parameter):
             continue  # the drive is calibrated
         if value is not None and real and _differs(value, real):
+            is_info = _slips(measure, controller) and _may_slip(value, real)
             yield Finding(
                 values[0].span,
                 f"controller '{controller.name}': {measure.parameter} is {value:g} m, but "
                 f"{_MEASURED[measure.kind]} {real[0]:.4g} m",
-                _help(real[0]),
+                _help(real[0]) + f", and calibrate {measure.parameter}_multiplier" * is_info,
                 weight=abs(value - real[0]),
+                severity=Severity.INFO if is_info else None,
             )
+
+
+def _may_slip(value: float, real: list[float]) -> bool:
+    return real[0] < value <= MAX_SLIP * real[0]
+
+
+def _slips(measure: Measure, controller: Controller) -> bool:
+    """True for a separation of sides with several wheels, which slip in turns."""
+    numbers = (len(controller.values(names)) for names in measure.sides)
+    return measure.kind == "separation" and max(numbers) > 1
 
 
 def _is_multiplied(controller: Controller, parameter: str) -> bool:
