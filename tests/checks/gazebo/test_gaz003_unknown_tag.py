@@ -90,3 +90,11 @@ def test_what_belongs_elsewhere_is_reported(tag, instead):
     (finding,) = findings("GAZ003", "ray", f"<{tag}/>")
     assert finding.message == f"sensor 's': unknown element <{tag}> in <sensor> (ignored)"
     assert instead in finding.help
+
+
+def test_the_parent_is_not_suggested_for_its_own_child():
+    """tauv: the fix made <distortionModel> a <distortion> in the <distortion>."""
+    inner = "<camera><distortion><distortionModel>plumb_bob</distortionModel></distortion></camera>"
+    (finding,) = findings("GAZ003", "camera", inner)
+    message = "sensor 's': unknown element <distortionModel> in <distortion> (ignored)"
+    assert (finding.message, finding.help, finding.fix) == (message, "remove it", None)

@@ -110,5 +110,6 @@ def _in_sensor(
     fix = None if is_taken else fix_tag(child, intended)
     if child.children and not intended:  # <orientation> is not <enable_orientation>
         return Finding(child, message, "remove it", group_key=child.tag)
-    message += did_you_mean(child.tag, known)
-    return Finding(child, message, "fix the name of the element", fix, group_key=child.tag)
+    hint = did_you_mean(child.tag, known)
+    help = "fix the name of the element" if hint else "remove it"
+    return Finding(child, message + hint, help, fix, group_key=child.tag)

@@ -64,9 +64,9 @@ class SettingElement(Record):
     @property
     def siblings(self) -> tuple[str, ...]:
         """The valid tags in its parent."""
-        parent_path = self.path.rpartition("/")[0]
+        parent_path = "".join(self.path.rpartition("/")[:2])
         inside = [path for path in self.known if path.startswith(parent_path)]
-        tags = (path.removeprefix(f"{parent_path}/") for path in inside)
+        tags = (path.removeprefix(parent_path) for path in inside)
         return tuple(tag for tag in tags if tag and "/" not in tag and "@" not in tag)
 
     @property
