@@ -17,7 +17,7 @@ from urdfkit.text.schema import GAZEBO_TAGS
                 '<link name="a"><collision><surface/><geometry><sphere radius="1"/></geometry>'
                 "</collision></link>"
             ),
-            'move it into <gazebo reference="a">',
+            'move it into <collision> in <gazebo reference="a">',
         ),
         (
             (
@@ -64,3 +64,26 @@ def test_the_pose_of_sdf_has_its_words_in_urdf() -> None:
     (found,) = reported("URD008", '<link name="a"><pose>0 0 1 0 0 0</pose></link>')
     assert "the <origin> of the joint" in found.help
     assert found.fix is None
+
+
+ROBOT = """<link name="a">{link}
+<collision><geometry><sphere radius="1"/></geometry></collision></link>
+<link name="b"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/>{joint}</joint>"""
+
+
+@pytest.mark.parametrize("owner", ["link", "joint"])
+@pytest.mark.parametrize("tag", sorted(GAZEBO_TAGS - {"pose"}))
+def test_the_help_leads_to_a_place_where_gazebo_reads_the_tag(owner: str, tag: str) -> None:
+    """ROAR: <surface> in the block of a link is unknown, too; it belongs into its <collision>."""
+    element, names = f"<{tag}>1</{tag}>", {"link": "a", "joint": "j"}
+    (found,) = reported("URD008", ROBOT.format(**{"link": "", "joint": "", owner: element}))
+    if (owner, tag) == ("joint", "friction"):
+        assert "<dynamics friction=...>" in found.help
+        return
+    moved = element.replace("friction", "mu1")
+    if "<collision>" in found.help:
+        moved = f"<collision>{moved}</collision>"
+    kind = found.help.rpartition("name of a ")[2] if "name of a " in found.help else owner
+    reference = "" if "without" in found.help else f' reference="{names[kind]}"'
+    robot = ROBOT.format(link="", joint="") + f"<gazebo{reference}>{moved}</gazebo>"
+    assert [*reported("GAZ003", robot), *reported("GAZ005", robot)] == []

@@ -23,6 +23,18 @@ BAD = link_xml("wheel", "<mu1>0.5</mu1>")
 GOOD = robot_xml(link_xml("wheel"), element_xml('gazebo reference="wheel"', "<mu1>0.5</mu1>"))
 FIXED = GOOD.replace('"wheel"/>', '"wheel">\n</link>')
 
+#: Instead of tags that Gazebo does not read in the block either, by the element that owns them.
+_INSTEAD = {
+    "link": {
+        "surface": "move it into <collision> in {}",
+        "friction": "write <mu1> and <mu2> in {}",
+    },
+    "joint": {
+        "surface": 'move it into <collision> in <gazebo reference="...">, with the name of a link',
+        "friction": "write <dynamics friction=...> in the joint",
+    },
+}
+
 
 @rule(Severity.WARNING)
 def check(context: Context) -> Findings:
@@ -59,7 +71,7 @@ def _fixes(context: Context, misplaced: list[Element]) -> dict[Element, Fix]:
 def _is_for(element: Element, owner: Element) -> bool:
     """True if Gazebo reads a tag in the block of a link or joint."""
     extension = extensions().get(element.tag)
-    return extension is not None and extension.on in (owner.tag, "both")
+    return extension is not None and extension.on == owner.tag
 
 
 def _moved(context: Context, owner: Element, elements: list[Element]) -> Fix | None:
@@ -84,7 +96,17 @@ def _help(element: Element) -> str:
         return "use the <origin> of the joint, or that of the shape"
     owner = _owner(element)
     name = owner.get("name") if owner else None
-    return "move it into " + (f'<gazebo reference="{name}">' if name else "a <gazebo> block")
+    extension = extensions().get(element.tag)
+    if owner is None or not name:
+        return "move it into a <gazebo> block"
+    if element.tag == "plugin" or (extension and extension.on == "model"):
+        return "move it into a <gazebo> block without a reference"
+    if extension and extension.on not in (owner.tag, "any"):
+        return f'move it into <gazebo reference="...">, with the name of a {extension.on}'
+    block = f'<gazebo reference="{name}">'
+    if element.tag in _INSTEAD[owner.tag]:
+        return _INSTEAD[owner.tag][element.tag].format(block)
+    return f"move it into {block}"
 
 
 def _is_zero_pose(element: Element) -> bool:
