@@ -1,7 +1,7 @@
 import pytest
 
 from tests.growth import assert_linear
-from urdfkit.core.suggest import Suggester, did_you_mean, is_typo, nearest
+from urdfkit.core.suggest import Suggester, did_you_mean, is_typo, nearest, nearest_file_name
 
 CODES = ["XML001", "XML002", "TRE003", "not-well-formed", "base_link"]
 
@@ -20,6 +20,22 @@ CODES = ["XML001", "XML002", "TRE003", "not-well-formed", "base_link"]
 )
 def test_nearest(word: str, suggested: str | None) -> None:
     assert nearest(word, CODES) == suggested
+
+
+@pytest.mark.parametrize(
+    ("name", "known", "suggested"),
+    [
+        # auv-software: the common suffix made the names similar
+        ("start_cameras.launch.xml", ["start_xsens_driver.launch.xml"], None),
+        ("start_camera.launch.xml", ["start_cameras.launch.xml"], "start_cameras.launch.xml"),
+        ("robt.xacro", ["robot.gazebo.xacro", "robot.xacro", "robot.yaml"], "robot.xacro"),
+        ("arm.xacro", ["arm.urdf.xacro"], "arm.urdf.xacro"),
+        ("arm.yaml", ["arm.xacro"], None),
+        (".rviz", ["arm.rviz"], None),
+    ],
+)
+def test_nearest_file_name(name: str, known: list[str], suggested: str | None) -> None:
+    assert nearest_file_name(name, known) == suggested
 
 
 def test_a_name_without_what_kind_of_thing_it_is() -> None:

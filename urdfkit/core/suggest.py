@@ -99,10 +99,23 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
 def nearest_file(path: str) -> str | None:
     """Name of the file next to a missing file that has the most similar name; same suffix."""
     directory, name = os.path.split(path)
-    stem, suffix = os.path.splitext(name)
-    siblings = map(os.path.splitext, disk.names(directory) if disk.is_directory(directory) else ())
-    suggested = nearest(stem, [other for other, kind in siblings if kind == suffix])
-    return suggested and suggested + suffix
+    return nearest_file_name(name, disk.names(directory) if disk.is_directory(directory) else ())
+
+
+def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
+    """The known file name most similar to ``name``; None if none is similar, or of its suffix.
+
+    Suffixes make no names similar: ``start_cameras.launch.xml`` is not ``start_driver.launch.xml``.
+    """
+    kind = os.path.splitext(name)[1]
+    stem, _, suffix = name.partition(".")
+    stems: dict[str, str] = {}
+    for other in sorted(known):
+        first, _, rest = other.partition(".")
+        if os.path.splitext(other)[1] == kind and (rest == suffix or first not in stems):
+            stems[first] = other
+    suggested = nearest(stem, stems, SIMILAR_FILE)
+    return stems[suggested] if suggested else None
 
 
 class Suggester:

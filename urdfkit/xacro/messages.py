@@ -10,7 +10,7 @@ from itertools import pairwise
 from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import Any
-from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
+from urdfkit.core.suggest import TYPO, did_you_mean, nearest, nearest_file_name
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import STANDARD_INPUT, Span, shown, why_unreadable
@@ -309,10 +309,8 @@ def _nearest_file(path: str) -> str:
         siblings = disk.names(directory or os.curdir)
     except OSError:
         return ""
-    stem, dot, suffix = name.partition(".")
-    stems = [sibling.partition(".")[0] for sibling in siblings if sibling.endswith(dot + suffix)]
-    suggested = nearest(stem, stems, SIMILAR_FILE)
-    hint = f"did you mean '{suggested}{dot}{suffix}'?" if suggested else ""
+    suggested = nearest_file_name(name, siblings)
+    hint = f"did you mean '{suggested}'?" if suggested else ""
     if name == last:
         return hint or "correct the path, which is relative to the directory of its file"
     present = sorted(path for path in siblings if disk.is_directory(os.path.join(directory, path)))
