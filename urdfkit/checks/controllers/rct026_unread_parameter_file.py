@@ -27,6 +27,7 @@ from urdfkit.ros.controllers import parameter_files, syntax_errors, unread_keys
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.ros_control import control_plugins, namespace_of
+from urdfkit.text.document import Element
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -78,23 +79,32 @@ def _outside_namespace(context: Context) -> Findings:
 
 def _missing(context: Context) -> Findings:
     for file in parameter_files(context):
-        if file.element and "://" in file.path:
+        if not file.element:
+            continue  # LAU003 reports the files of launch files
+        if "://" in file.path:
             message = f"the plugin reads '{file.path}' as a path, which does not exist"
             yield Finding(file.element, message, f"write {_FIND}")
-        elif file.found is None and file.element:  # LAU003 reports the files of launch files
-            if os.path.basename(os.path.dirname(file.path)) in _GENERATED:
-                continue  # the launch file writes it first
-            is_here = context.resolver.packages.searches(file.path, context.source.path)
-            suggested = nearest_file(file.path)
-            hint = f"; did you mean '{suggested}'?" if suggested else ""
-            where = "" if is_here else " on this machine"
-            written = file.element.tag_at.inner_span.text
-            has_find = "$(find " in written
-            is_chosen = "$" in re.sub(r"\$\(find [^)]*\)", "", written)
-            severity = None if is_here else Severity.WARNING
-            yield Finding(
-                file.element,
-                f"parameter file not found{where}: {file.path}{hint}",
-                "correct the path" if has_find else f"correct the path; write {_FIND}",
-                severity=Severity.INFO if is_chosen else severity,
-            )
+        # The launch file writes a generated file first.
+        elif file.found is None and _directory(file.path) not in _GENERATED:
+            yield _not_found(context, file.path, file.element)
+
+
+def _directory(path: str) -> str:
+    return os.path.basename(os.path.dirname(path))
+
+
+def _not_found(context: Context, path: str, element: Element) -> Finding:
+    is_here = context.resolver.packages.searches(path, context.source.path)
+    suggested = nearest_file(path)
+    hint = f"; did you mean '{suggested}'?" if suggested else ""
+    where = "" if is_here else " on this machine"
+    written = element.tag_at.inner_span.text
+    has_find = "$(find " in written
+    is_chosen = "$" in re.sub(r"\$\(find [^)]*\)", "", written)
+    severity = None if is_here else Severity.WARNING
+    return Finding(
+        element,
+        f"parameter file not found{where}: {path}{hint}",
+        "correct the path" if has_find else f"correct the path; write {_FIND}",
+        severity=Severity.INFO if is_chosen else severity,
+    )

@@ -14,7 +14,7 @@ from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import collision_xml, robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
-from urdfkit.ros.gazebo.sensors import sensors
+from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 
@@ -39,21 +39,23 @@ def check(context: Context) -> Findings:
             message = f"{sensor.who}: no <collision> in <contact>, so it detects no contact"
             yield Finding(sensor.at, message, "add <contact> with a <collision> of its link")
         for contact in sensor.at.all("contact"):
-            named = contact.child("collision")
-            link = context.gazebo.survivor.get(sensor.reference)
-            if named is None or link is None:
-                continue
-            simulated = next(one for one in context.gazebo.links if one.name == link)
-            known = dict(simulated.collisions)
-            name = named.text.strip()
-            if name in known or name == "__default__":
-                continue
-            renamed = [new for new, at in known.items() if name in _called(at)]
-            suggested = renamed[0] if len(renamed) == 1 else Suggester(known).suggested(name)
-            what = "its name in Gazebo is '{}'" if len(renamed) == 1 else "did you mean '{}'?"
-            hint = f"; {what.format(suggested)}" if suggested else ""
-            message = f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}"
-            yield Finding(named, message, fix=fix_value(named, suggested))
+            if named := contact.child("collision"):
+                yield from _unknown_collision(context, sensor, named)
+
+
+def _unknown_collision(context: Context, sensor: Sensor, named: Element) -> Findings:
+    link = context.gazebo.survivor.get(sensor.reference)
+    simulated = next((one for one in context.gazebo.links if one.name == link), None)
+    known = dict(simulated.collisions) if simulated else {}
+    name = named.text.strip()
+    if simulated is None or name in known or name == "__default__":
+        return
+    renamed = [new for new, at in known.items() if name in _called(at)]
+    suggested = renamed[0] if len(renamed) == 1 else Suggester(known).suggested(name)
+    what = "its name in Gazebo is '{}'" if len(renamed) == 1 else "did you mean '{}'?"
+    hint = f"; {what.format(suggested)}" if suggested else ""
+    message = f"{sensor.who}: unknown collision '{name}' of link '{link}'{hint}"
+    yield Finding(named, message, fix=fix_value(named, suggested))
 
 
 def _called(collision: Element) -> tuple[str, ...]:

@@ -40,26 +40,33 @@ _MAX_NAMED = 2
 
 def missing_clock(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes that use the time of a gz-sim whose clock is not bridged."""
-    if not any(world.generation == GZ for world in worlds(context.launch)):
-        return
-    unread = (path.rpartition("/")[2] for path in context.launch.unread)
-    is_gz = any(node.package == "ros_gz_sim" and model_spawner(node) for node in programs)
     waiting = next((node for node in programs if _sim_time(node, context.resolver) is True), None)
-    if not is_gz or waiting is None or not all(file in _GAZEBO for file in unread):
+    starts_gz = any(world.generation == GZ for world in worlds(context.launch))
+    unread = (path.rpartition("/")[2] for path in context.launch.unread)
+    if waiting is None or not starts_gz or not all(file in _GAZEBO for file in unread):
         return
+    bridges = _bridges_of_gz(programs)
+    if bridges is None or _bridges_clock(bridges, context.resolver):
+        return
+    yield Finding(
+        (bridges[0] if bridges else waiting).at,
+        f"'{waiting.executable}' waits with {_SIM_TIME} for /clock, which nothing publishes",
+        "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock",
+    )
+
+
+def _bridges_of_gz(programs: tuple[StartedProgram, ...]) -> list[StartedProgram] | None:
+    """The bridges of a gz-sim with a robot; None without it, or if their topics are unknown."""
+    is_spawned = any(node.package == "ros_gz_sim" and model_spawner(node) for node in programs)
     bridges = [node for node in programs if is_bridge(node)]
-    if not all(_is_known(node) for node in bridges):
-        return
-    bridged = [topic for node in bridges for topic in bridged_topics(node, context.resolver)]
-    is_remapped = any(node.is_remapped for node in bridges)
-    if any(topic.ros_topic.strip("/") == _CLOCK for topic in bridged) or (
-        is_remapped and any(topic.ros_type.endswith("/Clock") for topic in bridged)
-    ):
-        return
-    place = bridges[0] if bridges else waiting
-    message = f"'{waiting.executable}' waits with {_SIM_TIME} for /clock, which nothing publishes"
-    help = "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"
-    yield Finding(place.at, message, help)
+    return bridges if is_spawned and all(map(_is_known, bridges)) else None
+
+
+def _bridges_clock(bridges: list[StartedProgram], resolver: Resolver) -> bool:
+    topics = [topic for node in bridges for topic in bridged_topics(node, resolver)]
+    has_clock = any(topic.ros_type.endswith("/Clock") for topic in topics)
+    is_remapped = has_clock and any(node.is_remapped for node in bridges)
+    return is_remapped or any(topic.ros_topic.strip("/") == _CLOCK for topic in topics)
 
 
 def wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
@@ -166,33 +173,31 @@ def hardware_without_simulator(context: Context, programs: tuple[StartedProgram,
 
 def unpublished_joint_states(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """A robot of gz-sim in RViz whose joints have no states, so that links have no transform."""
-    publisher = next((node for node in programs if node.package == "robot_state_publisher"), None)
-    bridges = [node for node in programs if is_bridge(node)]
+    publisher = next((node for node in programs if node.package == _PUBLISHER), None)
     packages = {node.package for node in programs}
-    is_gz = any(node.package == "ros_gz_sim" and model_spawner(node) for node in programs)
-    if publisher is None or not is_gz or "rviz2" not in packages or not bridges:
+    bridges = _bridges_of_gz(programs)
+    if publisher is None or "rviz2" not in packages or not bridges:
         return
-    if not all(map(_STATELESS.fullmatch, packages)) or not all(map(_is_known, bridges)):
+    bridged = (topic for node in bridges for topic in bridged_topics(node, context.resolver))
+    has_states = any(topic.ros_type.endswith("/JointState") for topic in bridged)
+    if has_states or not all(map(_STATELESS.fullmatch, packages)):
         return
-    bridged = [topic for node in bridges for topic in bridged_topics(node, context.resolver)]
-    is_bridged = any(topic.ros_type.endswith("/JointState") for topic in bridged)
-    if is_bridged or is_included(context.source.path, context.resolver):
+    if is_included(context.source.path, context.resolver):
         return
     for description, robot in context.described_robots:
         systems = _systems(robot.model)
         joints = [joint.name for joint in robot.model.joints if joint.degrees_of_freedom == 1]
         is_posed = any(_POSES in system for system in systems) or control_plugins(robot.model)
-        if not joints or is_posed or not description.is_whole:
-            continue
-        help = "bridge its topic as sensor_msgs/msg/JointState to /joint_states"
-        if not any(_STATES in system for system in systems):
-            help = f"add gz-sim-{_STATES}-system to the robot, and {help}"
-        yield Finding(
-            publisher.at,
-            f"nothing publishes the states of {few(joints, _MAX_NAMED)}: RViz has no transform of "
-            "their links",
-            help,
-        )
+        if joints and not is_posed and description.is_whole:
+            help = "bridge its topic as sensor_msgs/msg/JointState to /joint_states"
+            if not any(_STATES in system for system in systems):
+                help = f"add gz-sim-{_STATES}-system to the robot, and {help}"
+            yield Finding(
+                publisher.at,
+                f"nothing publishes the states of {few(joints, _MAX_NAMED)}: RViz has no "
+                "transform of their links",
+                help,
+            )
 
 
 def _systems(model: RobotModel) -> list[str]:

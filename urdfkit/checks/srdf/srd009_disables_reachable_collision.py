@@ -12,6 +12,8 @@ Sources:
     MoveIt, compute_default_collisions.cpp: https://github.com/moveit/moveit2/blob/main/moveit_setup_assistant/moveit_setup_srdf_plugins/src/compute_default_collisions.cpp
 """
 
+from collections.abc import Iterator
+
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.io.facts import has_other_unit
 from urdfkit.robot.adjacency import Adjacency
@@ -51,41 +53,43 @@ _MAX_QUERIES = 400_000
     help="compute the matrix again: urdfkit collisions ROBOT -o FILE",
 )
 def check(context: Context) -> Findings:
-    srdf = context.required_srdf
-    adjacency = Adjacency(context.tree)
-    disabled = srdf.root.all("disable_collisions")
-    intended = {pair_of(element) for element in disabled if not _is_never(element)}
-    known = context.model.links_by_name
-    never = [
-        (element, first, second)
-        for element in disabled
-        if pair_of(element) not in intended
-        and (first := element.get("link1") or "") in known
-        and (second := element.get("link2") or "") in known
-        and first != second
-        and not adjacency.is_adjacent(first, second)
-    ]
+    never = list(_never_colliding(context))
     if not never:
         return
-    scaled = {
-        mesh.link.name
-        for mesh in context.files.meshes
-        if mesh.role == "collision" and mesh.facts and has_other_unit(mesh.facts)
-    }
-    never = [entry for entry in never if scaled.isdisjoint(entry[1:])]
     configurations = context.collisions.sampled_in_moveit
-    never = [entry for entry in never if all(map(configurations.has_bodies, entry[1:]))]
+    never = [(at, pair) for at, pair in never if all(map(configurations.has_bodies, pair))]
     samples = min(_SAMPLES, _MAX_QUERIES // max(len(never), 1))
-    disables = srdf.disables
-    pairs = [(first, second) for _, first, second in never]
+    disables, pairs = context.required_srdf.disables, [pair for _, pair in never]
     collisions = configurations.colliding(pairs, samples, lambda pair: not disables(pair))
-    for (element, first, second), collision in zip(never, collisions, strict=True):
+    for (element, (first, second)), collision in zip(never, collisions, strict=True):
         if collision and collision.depth > _MIN_DEPTH:
             pose = ", ".join(f"{name} {at:.3g}" for name, at in collision.pose.items())
             message = (
                 f"'{first}' and '{second}' overlap by {1000 * collision.depth:.1f} mm at {pose}"
             )
             yield Finding(element, message, weight=collision.depth, group_key="never")
+
+
+def _never_colliding(context: Context) -> Iterator[tuple[Element, tuple[str, str]]]:
+    """The pairs that are disabled with the reason Never alone.
+
+    Without adjacent links, and links with a mesh whose unit MoveIt does not read.
+    """
+    adjacency = Adjacency(context.tree)
+    disabled = context.required_srdf.root.all("disable_collisions")
+    intended = {pair_of(element) for element in disabled if not _is_never(element)}
+    scaled = {
+        mesh.link.name
+        for mesh in context.files.meshes
+        if mesh.role == "collision" and mesh.facts and has_other_unit(mesh.facts)
+    }
+    known = context.model.links_by_name.keys() - scaled
+    for element in disabled:
+        first, second = element.get("link1") or "", element.get("link2") or ""
+        is_known = first in known and second in known and first != second
+        is_never = is_known and pair_of(element) not in intended
+        if is_never and not adjacency.is_adjacent(first, second):
+            yield element, (first, second)
 
 
 def _is_never(element: Element) -> bool:

@@ -12,6 +12,7 @@ Sources:
 
 import re
 from collections.abc import Iterable
+from itertools import chain
 
 from urdfkit.core.suggest import is_typo
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, Severity, rule
@@ -42,35 +43,33 @@ def check(context: Context) -> Findings:
     xacro = context.xacro
     if xacro.is_library or not xacro.is_complete:
         return
-    found = list(_unused(context))
-    if found and not context.is_included:
-        yield from found
-
-
-def _unused(context: Context) -> Findings:
-    """Unused definitions of the checked file; those of other files may be for other robots."""
-    xacro, source = context.xacro, context.source
     undefined = _undefined(xacro)
+    unused = (_properties(context, undefined), _arguments(context, undefined), _macros(context))
+    if not context.is_included:
+        yield from chain.from_iterable(unused)
+
+
+def _properties(context: Context, undefined: Iterable[str]) -> Findings:
+    """Unused properties of the checked file; those of other files may be for other robots."""
     written: set[float] | None = None
-    for definition in xacro.properties:
-        if definition.tag.source is not source:
-            continue
+    for definition in context.xacro.properties:
         name = definition.name.removeprefix("**")
-        if name not in xacro.usage.names:
+        if definition.tag.source is context.source and name not in context.xacro.usage.names:
             written = _numbers_written(context) if written is None else written
             misleads = _is_written_out(definition, written) or _is_misspelt(name, undefined)
-            fix = Fix("delete the property", remove_spans([definition.tag.whole_span]))
-            at = Location(definition.tag.span, definition.frame)
             yield Finding(
-                at,
+                Location(definition.tag.span, definition.frame),
                 f"property '{name}' is never used",
-                fix=fix,
+                fix=Fix("delete the property", remove_spans([definition.tag.whole_span])),
                 group_key="unused",
                 severity=None if misleads else Severity.INFO,
             )
-    for argument in xacro.arguments:
+
+
+def _arguments(context: Context, undefined: Iterable[str]) -> Findings:
+    for argument in context.xacro.arguments:
         name = argument.name
-        if argument.tag.source is source and name not in xacro.usage.names:
+        if argument.tag.source is context.source and name not in context.xacro.usage.names:
             is_given = name in context.arguments
             yield Finding(
                 Location(argument.tag.span, argument.frame),
@@ -79,10 +78,14 @@ def _unused(context: Context) -> Findings:
                 group_key="unused",
                 severity=None if is_given or _is_misspelt(name, undefined) else Severity.INFO,
             )
+
+
+def _macros(context: Context) -> Findings:
+    xacro = context.xacro
     # XAC002 reports macros that are called without the prefix.
     called = {*xacro.usage.calls, *(element.tag for element in context.document.root.walk())}
     for macro in () if "call" in xacro.usage.calls else xacro.macros:
-        if macro.tag.source is source and macro.name not in called:
+        if macro.tag.source is context.source and macro.name not in called:
             at = Location(macro.tag.span, macro.frame)
             message = f"macro '{macro.name}' is never called"
             yield Finding(at, message, severity=Severity.INFO)
