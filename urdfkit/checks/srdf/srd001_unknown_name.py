@@ -46,16 +46,14 @@ Sources:
     moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 
-from itertools import chain, islice
-
 from urdfkit.checks.srdf.configuration import unknown_names
+from urdfkit.checks.srdf.namesakes import launched_namesakes
 from urdfkit.checks.srdf.servo import unknown_in_servo
 from urdfkit.checks.srdf.trajectory_controllers import mismatched_controllers
 from urdfkit.core.suggest import SIMILAR, Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import link_xml
-from urdfkit.ros.launch.robot_arguments import launches_of_package, launches_of_workspace
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf, is_free_flyer
 from urdfkit.ros.moveit.srdf_variant import names_of_namesakes
@@ -69,8 +67,6 @@ FILES = srdf_files(
     '<group name="arm"><link name="forearm"/></group>',
 )
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
-#: Most robots of launch files that are expanded.
-_MAX_STARTED = 32
 
 
 @rule(
@@ -83,7 +79,7 @@ def check(context: Context) -> Findings:
     srdf = context.required_srdf
     elsewhere = set[str]()
     if srdf.unknown:
-        elsewhere = _names_with_other_arguments(context, srdf) | names_of_namesakes(context)
+        elsewhere = _names_in_namesakes(context, srdf) | names_of_namesakes(context)
     suggestions = _Suggestions(context, srdf)
     for kind, attribute in srdf.references():
         if kind != "group" and attribute.value in elsewhere:
@@ -106,17 +102,10 @@ def check(context: Context) -> Findings:
     yield from unknown_in_servo(context, srdf)
 
 
-def _names_with_other_arguments(context: Context, srdf: Srdf) -> set[str]:
+def _names_in_namesakes(context: Context, srdf: Srdf) -> set[str]:
     """Links and joints of robots of the same name in launch files of the workspace."""
-    place = (srdf.path, context.resolver)
-    launches = chain(launches_of_package(*place), launches_of_workspace(*place))
-    descriptions = (description for launch in launches for description in launch.descriptions)
-    names: set[str] = set()
-    for description in islice(descriptions, _MAX_STARTED):
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.is_readable and robot.model.name in (context.model.name, srdf.root.get("name")):
-            names |= {*robot.model.links_by_name, *robot.model.joints_by_name}
-    return names
+    models = (robot.model for robot in launched_namesakes(context, srdf))
+    return {name for one in models for name in (*one.links_by_name, *one.joints_by_name)}
 
 
 class _Suggestions:

@@ -1,7 +1,8 @@
 """A named state sets a joint outside its limits or a fixed joint, or has a duplicate name.
 
 - MoveIt does not plan to a state outside the limits: "goal state is out of bounds". The limits were
-  changed after the state was written, or the value is in degrees.
+  changed after the state was written, or the value is in degrees. Limits of another robot of the
+  same name that a launch file starts count, too.
 - A fixed joint has no position: MoveIt and Pinocchio ignore the value, and set the other joints of
   the state (warning). Mimic joints are not reported: a state may repeat their values.
 - If two states of a group have the same name, MoveIt silently keeps the last (warning).
@@ -14,9 +15,9 @@ Sources:
 
 from collections.abc import Iterable
 
+from urdfkit.checks.srdf.namesakes import launched_namesakes
 from urdfkit.core.repeats import repeated
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.joint import Joint
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.samples import SHOULDER
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
@@ -35,15 +36,30 @@ _ROUNDING = 1e-3
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
 def check(context: Context) -> Findings:
-    states = context.required_srdf.states
-    for state in states:
-        for element in state.all("joint"):
-            if joint := context.model.joints_by_name.get(element.get("name") or ""):
-                yield from _value(f"state '{state.get('name')}'", element, joint)
-    yield from _duplicates(states)
+    srdf = context.required_srdf
+    found = [
+        (element, finding)
+        for state in srdf.states
+        for element in state.all("joint")
+        for finding in _value(f"state '{state.get('name')}'", element, context)
+    ]
+    namesakes = list(launched_namesakes(context, srdf)) if found else []
+    for element, finding in found:
+        if not any(_fits(element, robot) for robot in namesakes):
+            yield finding
+    yield from _duplicates(srdf.states)
 
 
-def _value(state: str, element: Element, joint: Joint) -> Findings:
+def _fits(element: Element, robot: Context) -> bool:
+    """True for another robot, which the state may be for, whose joint takes this value."""
+    is_there = element.get("name") in robot.model.joints_by_name
+    return is_there and not any(_value("", element, robot))
+
+
+def _value(state: str, element: Element, robot: Context) -> Findings:
+    joint = robot.model.joints_by_name.get(element.get("name") or "")
+    if joint is None:
+        return  # SRD001
     who, value = f"{state}: joint '{joint.name}'", number(element.get("value"))
     if joint.kind == "fixed":
         yield Finding(

@@ -2,6 +2,8 @@
 
 - The values override those of the URDF. With wider limits, MoveIt plans motions that the robot
   cannot follow: controllers abort with a path tolerance violation, or the hardware stops (warning).
+  Limits of another robot of the same name that a launch file starts count, too: it may be the
+  revision that the file is for.
 - Parameters of ROS 2 are typed, and the limits are declared as `double`: an integer stops
   move_group ("parameter ... has invalid type: expected [double] got [integer]"). A number with a
   decimal comma is a string.
@@ -19,6 +21,7 @@ Sources:
 
 from collections.abc import Iterator
 
+from urdfkit.checks.srdf.namesakes import launched_namesakes
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joint import Joint
@@ -46,11 +49,23 @@ _LIMITS = ("min_position", "max_position", *_POSITIVE)
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
 def check(context: Context) -> Findings:
     yield from _missing_acceleration(context)
+    wider: list[tuple[PlannedLimit, str, Finding]] = []
     for planned in planned_limits(context):
         if joint := context.model.joints_by_name.get(planned.joint):
             invalid = dict(_invalid(planned, context))
             yield from invalid.values()
-            yield from (finding for name, finding in _wider(planned, joint) if name not in invalid)
+            found = _wider(planned, joint)
+            wider += [(planned, name, one) for name, one in found if name not in invalid]
+    namesakes = list(launched_namesakes(context, context.required_srdf)) if wider else []
+    for planned, name, finding in wider:
+        if not any(_allows(robot, planned, name) for robot in namesakes):
+            yield finding
+
+
+def _allows(robot: Context, planned: PlannedLimit, name: str) -> bool:
+    """True for another robot, which the file may be for, whose joint has this limit."""
+    joint = robot.model.joints_by_name.get(planned.joint)
+    return joint is not None and name not in dict(_wider(planned, joint))
 
 
 def _missing_acceleration(context: Context) -> Findings:
@@ -76,8 +91,8 @@ def _missing_acceleration(context: Context) -> Findings:
     names = few([f"'{joint.name}'" for joint in lacking], 4)
     yield Finding(
         at.span,
-        f"no acceleration limit for {'joint' if len(lacking) == 1 else 'joints'} {names}, without "
-        "which MoveIt cannot time a trajectory",
+        f"no acceleration limit for {'joint' if len(lacking) == 1 else 'joints'} {names}: MoveIt "
+        "does not time a trajectory, or up to Humble takes 1 rad/s²",
         f"write {switch}: true and max_acceleration: VALUE for each",
     )
 
@@ -89,7 +104,8 @@ def _wider(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, Finding]]
             message = f"joint '{joint.name}': {name} {value:g} {measure} exceeds the limit of the "
             message += f"robot, {allowed:g} {measure}"
             related = (Related(limit.at.span, "limit of the robot"),) if limit else ()
-            yield name, Finding(at, message, "use the narrower limit in both files", None, related)
+            help, key = "use the narrower limit in both files", f"{name} {value:g} {allowed:g}"
+            yield name, Finding(at, message, help, None, related, group_key=key)
 
 
 def _invalid(planned: PlannedLimit, context: Context) -> Iterator[tuple[str, Finding]]:
