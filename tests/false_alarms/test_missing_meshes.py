@@ -73,6 +73,23 @@ def test_a_package_that_the_build_copies_from_several_directories(tmp_path: Path
     assert robot(tmp_path / "other/urdf/r.urdf", "package://arm/meshes/e.stl")
 
 
+def test_of_several_files_the_nearest_is_suggested(tmp_path: Path) -> None:
+    """auto-robotics-design: each of its applications has the meshes of another mechanism."""
+    (tmp_path / ".git").mkdir()
+    put(tmp_path, "mesh/G.stl", "apps/one/mesh/G.stl", "apps/two/mesh/G.stl")
+    (found,) = robot(tmp_path / "r.urdf", "/home/me/robotics/mesh/G.stl")
+    assert (found.help, found.fix) == ("did you mean 'mesh/G.stl'?", None)
+
+
+def test_an_absolute_path_in_another_package(tmp_path: Path) -> None:
+    """uuv_simulator: `file://$(find uuv_descriptions)/mesh`, but the directory is `meshes`."""
+    package(tmp_path / "boat_description", "boat_description", "meshes/prop.dae")
+    package(tmp_path / "boat_plugins", "boat_plugins")
+    wanted = f"file://{tmp_path}/boat_description/mesh/prop.dae"
+    (found,) = robot(tmp_path / "boat_plugins" / "r.urdf", wanted)
+    assert found.help == "did you mean 'package://boat_description/meshes/prop.dae'?"
+
+
 def test_a_mesh_that_the_build_unpacks(tmp_path: Path) -> None:
     """ben_description: the repository has models/meshes/BEN_shell.dae.gz."""
     package(tmp_path, "boat")

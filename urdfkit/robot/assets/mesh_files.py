@@ -265,12 +265,10 @@ class MeshFiles:
     ) -> tuple[str | None, bool]:
         """The file of the expected name in the package, and whether it is certain.
 
-        Of several, the only one that shares the most parent directories with the missing file.
+        Of several, the only one that shares the most parent directories with the missing file, or
+        of these the only one that is nearest to the model, which is not certain.
         """
-        base = located.directory
-        if base is None:
-            package = self.resolver.packages.enclosing(self.top)
-            base = package[1] if package else self.resolver.packages.workspace(self.top)
+        base = located.directory or self._searched(located)
         directory, expected = os.path.split(located.relative)
         by_common: dict[int, list[str]] = {}
         paths = self._names_below(base).get(expected.casefold(), [])
@@ -282,10 +280,19 @@ class MeshFiles:
             if not (own := numbers_in(ours)) or numbers_in(theirs) in ([], own):
                 by_common.setdefault(common, []).append(path)
         best = max(by_common, default=0)
-        if len(by_common.get(best, ())) != 1:
-            return None, False
-        is_only = len(by_common) == 1 or best >= MIN_COMMON_DIRECTORIES
-        return by_common[best][0], is_only and not any_format
+        files = by_common.get(best, [])
+        is_only = len(files) == 1 and (len(by_common) == 1 or best >= MIN_COMMON_DIRECTORIES)
+        if len(files) > 1:
+            by_steps = by_key((_relative(path, self._directory).count("/"), path) for path in files)
+            files = by_steps[min(by_steps)]
+        return files[0] if len(files) == 1 else None, is_only and not any_format
+
+    def _searched(self, located: ResolvedReference) -> str:
+        """The package of an absolute path, else that of the model, else its workspace."""
+        packages = self.resolver.packages
+        home = packages.enclosing(located.tried[0]) if located.scheme == "absolute" else None
+        home = home or packages.enclosing(self.top)
+        return home[1] if home else packages.workspace(self.top)
 
     def _similar_name(self, located: ResolvedReference) -> tuple[str | None, bool]:
         """A file of a similar name in the same directory, and whether the name is a typo."""
