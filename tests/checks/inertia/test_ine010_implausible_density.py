@@ -41,6 +41,13 @@ def test_both_shapes_must_be_implausible() -> None:
     assert len(messages("INE010", link("a", small, inertial(70, moments)))) == 1
 
 
+def test_the_density_is_that_of_the_shape_in_the_message() -> None:
+    """ROS-Drone: a mesh of 1.54e-6 m³ had the density of its convex hull."""
+    shapes = shape("collision", BALL) + shape("visual", '<sphere radius="0.15"/>')
+    (found,) = messages("INE010", link("a", shapes, inertial(700, (2, 2, 2))))
+    assert "700 kg in a sphere of radius 0.1 m make 1.67e+05 kg/m³" in found
+
+
 @pytest.mark.parametrize(
     "robot",
     [

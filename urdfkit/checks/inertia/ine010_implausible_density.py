@@ -89,10 +89,13 @@ def _finding(inertia: LinkInertia) -> Finding:
     density = implausible_density(inertia)
     assert density is not None
     assert inertia.inertial.mass is not None
+    # That of the shape in the message; the bound may be of another one, or of a convex hull.
+    volume = inertia.solid.volume if inertia.solid else 0.0
+    shown = inertia.mass / volume if volume else density
     return Finding(
         inertia.inertial.mass,
         f"link '{inertia.link.name}': {inertia.mass:g} kg in a {inertia.solid} make "
-        f"{density:.3g} kg/m³; robot parts have {MIN_PART_DENSITY:g} to {MAX_PART_DENSITY:g}",
+        f"{shown:.3g} kg/m³; robot parts have {MIN_PART_DENSITY:g} to {MAX_PART_DENSITY:g}",
         _advice(inertia),
         _in_kilograms(inertia) if unit_mistake(inertia) == "g" else None,
         confidence=Confidence.INFERRED,
