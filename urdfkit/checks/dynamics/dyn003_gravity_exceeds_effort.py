@@ -5,9 +5,10 @@ any controller, the robot sags or falls there. A search finds the worst pose, wi
 Raise the effort, use a larger motor, move masses inwards or narrow the limits. Springs and
 counterweights are not part of URDF: if the real robot has them, ignore this finding. Links whose
 gravity is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual substitute for counterweights,
-are ignored. Robots that several rotors or thrusters carry are not searched: their root is not
-fixed. An info for a joint that swings freely: transmissions or `<ros2_control>` drive others, but
-not this one. `urdfkit statics` prints the torques of all joints, and accepts payloads.
+are ignored, and so are robots that launch files start only in worlds of Gazebo without gravity.
+Robots that several rotors or thrusters carry are not searched: their root is not fixed. An info for
+a joint that swings freely: transmissions or `<ros2_control>` drive others, but not this one.
+`urdfkit statics` prints the torques of all joints, and accepts payloads.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -56,10 +57,14 @@ def check(context: Context) -> Findings:
         return
     from urdfkit.physics.gravity import is_searched
     from urdfkit.physics.overloads import overloads
+    from urdfkit.ros.launch.weightless import is_started_weightless
 
+    loads = overloads(context.tree)
+    if loads and is_started_weightless(context.source, context.resolver):
+        return
     motors = driven(context.model)
     moments = _moments_of_displaced(context)
-    for load in overloads(context.tree):
+    for load in loads:
         joint = context.model.joints_by_name[load.joint]
         finding = _finding(joint, load)
         if displaced := _displaced(context, joint, load, moments):

@@ -5,18 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Location, Related
 from urdfkit.ros.gazebo.worlds import World, default_systems, read_world, shipped_worlds
-from urdfkit.ros.launch.collect import UNKNOWN
-from urdfkit.ros.launch.worlds import GZ, StartedWorld, worlds
+from urdfkit.ros.launch.worlds import GZ, StartedWorld, world_file, worlds
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Span
-
-#: Directories of a workspace that are searched for a world without a path.
-_MAX_DIRECTORIES = 2000
 
 
 class OpenedWorld(Record):
@@ -63,7 +58,7 @@ def _opened(started: StartedWorld, context: Context) -> OpenedWorld | None:
     if not started.name:
         systems = default_systems() if started.generation == GZ else frozenset()
         return OpenedWorld(started, "", "default", None, systems)
-    path = world_file(started.name, context)
+    path = world_file(started.name, context.source.path, context.resolver)
     if path is None:
         return None
     try:
@@ -72,17 +67,3 @@ def _opened(started: StartedWorld, context: Context) -> OpenedWorld | None:
         return None
     name = world.name if world is not None else os.path.basename(path)
     return OpenedWorld(started, path, name, world, frozenset(), tuple(problems))
-
-
-def world_file(name: str, context: Context) -> str | None:
-    """The file of a world: its path, or the only file of that name in the workspace."""
-    resolver = context.resolver
-    if os.path.isabs(name):
-        if name.startswith(f"{UNKNOWN}/"):
-            return None
-        return name if disk.is_file(name) else resolver.installed(name)
-    root = resolver.packages.workspace(context.source.path)
-    files = resolver.directories.files_below(root, _MAX_DIRECTORIES)
-    ending = f"/{os.path.normpath(name)}"
-    matches = [path for path in files if path.endswith(ending)]
-    return matches[0] if len(matches) == 1 else None

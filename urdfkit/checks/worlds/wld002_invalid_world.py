@@ -184,9 +184,7 @@ def _masses(opened: OpenedWorld, world: World) -> Findings:
 
 def _falling_grounds(opened: OpenedWorld, world: World) -> Findings:
     """A ground that is not static, and no joint holds: it falls, and the robot with it."""
-    gravity = world.at.child("gravity")
-    is_weightless = gravity is not None and not any(numbers(gravity.text) or ())
-    for model in () if is_weightless else world.at.all("model"):
+    for model in () if world.is_weightless else world.at.all("model"):
         links = list(model.all("link"))
         is_held = model.child("joint") is not None or any(
             link.child("gravity") is not None for link in links

@@ -101,10 +101,8 @@ def _without_floor(opened: OpenedWorld, robot: Context) -> Findings:
     world = opened.world
     if world is None or b"uoyancy" in world.source.data or _lowest(robot) is None:
         return
-    gravity = world.at.child("gravity")
-    is_floating = gravity is not None and not any(map(number, gravity.text.split()))
     solid = ("collision", "heightmap", "include", "population")
-    if not is_floating and not any(element.tag in solid for element in world.at.walk()):
+    if not world.is_weightless and not any(element.tag in solid for element in world.at.walk()):
         yield Finding(
             world.at.span,
             f"world '{opened.name}' has no collision geometry, so the robot falls",

@@ -53,6 +53,12 @@ class World(Record):
                 yield uri, uri.text.strip()
 
     @property
+    def is_weightless(self) -> bool:
+        """True if its gravity is written, and 0."""
+        gravity = self.at.child("gravity")
+        return gravity is not None and not any(numbers(gravity.text) or ())
+
+    @property
     def step(self) -> Placed[float]:
         """Step of physics in s; located at the world if it is the default."""
         for physics in self.at.all("physics"):

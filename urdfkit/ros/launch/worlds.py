@@ -6,12 +6,15 @@ import os
 import re
 from collections.abc import Iterator
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.command_line import command_words
 from urdfkit.ros.launch.contents import IncludedFile, Launch, StartedProgram, Word
 from urdfkit.text.document import CallFrame, Location
 from urdfkit.text.source import Span
+from urdfkit.workspace.resolve import Resolver
 
 GZ, CLASSIC = "gz", "classic"
 #: The library of Gazebo Classic that spawns robots in ROS 2.
@@ -21,6 +24,9 @@ FACTORY = "libgazebo_ros_factory.so"
 _OF_ROS = ("libgazebo_ros_init.so", FACTORY)
 #: Commands that start Gazebo's server: a program, or a program and its first word.
 _COMMANDS = {("gz", "sim"): GZ, ("ign", "gazebo"): GZ, ("gazebo",): CLASSIC, ("gzserver",): CLASSIC}
+
+#: Directories of a workspace that are searched for a world without a path.
+_MAX_DIRECTORIES = 2000
 
 #: The option that starts the simulation at once, alone or with others of one letter.
 _RUN = re.compile(r"-[a-z]*r[a-z]*\d*$")
@@ -59,6 +65,19 @@ def worlds(launch: Launch) -> Iterator[StartedWorld]:
     for program in launch.programs:
         if world := _of_program(program):
             yield world
+
+
+def world_file(name: str, near: str, resolver: Resolver) -> str | None:
+    """The file of a world: its path, or the only file of that name in the workspace of a file."""
+    if os.path.isabs(name):
+        if name.startswith(f"{UNKNOWN}/"):
+            return None
+        return name if disk.is_file(name) else resolver.installed(name)
+    root = resolver.packages.workspace(near)
+    files = resolver.directories.files_below(root, _MAX_DIRECTORIES)
+    ending = f"/{os.path.normpath(name)}"
+    matches = [path for path in files if path.endswith(ending)]
+    return matches[0] if len(matches) == 1 else None
 
 
 def _of_file(included: IncludedFile) -> StartedWorld | None:
