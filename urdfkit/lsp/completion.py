@@ -63,26 +63,29 @@ def complete(robot: OpenRobot, page: Page, offset: int) -> list[CompletionItem]:
     if page.source.path.endswith(".py"):
         return []  # a launch file: '<' is not a tag
     here = cursor(page, offset)
-    before = page.source.data[:offset]
     items: Iterable[CompletionItem] = ()
     if here.place == "tag":
         items = _tags(robot, here)
     elif here.place == "end" and here.node is not None:
-        items = [
-            CompletionItem(here.node.name, "tag", "end tag", page.end_name_at(offset) or offset)
-        ]
+        start = page.end_name_at(offset) or offset
+        items = [CompletionItem(here.node.name, "tag", "end tag", start)]
     elif here.place == "attribute":
         items = _attributes(robot, here)
     elif here.place in ("value", "text") and here.node is not None:
-        start = here.node.tag_end
-        if here.attribute and here.attribute.value_span:
-            start = here.attribute.value_span.start
-        items = _in_text(robot, page, before[start:], start)
-        if not (items := list(items)) and here.place == "value":
-            items = _values(robot, here)
-        elif not items:
-            items = _contents(robot, here, before)
+        items = _values_or_text(robot, page, here, here.node)
     return list({item.text: item for item in items}.values())
+
+
+def _values_or_text(
+    robot: OpenRobot, page: Page, here: Cursor, node: TagNode
+) -> Iterable[CompletionItem]:
+    """Completions in the value of an attribute, or in the text of an element."""
+    value = here.attribute.value_span if here.attribute else None
+    start = value.start if value else node.tag_end
+    before = page.source.data[: here.offset]
+    if items := list(_in_text(robot, page, before[start:], start)):
+        return items
+    return _values(robot, here) if here.place == "value" else _contents(robot, here, before)
 
 
 # ----------------------------------------------------------------------- tags
@@ -196,23 +199,30 @@ def _values(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
 
 
 def _words(robot: OpenRobot, node: TagNode, attribute: str) -> Iterator[tuple[str, str]]:
-    grammar = grammar_of(node)
-    rule = grammar.attributes.get(attribute) if grammar else None
+    """The words that an attribute may have, and a detail of each."""
+    for kind in _kinds_of_names(node, attribute):
+        yield from ((name, kind) for name in robot.defined(kind))
     key = (node.name, attribute)
-    kind = REFERENCES.get(key) or (rule.type if rule and rule.type in (LINK, JOINT) else "")
-    if key in (("link", "name"), ("joint", "name")) and node.ancestor(*REFERRING_ELEMENTS):
-        kind = node.name
-    for kind_of_name in ("link", "joint") if kind == "frame" else (kind,):
-        yield from ((name, kind_of_name) for name in robot.defined(kind_of_name))
     if key == ("joint", "type"):
         yield from ((name, "") for name in JOINT_TYPES)
-    elif key == ("material", "name"):
-        yield from ((name, "material") for name in robot.defined("material"))
     elif key == ("sensor", "type"):
         yield from ((name, "sensor") for name in sorted(sensors.types()))
     elif key == ("plugin", "filename"):
         for plugin in plugins.all_plugins():
             yield from ((file, plugin.generation) for file in plugin.files)
+
+
+def _kinds_of_names(node: TagNode, attribute: str) -> tuple[str, ...]:
+    """What an attribute refers to by name, such as links."""
+    key = (node.name, attribute)
+    if key == ("material", "name"):
+        return ("material",)
+    if key in (("link", "name"), ("joint", "name")) and node.ancestor(*REFERRING_ELEMENTS):
+        return (node.name,)
+    grammar = grammar_of(node)
+    rule = grammar.attributes.get(attribute) if grammar else None
+    kind = REFERENCES.get(key) or (rule.type if rule and rule.type in (LINK, JOINT) else "")
+    return (LINK, JOINT) if kind == "frame" else (kind,)
 
 
 def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterator[CompletionItem]:
