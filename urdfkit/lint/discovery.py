@@ -129,25 +129,26 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Direct
             entry_points = EntryPoints(IncludeGraph(files, resolver), ())
         else:
             entry_points = _entry_points(directory, config, resolver)
-        contents, graph = entry_points.contents(), entry_points.graph
-        known = [robot for robot in config.robots if is_within(robot.file, directory)]
-        # A configuration lists the robots below its directory only.
-        others = [
+        contents, concerns = entry_points.contents(), entry_points.graph.concerns
+        uses = (
             robot
-            for robot in contents.robots
-            if not (known and is_within(robot.file, config.directory))
-        ]
-        robots += sorted(
-            (
-                robot
-                for robot in (*known, *others)
-                if any(graph.concerns(robot.file, file) for file in here)
-            ),
-            key=lambda robot: robot[:2],
+            for robot in _robots(contents, directory, config)
+            if any(concerns(robot.file, file) for file in here)
         )
+        robots += sorted(uses, key=lambda robot: robot[:2])
         libraries += [path for path in contents.libraries if path in here]
         launches += [path for path in here if _is_readable_launch(path, config)]
     return DirectoryContents(tuple(robots), tuple(libraries), launches=tuple(launches))
+
+
+def _robots(contents: DirectoryContents, directory: str, config: Config) -> tuple[RobotEntry, ...]:
+    """The robots of a configuration below a directory, and those that it does not list."""
+    listed = [robot for robot in config.robots if is_within(robot.file, directory)]
+    if not listed:
+        return contents.robots
+    # A configuration lists the robots below its directory only.
+    others = [robot for robot in contents.robots if not is_within(robot.file, config.directory)]
+    return (*listed, *others)
 
 
 def _repository(file: str, resolver: Resolver) -> str:

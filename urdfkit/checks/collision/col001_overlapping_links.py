@@ -85,32 +85,11 @@ def check(context: Context) -> Findings:
     colliding = _self_colliding(context)
     reported = set()
     for pair in contacts.pairs:
-        if pair.is_rigid:
-            continue
-        if found := (
-            _adjacent(pair) if pair.is_adjacent else _apart(pair, contacts.initial_pose, depth)
-        ):
-            contact, message, help, severity = found
-            is_disabled = not pair.is_adjacent and _is_disabled(context, pair.names)
-            is_info = is_disabled or (severity is Severity.INFO and not pair.is_adjacent)
-            if is_info and _collide_in_gazebo(context, pair.names, colliding):
-                message += ", and <self_collide> makes Gazebo push them apart"
-                help, severity = "turn <self_collide> off, or make one smaller", Severity.WARNING
-            elif is_disabled:
-                continue
+        finding = None if pair.is_rigid else _overlap(context, pair, depth, colliding)
+        if finding:
+            yield finding
             if not pair.is_adjacent:
                 reported.add(pair.names)
-            small, large = contact.small, contact.large
-            other = context.model.collision(large.link, large.number)
-            yield Finding(
-                context.model.collision(small.link, small.number),
-                message,
-                help,
-                related=(Related(other.span, f"link '{large.link}'"),),
-                weight=contact.depth,
-                group_key="overlap",
-                severity=severity,
-            )
     simulators = [facts for facts in map(facts_of, context.given_targets) if facts.collides_hulls]
     if simulators:
         from urdfkit.physics.collision.hull_overlaps import hull_overlaps  # for few targets
@@ -118,6 +97,32 @@ def check(context: Context) -> Findings:
         for overlap in hull_overlaps(contacts, depth):
             if (overlap.first.link, overlap.second.link) not in reported:
                 yield from _hull_overlap(context, overlap, simulators, depth)
+
+
+def _overlap(context: Context, pair: LinkPair, depth: float, colliding: set[str]) -> Finding | None:
+    initial_pose = context.collisions.contacts.initial_pose
+    found = _adjacent(pair) if pair.is_adjacent else _apart(pair, initial_pose, depth)
+    if found is None:
+        return None
+    contact, message, help, severity = found
+    is_disabled = not pair.is_adjacent and _is_disabled(context, pair.names)
+    is_info = is_disabled or (severity is Severity.INFO and not pair.is_adjacent)
+    if is_info and _collide_in_gazebo(context, pair.names, colliding):
+        message += ", and <self_collide> makes Gazebo push them apart"
+        help, severity = "turn <self_collide> off, or make one smaller", Severity.WARNING
+    elif is_disabled:
+        return None
+    small, large = contact.small, contact.large
+    other = context.model.collision(large.link, large.number)
+    return Finding(
+        context.model.collision(small.link, small.number),
+        message,
+        help,
+        related=(Related(other.span, f"link '{large.link}'"),),
+        weight=contact.depth,
+        group_key="overlap",
+        severity=severity,
+    )
 
 
 def _is_disabled(context: Context, names: tuple[str, str]) -> bool:
