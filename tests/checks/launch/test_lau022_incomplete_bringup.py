@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.jointed import joint, robot
 from tests.launched import reported
 
 STATE = "Node(package='robot_state_publisher', executable='robot_state_publisher'{})\n"
@@ -61,6 +62,15 @@ def test_joint_states(tmp_path: Path, text: str, count: int) -> None:
     found = messages(tmp_path, text)
     assert len(found) == count
     assert all("joint states" in one for one in found)
+
+
+@pytest.mark.parametrize(("kind", "count"), [("fixed", 0), ("continuous", 1)])
+def test_joint_states_of_a_sensor(tmp_path: Path, kind: str, count: int) -> None:
+    """rq_fts_ros2_driver: the force-torque sensor has no joint that moves."""
+    sensor = robot(joint("measuring", kind))
+    (tmp_path / "ft.urdf").write_text(f'<robot name="ft">{sensor}</robot>')
+    described = f", parameters=[{{'robot_description': Command(['xacro {tmp_path}/ft.urdf'])}}]"
+    assert len(messages(tmp_path, STATE.format(described) + SPAWNER.format(["arm"]))) == count
 
 
 @pytest.mark.parametrize(

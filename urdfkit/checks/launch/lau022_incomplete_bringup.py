@@ -2,7 +2,7 @@
 
 - Controllers and robot_state_publisher are started, but no publisher of joint states: the links
   of moving joints have no transform, and RViz shows them at the origin. Spawn
-  `joint_state_broadcaster`.
+  `joint_state_broadcaster`. A robot without moving joints, such as a sensor, needs none.
 - A filter or a planner uses the wall clock, while Gazebo and other nodes use simulation time
   (`use_sim_time`): its transforms are years newer than the data. An info for
   robot_state_publisher, which keeps the stamps of the joint states.
@@ -45,6 +45,7 @@ from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
 from urdfkit.checks.launch.unread_commands import is_part_of_ros, mistyped_commands, unread_commands
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.robot.joint_limits import can_move
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
@@ -121,9 +122,15 @@ def _without_joint_states(context: Context, programs: tuple[StartedProgram, ...]
         or any(topic.ros_type.endswith("/JointState") for topic in bridged)
     ):
         return
-    if spawned:
+    if spawned and not _is_rigid(context):
         yield Finding(
             spawned[0].at,
             "nothing publishes the joint states: no joint_state_broadcaster is started",
             "spawn joint_state_broadcaster, too, and define it in the YAML file of the controllers",
         )
+
+
+def _is_rigid(context: Context) -> bool:
+    """True if the launch file starts robots, such as a sensor, of which no joint moves."""
+    models = [robot.model for _, robot in context.described_robots]
+    return bool(models) and not any(can_move(joint) for one in models for joint in one.joints)
