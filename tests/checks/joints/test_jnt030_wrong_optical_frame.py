@@ -41,6 +41,8 @@ def test_other_ways_are_reported_and_fixed(rpy: str, way: str) -> None:
     [
         ("-1.57 0 -1.57", "camera_link", "camera_optical_frame"),
         ("-1.2 0 -1.57", "camera_link", "camera_optical_frame"),  # tilted
+        # mujoco_ros2_control: the frame of a camera in MuJoCo, which looks along -z
+        ("3.14159 0 0", "camera", "camera_optical_frame"),
         ("0 0 0", "camera_optical_frame", "camera_optical_frame_2"),
         ("0 0 0", "head", "camera_optical_frame"),  # the head may be turned as it likes
     ],
