@@ -89,6 +89,21 @@ CONTROL = (
 )
 
 
+@pytest.mark.parametrize(
+    ("name", "kind", "effort", "velocity"),
+    [
+        ("caster_swivel", "continuous", 0, 1),  # Trossen's mobile_ai
+        ("wheel_roller_3", "continuous", 0, 1),
+        ("wheel", "continuous", 1, 1),
+        ("caster_lift", "prismatic", 1, 1),
+    ],
+)
+def test_a_caster_has_no_motor(name: str, kind: str, effort: int, velocity: int) -> None:
+    for key, count in (("effort", effort), ("velocity", velocity)):
+        text = robot(joint(name, kind, limited(key, "0")))
+        assert len(messages("JNT008", text)) == count
+
+
 @pytest.mark.parametrize("key", ["effort", "velocity"])
 @pytest.mark.parametrize("drive", [TRANSMISSION, CONTROL])
 def test_a_joint_without_a_drive_is_passive_where_others_have_one(key: str, drive: str) -> None:

@@ -4,7 +4,8 @@ A limit of 0 is a limit. Gazebo and ros2_control clamp every effort command to 0
 motor command with the URDF's limit has no effect. ros2_control and DART, Gazebo's default physics
 engine, stop a joint with a velocity limit of 0, even against gravity; MoveIt reads it as "no limit"
 and then cannot time a trajectory. CAD exporters write 0 for "unknown". If some joints have a
-transmission or ros2_control, joints without one are passive and are not reported.
+transmission or ros2_control, joints without one are passive and are not reported; nor are casters
+and rollers, which have no motor, for their effort.
 
 A negative limit is an error: Pinocchio rejects the robot, Drake aborts on a negative velocity,
 ros2_control and MoveIt drop the sign. Gazebo reads it as "no limit": it is a warning if the robot
@@ -43,6 +44,10 @@ _HELP = {
 }
 
 
+#: Parts of the names of joints that turn freely.
+_PASSIVE = ("caster", "castor", "roller", "passive")
+
+
 @rule(Severity.WARNING)
 def check(context: Context) -> Findings:
     """One finding per kind of limit: exporters write the same number for every joint."""
@@ -55,7 +60,7 @@ def check(context: Context) -> Findings:
             (joint, limit)
             for joint, limit in limits
             if limit.value == 0 and can_move(joint) and joint.mimic is None
-            if not active or joint.name in active
+            if joint.name in active or not (active or (key == "effort" and _has_no_motor(joint)))
         ]
         if zero:
             yield _finding(zero, key, "0", Severity.WARNING)
@@ -66,6 +71,12 @@ def check(context: Context) -> Findings:
             yield _finding(negative, key, f"{negative[0][1].value:g}", severity)
     for joint in context.model.joints:
         yield from _negative_dynamics(joint)
+
+
+def _has_no_motor(joint: Joint) -> bool:
+    """True for the swivel or the wheel of a caster, and for the roller of a wheel, by its name."""
+    names = f"{joint.name} {joint.child_name}".lower()
+    return joint.kind == "continuous" and any(part in names for part in _PASSIVE)
 
 
 def _is_for_gazebo_alone(targets: Targets) -> bool:
