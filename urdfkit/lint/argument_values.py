@@ -88,7 +88,7 @@ def combinations(
         if values is None:
             return
         possible[name] = values
-    first = {name: (each.values[0], each.origin) for name, each in possible.items()}
+    first = {name: (values.values[0], values.origin) for name, values in possible.items()}
     yield first
     for name, (choices, origin) in possible.items():
         for value in choices[1:]:

@@ -104,7 +104,7 @@ def _read(reader: _SettingsReader, *, trusted: bool) -> Config:
         limits=reader.limits(trusted=trusted),
     )
     reader.finish()
-    warnings = [warning for each in (reader, *ignoring) for warning in each.warnings]
+    warnings = [warning for table in (reader, *ignoring) for warning in table.warnings]
     return config._replace(warnings=tuple(warnings))
 
 

@@ -220,10 +220,10 @@ def fit(
         found.append(_Solid(triangles, coverage))
         report(len(found))
     while True:
-        available = most - sum(one.best.number for one in found)
-        unfinished = [one for one in found if one.needs_more(margin, available)]
+        available = most - sum(part.best.number for part in found)
+        unfinished = [part for part in found if part.needs_more(margin, available)]
         if not unfinished:
-            return [one.best.capsules for one in found]
+            return [part.best.capsules for part in found]
         max(unfinished, key=lambda one: one.best.protrusion).divide()
 
 

@@ -135,7 +135,7 @@ def have_same_meshes(one: Link | None, other: Link | None) -> bool:
 def _visual_meshes(link: Link | None) -> list[tuple[str, Vector]]:
     """The meshes of the visuals with their scales, also those that do not exist."""
     shapes = [body.shape for body in link.visuals] if link else []
-    return [(one.filename.value, one.scale) for one in shapes if one and one.filename]
+    return [(shape.filename.value, shape.scale) for shape in shapes if shape and shape.filename]
 
 
 def on_separate_branches(

@@ -174,7 +174,7 @@ def _unknown_macro(defined: Definitions, name: str) -> MessageText:
         return MessageText(f"macro '{name}' is not defined", elsewhere)
     space, _, bare = name.rpartition(".")
     if space and bare in known:  # in another namespace: no other name is meant
-        known = [f"{one}.{bare}" for one in _namespaces(defined)]
+        known = [f"{namespace}.{bare}" for namespace in _namespaces(defined)]
     help = "define the macro above its call, or include the file that does"
     if any(_BARE_INCLUDE.search(source.data) for source in defined.sources.values()):
         help = "write <xacro:include>: xacro ignores an <include> without the prefix"

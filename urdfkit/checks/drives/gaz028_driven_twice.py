@@ -55,7 +55,7 @@ def _motors(context: Context) -> Findings:
             continue
         key = (*(use.value(name) for name in _TOPICS), number.text.strip())
         other = first.setdefault(key, use)
-        joints = [one.value("jointName") for one in (other, use)]
+        joints = [plugin.value("jointName") for plugin in (other, use)]
         if other is not use and joints[0] != joints[1]:
             yield Finding(
                 number,

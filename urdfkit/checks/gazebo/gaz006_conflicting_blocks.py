@@ -44,7 +44,7 @@ def check(context: Context) -> Findings:
 
 
 def _message(other: Element, child: Element, owner: str) -> str:
-    names = [one.parent.get("reference") or "" for one in (other, child) if one.parent]
+    names = [element.parent.get("reference") or "" for element in (other, child) if element.parent]
     values = f"{_value(other)} and {_value(child)}"
     if names[0] == names[1]:
         who = f"'{owner}'" if owner else "the model"

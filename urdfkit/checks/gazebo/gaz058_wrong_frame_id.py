@@ -125,7 +125,7 @@ def _controlled(model: RobotModel) -> set[str]:
     from urdfkit.ros.ros_control import components
 
     parts = [part for block in components(model) for part in block.parts if part.kind == "sensor"]
-    several = {one.name for part in parts for one in part.interfaces}
+    several = {interface.name for part in parts for interface in part.interfaces}
     return several.union(part.name for part in parts)
 
 
@@ -137,16 +137,16 @@ def _missing(context: Context) -> Findings:
     readers = [tags for target, tags in _READ.items() if targets.any_of((target,))]
     controlled = _controlled(context.model)
     without = [
-        one
-        for one in sensors(context.model)
-        if one.name not in controlled and _has_no_frame(one, readers)
+        sensor
+        for sensor in sensors(context.model)
+        if sensor.name not in controlled and _has_no_frame(sensor, readers)
     ]
     if not without:
         return
     first = without[0]
     tags = _given(first)
     lack = f"has only <{tags[0]}> as its frame" if tags else "has no <gz_frame_id>"
-    is_for_ros = any(one.any_of(ROS) for one in (targets, context.inferred_targets))
+    is_for_ros = any(names.any_of(ROS) for names in (targets, context.inferred_targets))
     readers_for_ros = targets.among(_READ) if is_for_ros else ()
     yield Finding(
         first.at,

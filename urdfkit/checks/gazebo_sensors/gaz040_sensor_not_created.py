@@ -68,7 +68,7 @@ def check(context: Context) -> Findings:
 def _unknown(sensor: Sensor, known: Mapping[str, SensorType], targets: Targets) -> Finding:
     at = sensor.at.attributes.get("type", sensor.at)
     what = f"unknown type '{sensor.type}'" if sensor.type else "no type"
-    made = [name for name, one in known.items() if _is_made(one, targets)]
+    made = [name for name, sensor_type in known.items() if _is_made(sensor_type, targets)]
     hint = did_you_mean(sensor.type, made)
     return Finding(at, f"{sensor.who}: {what}: {REJECTED_BY_GZ}{hint}", fix=_fix(sensor, made))
 

@@ -63,7 +63,7 @@ def check(context: Context) -> Findings:
     }
     for name, element in of_gazebo.items():
         rgb, others = _color(element, in_gz=in_gz), plain.get(name, [])
-        if rgb and others and not any(_is_similar(element, rgb, one) for one in others):
+        if rgb and others and not any(_is_similar(element, rgb, other) for other in others):
             yield _finding(name, element, rgb, others[0])
 
 

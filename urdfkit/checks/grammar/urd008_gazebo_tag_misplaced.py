@@ -79,7 +79,7 @@ def _moved(context: Context, owner: Element, elements: list[Element]) -> Fix | N
     name = owner.attributes.get("name")
     if name is None or name.written_in is not None:
         return None
-    blocks = [one for one in context.model.gazebo if one.get("reference") == name.value]
+    blocks = [block for block in context.model.gazebo if block.get("reference") == name.value]
     if any(block.child(element.tag) for block in blocks for element in elements):
         return None  # the block has the tag already
     removals = remove_elements(elements)

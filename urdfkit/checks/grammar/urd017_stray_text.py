@@ -46,8 +46,8 @@ def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Locati
         if one in inside:
             at = start + inside.find(one)
             return Location(Span(source, at, at + len(one)), element.frame)
-    texts = {one: re.sub(_TAGS, _blank, one.data) for one in sources}  # a file may be included
-    places = [(source, one) for source, bare in texts.items() for one in written if one in bare]
+    texts = {file: re.sub(_TAGS, _blank, file.data) for file in sources}  # a file may be included
+    places = [(source, text) for source, bare in texts.items() for text in written if text in bare]
     if len(places) != 1 or texts[places[0][0]].count(places[0][1]) != 1:
         return element
     source, one = places[0]

@@ -184,10 +184,10 @@ def _axes(context: Context) -> Findings:
     for left, right in context.symmetric_joints:
         if not left.is_rotational or not right.is_rotational:
             continue
-        one, other = (frames.get(joint.child_name) for joint in (left, right))
-        if one is None or other is None or not _are_mirrored(one, other):
+        left_frame, right_frame = (frames.get(joint.child_name) for joint in (left, right))
+        if left_frame is None or right_frame is None or not _are_mirrored(left_frame, right_frame):
             continue
-        a, b = _axis(left, one), _axis(right, other)
+        a, b = _axis(left, left_frame), _axis(right, right_frame)
         if abs(dot((a[0], -a[1], a[2]), b)) < _MAX_COSINE:
             yield Finding(
                 right.at.child_or_self("axis"),
@@ -204,48 +204,48 @@ def _ranges(context: Context) -> Findings:
     wrong, consistent = [], 0
     leaders = {joint.leader for joint in context.model.joints}
     links = context.model.links_by_name
-    for one, other in context.symmetric_joints:
-        if not leaders.isdisjoint((one.name, other.name)):
+    for left, right in context.symmetric_joints:
+        if not leaders.isdisjoint((left.name, right.name)):
             continue  # the same gripper on both sides, which opens alike
-        if have_same_meshes(links.get(one.child_name), links.get(other.child_name)):
+        if have_same_meshes(links.get(left.child_name), links.get(right.child_name)):
             continue
-        ours, theirs, is_opposite = bounds(one), bounds(other), _is_opposite(context, one, other)
+        ours, theirs, is_opposite = bounds(left), bounds(right), _is_opposite(context, left, right)
         if ours is None or theirs is None or is_opposite is None:
             continue
         mirrored = (-ours[1], -ours[0])
         if (is_equal := _same(ours, theirs)) is _same(mirrored, theirs):
             continue  # a symmetric range, or a difference that is reported already
         if is_equal is is_opposite:
-            wrong.append((one, other, mirrored if is_opposite else ours))
+            wrong.append((left, right, mirrored if is_opposite else ours))
         else:
             consistent += 1
     if len(wrong) != 1 or consistent < _CONSISTENT_PAIRS:
         return
-    one, other, (lower, upper) = wrong[0]
-    assert one.limit is not None
-    assert other.limit is not None
+    left, right, (lower, upper) = wrong[0]
+    assert left.limit is not None
+    assert right.limit is not None
     yield Finding(
-        other.limit.at,
-        f"joint '{other.name}': the mirror image of the limits of its counterpart '{one.name}' is "
-        f"[{lower:g}, {upper:g}] {other.unit} about this axis",
+        right.limit.at,
+        f"joint '{right.name}': the mirror image of the limits of its counterpart '{left.name}' is "
+        f"[{lower:g}, {upper:g}] {right.unit} about this axis",
         f'write lower="{lower:g}" upper="{upper:g}", or correct those of the counterpart',
-        related=(Related(one.limit.at.span, "limits of the counterpart"),),
+        related=(Related(left.limit.at.span, "limits of the counterpart"),),
         confidence=Confidence.INFERRED,
     )
 
 
 def _is_opposite(context: Context, left: Joint, right: Joint) -> bool | None:
     """True if mirror images move in opposite directions, by the axes; None if it is unknown."""
-    one, other = (context.tree.frames.get(joint.child_name) for joint in (left, right))
-    if one is None or other is None or not _are_mirrored(one, other):
+    left_frame, right_frame = (context.tree.frames.get(joint.child_name) for joint in (left, right))
+    if left_frame is None or right_frame is None or not _are_mirrored(left_frame, right_frame):
         return None
-    (x, y, z), axis = _axis(left, one), _axis(right, other)
+    (x, y, z), axis = _axis(left, left_frame), _axis(right, right_frame)
     cosine = dot((x, -y, z) if left.is_prismatic else (-x, y, -z), axis)
     return cosine < 0 if abs(cosine) > _MAX_COSINE else None
 
 
-def _are_mirrored(one: Transform, other: Transform) -> bool:
-    (x, y, z), (a, b, c) = one.position, other.position
+def _are_mirrored(left: Transform, right: Transform) -> bool:
+    (x, y, z), (a, b, c) = left.position, right.position
     return abs(y) > _MAX_OFFSET and max(abs(x - a), abs(y + b), abs(z - c)) <= _MAX_OFFSET
 
 

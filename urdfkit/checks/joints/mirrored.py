@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Rotation, Vector
+from urdfkit.core.spatial import Rotation, Vector, minus
 from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
 from urdfkit.robot.joint import Joint
@@ -130,10 +130,11 @@ def _is_equal(one: Vector, other: Vector) -> bool:
 def _pairs(context: Context) -> Iterator[_Pair]:
     frames = context.tree.frames
     for left, right in context.symmetric_joints:
-        here, there = (frames.get(joint.child_name) for joint in (left, right))
-        if here and there and abs(here.position[1] - there.position[1]) > _ASYMMETRY:
-            (x, y, z), (a, b, c) = here.position, there.position
-            yield _Pair(left, right, (a - x, b + y, c - z))
+        left_frame, right_frame = (frames.get(joint.child_name) for joint in (left, right))
+        if left_frame and right_frame:
+            (x, y, z), (a, b, c) = left_frame.position, right_frame.position
+            if abs(y - b) > _ASYMMETRY:
+                yield _Pair(left, right, (a - x, b + y, c - z))
 
 
 def _asymmetric(
@@ -163,26 +164,31 @@ def _asymmetric(
 
 def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[Joint]]) -> bool:
     """True for counterparts on mirrored links, to the same side of them."""
+    left, right = pair.left, pair.right
     frames, links = context.tree.frames, context.model.links_by_name
-    if have_same_meshes(links.get(pair.left.parent_name), links.get(pair.right.parent_name)):
+    if have_same_meshes(links.get(left.parent_name), links.get(right.parent_name)):
         return False
-    one, other = frames.get(pair.left.parent_name), frames.get(pair.right.parent_name)
-    if one is None or other is None or pair.left.parent_name == pair.right.parent_name:
+    left_parent, right_parent = frames.get(left.parent_name), frames.get(right.parent_name)
+    if left_parent is None or right_parent is None or left.parent_name == right.parent_name:
         return False
-    is_followed = any(joint.is_single_dof for joint in joints.get(pair.right.child_name, ()))
-    if pair.right.kind != "continuous" and not is_followed:
+    is_followed = any(joint.is_single_dof for joint in joints.get(right.child_name, ()))
+    if right.kind != "continuous" and not is_followed:
         return False  # both hands may have the same gripper
-    x, y, z = one.position
-    here, there = (frames[joint.child_name].position for joint in (pair.left, pair.right))
-    left = tuple(a - b for a, b in zip(here, one.position, strict=True))
-    right = tuple(a - b for a, b in zip(there, other.position, strict=True))
-    is_equal = all(abs(a - b) <= _TOLERANCE for a, b in zip(left, right, strict=True))
-    if not (_is_equal((x, -y, z), other.position) and is_equal and abs(left[1]) > _ASYMMETRY):
+    place, right_place = frames[left.child_name].position, frames[right.child_name].position
+    offset = minus(place, left_parent.position)
+    is_copied = _is_equal(offset, minus(right_place, right_parent.position))
+    are_mirrored = _is_equal(_mirror_image(left_parent.position), right_parent.position)
+    if not (are_mirrored and is_copied and abs(offset[1]) > _ASYMMETRY):
         return False
-    image = (here[0], -here[1], here[2])
-    siblings = (frames.get(joint.child_name) for joint in joints.get(pair.right.parent_name, ()))
+    siblings = (frames.get(joint.child_name) for joint in joints.get(right.parent_name, ()))
     # Another link has the place of the mirror image: only the names are not mirrored.
+    image = _mirror_image(place)
     return not any(frame and _is_equal(frame.position, image) for frame in siblings)
+
+
+def _mirror_image(place: Vector) -> Vector:
+    x, y, z = place
+    return (x, -y, z)
 
 
 def _is_shifted_along_one_axis(pair: _Pair) -> bool:
@@ -206,15 +212,15 @@ def _shift(pair: _Pair) -> str:
     return f"is {' and '.join(shifts)} of the mirror image of '{pair.left.name}'"
 
 
-def _reason(one: Joint, other: Joint) -> str:
+def _reason(left: Joint, right: Joint) -> str:
     """The defect of two positions that should be mirror images; empty if there is none."""
-    first, second = one.origin.position, other.origin.position
+    first, second = left.origin.position, right.origin.position
     equal = [abs(a - b) < _TOLERANCE for a, b in zip(first, second, strict=True)]
     flipped = [abs(a + b) < _TOLERANCE <= abs(a) for a, b in zip(first, second, strict=True)]
     if all(equal):
         return (
             "is at the same place as"
-            if abs(first[1]) >= _TOLERANCE and _axis(one) == _axis(other)
+            if abs(first[1]) >= _TOLERANCE and _axis(left) == _axis(right)
             else ""
         )
     if not all(e or f for e, f in zip(equal, flipped, strict=True)) or not flipped[1]:
@@ -223,13 +229,14 @@ def _reason(one: Joint, other: Joint) -> str:
     return f"is mirrored in y and also in {others[0]} from" if len(others) == 1 else ""
 
 
-def _rotations(one: Joint, other: Joint) -> tuple[str, Rotation, Rotation]:
-    return one.parent_name, one.origin.rotation, other.origin.rotation
+def _rotations(left: Joint, right: Joint) -> tuple[str, Rotation, Rotation]:
+    return left.parent_name, left.origin.rotation, right.origin.rotation
 
 
-def _is_mirrored_in_y(one: Joint, other: Joint) -> bool:
-    x, y, z = one.origin.position
-    return abs(y) >= _TOLERANCE and _is_equal((x, -y, z), other.origin.position)
+def _is_mirrored_in_y(left: Joint, right: Joint) -> bool:
+    place = left.origin.position
+    is_aside = abs(place[1]) >= _TOLERANCE
+    return is_aside and _is_equal(_mirror_image(place), right.origin.position)
 
 
 def _axis(joint: Joint) -> Vector | None:

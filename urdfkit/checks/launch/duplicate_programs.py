@@ -126,7 +126,7 @@ def _may_be_disabled(program: StartedProgram, switch: str, context: Context) -> 
         source = context.resolver.readable(path)
         nodes = list(node_parameters(source)) if source else []
         written = [node.values[switch] for node in nodes if switch in node.values]
-        values += [each.text if isinstance(each, Value) else None for each in written]
+        values += [value.text if isinstance(value, Value) else None for value in written]
     return any(value is None or value.lower() in ("false", "0", "0.0") for value in values)
 
 

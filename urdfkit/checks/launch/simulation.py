@@ -118,7 +118,7 @@ def unloaded_hardware(context: Context, programs: tuple[StartedProgram, ...]) ->
     simulated = {
         description.path
         for description, robot in robots
-        if any(each.hardware.startswith(_OF_GAZEBO) for each in components(robot.model))
+        if any(component.hardware.startswith(_OF_GAZEBO) for component in components(robot.model))
     }
     for description, robot in robots:
         if not description.is_whole or description.path in simulated:

@@ -81,7 +81,7 @@ def _redefined(context: Context) -> Findings:
     rejecting = [facts for facts in context.given_facts if facts.rejects_recoloured]
     effect = "parsers keep the first"
     if rejecting:
-        effect = f"{' and '.join(one.title for one in rejecting)} rejects the robot"
+        effect = f"{' and '.join(target.title for target in rejecting)} rejects the robot"
     first: dict[str, Material] = {}
     for material in model.materials:
         if material.name and _appearance(material):

@@ -120,7 +120,7 @@ def _other_simulator(
             group_key="plugin",
         )
     else:
-        suitable = " or ".join(each.name for each in known.values() if each.control in kinds)
+        suitable = " or ".join(plugin.name for plugin in known.values() if plugin.control in kinds)
         yield Finding(
             component.plugin,
             f"{component.called}: {plugins[0].filename} does not load hardware {hardware.name}",

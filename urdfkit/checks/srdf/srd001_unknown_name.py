@@ -105,7 +105,7 @@ def check(context: Context) -> Findings:
 def _names_in_namesakes(context: Context, srdf: Srdf) -> set[str]:
     """Links and joints of robots of the same name in launch files of the workspace."""
     models = (robot.model for robot in launched_namesakes(context, srdf))
-    return {name for one in models for name in (*one.links_by_name, *one.joints_by_name)}
+    return {name for model in models for name in (*model.links_by_name, *model.joints_by_name)}
 
 
 class _Suggestions:

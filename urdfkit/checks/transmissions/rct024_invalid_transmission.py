@@ -247,7 +247,7 @@ def _duplicates(transmissions: Iterable[Element], *, is_simulated: bool) -> Find
 
 def _is_for_same(name: Attribute, first: Attribute) -> bool:
     """True if two transmissions are for the same joints."""
-    joints = ([one.get("name") for one in at.element.all("joint")] for at in (name, first))
+    joints = ([joint.get("name") for joint in at.element.all("joint")] for at in (name, first))
     return next(joints) == next(joints)
 
 

@@ -59,9 +59,9 @@ def _moved(moved: Iterable[MovedLink]) -> Iterator[str]:
     size = max(map(columns, names[:MAX_LINES]), default=4)
     yield f"  {'link':<{size}}  {'mm':>9}  {'deg':>8}"
     yield from _some(
-        f"{name}{' ' * (size - columns(name))}  {1000 * one.distance:>9.3f}"
-        f"  {degrees(one.angle):>8.3f}"
-        for name, one in zip(names, own, strict=True)
+        f"{name}{' ' * (size - columns(name))}  {1000 * movement.distance:>9.3f}"
+        f"  {degrees(movement.angle):>8.3f}"
+        for name, movement in zip(names, own, strict=True)
     )
     if carried:
         yield f"  and {counted(len(carried), 'child link')} with them"

@@ -110,7 +110,7 @@ def _launched(report: Report) -> Iterator[str]:
         for name, value in robot.arguments.items():
             values.setdefault((robot.path, name), {}).setdefault(value, robot.launch)
     if len(values) > MAX_LAUNCHED:
-        robots, files = {path for path, _ in values}, {one.launch for one in report.launched}
+        robots, files = {path for path, _ in values}, {robot.launch for robot in report.launched}
         where = counted(len(files), "launch file")
         yield f"{counted(len(robots), 'robot')} with arguments of {where}, see --show-files"
         return

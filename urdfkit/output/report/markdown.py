@@ -32,7 +32,7 @@ def _sections(document: ReportDocument, _: Translator) -> Iterator[str]:
         yield table(["", ""], rows)
     if document["targets"]:
         header = [_("Target"), _("Verdict"), _("error"), _("warning"), _("info")]
-        yield table(header, (_target(one, _) for one in document["targets"]))
+        yield table(header, (_target(target, _) for target in document["targets"]))
     if document["findings"]:
         header = ["", _("Where"), _("What")]
         yield f"### {_('Findings')}\n\n" + table(header, _findings(document["gathered"], _))

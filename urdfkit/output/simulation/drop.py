@@ -101,5 +101,5 @@ def _tips_over(robot: SimulatedRobot) -> str:
 def _is_to_stand(robot: SimulatedRobot) -> bool:
     """True for a robot on wheels and casters; False if it balances on two wheels."""
     links, tree = lowest_links(robot.robot), robot.robot.tree
-    has_wheel = any(one.kind == "continuous" for link in links for one in tree.path(link))
+    has_wheel = any(joint.kind == "continuous" for link in links for joint in tree.path(link))
     return len(links) > 2 and has_wheel and is_freestanding(tree, links)

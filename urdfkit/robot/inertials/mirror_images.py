@@ -51,7 +51,7 @@ def wrong_signs(masses: Masses) -> Iterator[WrongSign]:
                 found.append(result)
             else:
                 consistent.append(result)
-        places = {one.at.tag_at for one in found}
+        places = {element.at.tag_at for element in found}
         # Where nothing is turned over, tensors and centres are copies, not mirror images.
         kind = _TURNED if found and found[0].what in _TURNED else _ALL
         if len(places) == 1 and sum(map(bool, map(kind.intersection, consistent))) > 1:

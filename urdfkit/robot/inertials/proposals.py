@@ -164,22 +164,24 @@ def _declared(inertial: Inertial | None) -> MassProperties | None:
     return own.moved(inertial.origin)
 
 
-def _lumped(each: list[InertiaProposal], frames: list[Transform]) -> InertiaProposal:
-    """Links as one body in the frame of the first; links without mass add nothing."""
-    first = each[0]
-    if len(each) == 1:
+def _lumped(parts: list[InertiaProposal], frames: list[Transform]) -> InertiaProposal:
+    """Links as part body in the frame of the first; links without mass add nothing."""
+    first = parts[0]
+    if len(parts) == 1:
         return first
-    links = tuple(name for one in each for name in one.links)
-    unknown = [one for one in each if one.computed is None and (one.shape_mass or one.declared)]
-    placed = list(zip(each, frames, strict=True))
-    declared = [one.declared.moved(frame) for one, frame in placed if one.declared]
-    computed = [one.computed.moved(frame) for one, frame in placed if one.computed]
-    reason = "".join(f"link '{one.link.name}': {one.reason}" for one in unknown[:1])
+    links = tuple(name for part in parts for name in part.links)
+    unknown = [
+        part for part in parts if part.computed is None and (part.shape_mass or part.declared)
+    ]
+    placed = list(zip(parts, frames, strict=True))
+    declared = [part.declared.moved(frame) for part, frame in placed if part.declared]
+    computed = [part.computed.moved(frame) for part, frame in placed if part.computed]
+    reason = "".join(f"link '{part.link.name}': {part.reason}" for part in unknown[:1])
     return InertiaProposal(
         first.link,
         links,
         combined(declared) if declared else None,
-        next((one.shape_mass for one in each if one.shape_mass), None),
+        next((part.shape_mass for part in parts if part.shape_mass), None),
         None if unknown or not computed else combined(computed),
         reason,
     )

@@ -263,7 +263,7 @@ def _sets(node: ast.expr | None, values: Values) -> Iterator[Problem]:
 def _without_package(call: ast.Call, values: Values) -> Iterator[Problem]:
     """A known executable without its package: launch looks for it in PATH."""
     name = values.text(argument(call, None, "executable")) or ""
-    if any(one.arg in (None, "package") for one in call.keywords):
+    if any(keyword.arg in (None, "package") for keyword in call.keywords):
         return
     for package, executables in data("launch")["executables"].items():
         if name in executables.split():

@@ -15,7 +15,7 @@ def is_started_weightless(robot: Source, resolver: Resolver) -> bool:
     launches = [
         launch
         for launch in launches_of_workspace(robot.path, resolver)
-        if any(disk.real(one.path) == real for one in launch.descriptions)
+        if any(disk.real(robot.path) == real for robot in launch.descriptions)
     ]
     started = [world for launch in launches for world in worlds(launch)]
     opened = [_opened(world, robot.path, resolver) for world in started]
