@@ -85,7 +85,16 @@ def problem(
     else:
         notes = _definitions(local, located)
     location = locate(node, local, located)
+    if isinstance(cause, MissingArgument) and _is_local(str(cause), defined, local):
+        message = f"'{cause}' is not an argument: it is a property or a parameter of the macro"
+        return Problem("XAC001", location.span, message, f"write ${{{cause}}}", location.frame)
     return _problem_at(location, defined, error, located)._replace(related=notes)
+
+
+def _is_local(name: str, defined: Definitions, local: dict[str, Any]) -> bool:
+    """True for a name that is not declared as an argument, but is defined where it is used."""
+    table = local.get("symbols", local.get("table"))
+    return name not in defined.argument_defaults and _definer(name, table) is not None
 
 
 def _definitions(local: dict[str, Any], located: LocatedExpression) -> tuple[Related, ...]:

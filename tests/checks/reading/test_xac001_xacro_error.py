@@ -35,6 +35,15 @@ MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:ma
             "name 'a' is not defined in ${a}",
             "'a' is an argument: write $(arg a), or define a property of this value above the use",
         ),
+        (
+            (
+                '<xacro:macro name="m" params="p"><link name="$(arg p)"/></xacro:macro>'
+                '<xacro:m p="q"/>'
+            ),
+            "$(arg p)",
+            "'p' is not an argument: it is a property or a parameter of the macro",
+            "write ${p}",
+        ),
         ('<link name="${1/0}"/>', "${1/0}", "division by zero in ${1/0}", ""),
         (
             '<link name="${1 +}"/>',
