@@ -57,9 +57,15 @@ def _of_scalar(value: Value) -> str | None:
 
 def is_not_positive(value: Value) -> bool:
     """True for a number that is zero or less."""
+    number = number_of(value)
+    return number is not None and number <= 0
+
+
+def number_of(value: Value) -> float | None:
+    """The number that a value is read as; None for other values."""
     if _of_scalar(value) not in ("int", "double") or value.text.lower().startswith("0x"):
-        return False
-    return float(value.text.lower().replace(".inf", "inf").replace(".nan", "nan")) <= 0
+        return None
+    return float(value.text.lower().replace(".inf", "inf").replace(".nan", "nan"))
 
 
 def correction(node: Node, expected: str) -> str:

@@ -34,6 +34,47 @@ def test_other_types_than_the_node_declares(
     assert found.help == help
 
 
+@pytest.mark.parametrize(
+    ("parameter", "message", "help"),
+    [
+        (
+            "linear.x.min_velocity: 1.0",
+            "controller 'drive': linear.x.min_velocity is 1.0, must be <= 0",
+            "change the sign",
+        ),
+        (
+            "angular.z.max_acceleration: -2.0",
+            "controller 'drive': angular.z.max_acceleration is -2.0, must be >= 0",
+            "change the sign",
+        ),
+        (
+            "use_stamped_vel: false",
+            (
+                "controller 'drive': use_stamped_vel is not read after Iron: the controller reads "
+                "stamped commands"
+            ),
+            "publish TwistStamped, and remove use_stamped_vel",
+        ),
+    ],
+)
+def test_values_of_a_drive(tmp_path: Path, parameter: str, message: str, help: str) -> None:
+    (found,) = reported(tmp_path, "RCT034", f"{DRIVE}    {parameter}\n")
+    assert (found.message, found.help) == (message, help)
+
+
+@pytest.mark.parametrize(
+    "parameter",
+    [
+        "linear.x.min_velocity: -1.0",
+        "linear.x.max_velocity: .nan",
+        "use_stamped_vel: true",
+        "linear.x.min_velocity: $(var slow)",
+    ],
+)
+def test_valid_values_of_a_drive(tmp_path: Path, parameter: str) -> None:
+    assert reported(tmp_path, "RCT034", f"{DRIVE}    {parameter}\n") == []
+
+
 @pytest.mark.parametrize("rate", ["0", "-5"])
 def test_rates_that_are_not_positive(tmp_path: Path, rate: str) -> None:
     text = DRIVE.replace("ers:\n    drive", f"ers:\n    update_rate: {rate}\n    drive")

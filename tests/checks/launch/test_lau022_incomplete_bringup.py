@@ -409,3 +409,24 @@ def test_move_group_without_simulation_time(tmp_path: Path, own: str, count: int
     )
     found = messages(tmp_path, text)
     assert ["move_group lacks use_sim_time" in one for one in found] == [True] * count
+
+
+MANAGER = NODE.format("controller_manager", "ros2_control_node", "parameters=['{}/c.yaml'], {}")
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ("name='manager'", "the controller manager is '/manager'"),
+        ("name='controller_manager'", ""),
+        ("name=LaunchConfiguration('x')", ""),
+        ("remappings=[('~/robot_description', '/a/robot_description')]", "the robot from '/a/robo"),
+        ("remappings=[('~/robot_description', '/robot_description')]", ""),
+        ("remappings=[('~/robot_description', LaunchConfiguration('x'))]", ""),
+    ],
+)
+def test_names_of_the_controller_manager(tmp_path: Path, more: str, words: str) -> None:
+    text = MANAGER.format(tmp_path, more) + STATE.format("") + SPAWNER.format(["states", "arm"])
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, {"c.yaml": CONTROLLERS})
+    assert len(found) == bool(words)
+    assert all(words in one.message for one in found)

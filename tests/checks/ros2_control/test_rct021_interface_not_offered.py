@@ -45,6 +45,14 @@ def test_command_interfaces_of_a_trajectory_controller(tmp_path: Path) -> None:
     assert second.message.endswith("acceleration of joint 'slide', which offers: position")
 
 
+def test_a_follower_is_not_commanded(tmp_path: Path) -> None:
+    gripper = controller("hand", "parallel_gripper_action_controller/GripperActionController")
+    follower = '<joint name="follow"><state_interface name="position"/></joint>'
+    blocks = control(driven("swing"), follower, plugin=GZ)
+    (found,) = reported(tmp_path, gripper + "    joint: follow\n", blocks)
+    assert found.help == "name 'swing', which moves this joint, too, or remove it"
+
+
 @pytest.mark.parametrize(
     ("joints", "hardware", "count"),
     [

@@ -10,8 +10,10 @@ The controller manager does not load the controller, or the controller runs with
 - A value has the wrong type. ROS 2 parameters are typed: a `double` does not accept the integer
   `50`, and a quoted number or a decimal comma is a string: "parameter 'publish_rate' has invalid
   type". Types that differ between versions of a class since Humble are not checked.
-- A value must be positive but is not, or a covariance has the wrong length: 6 numbers for the
-  diagonal of a drive, 9 for an IMU.
+- A value must be positive but is not, or has the wrong sign, or is not one of the words that the
+  parameter may have: `interpolation_method: linear`. Or a covariance has the wrong length: 6
+  numbers for the diagonal of a drive, 9 for an IMU. `use_stamped_vel: false` has no effect from
+  Jazzy on (warning).
 - The list of an axle has the wrong number of joints for the steering controller: two for Ackermann,
   one for a bicycle. A wheel is on both sides of a differential drive.
 - A trajectory controller has a joint or an interface twice, or the state interface `velocity`
@@ -39,7 +41,7 @@ from urdfkit.checks.controllers.trajectory_interfaces import (
     unread_joints,
     without_gains,
 )
-from urdfkit.core.suggest import CLOSE_TYPO, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.controllers import (
@@ -52,8 +54,8 @@ from urdfkit.ros.catalog.controllers import (
 from urdfkit.ros.catalog.ros_control import controller_types, parameters
 from urdfkit.ros.controllers import Controller, Section, by_file, managers, named_sections
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
-from urdfkit.ros.parameter_types import TYPES, correction, is_not_positive, type_of
-from urdfkit.text.located_yaml import Value
+from urdfkit.ros.parameter_types import TYPES, correction, is_not_positive, number_of, type_of
+from urdfkit.text.located_yaml import Node, Value, scalars
 from urdfkit.text.source import Span
 
 BAD = ARM + CONTROL
@@ -70,6 +72,9 @@ FILES = {"config/bad.yaml": _YAML.replace(b"20.0", b"20"), "config/good.yaml": _
 #: Joints per axle of a steering controller, by the first word of its package.
 _OF_AXLE = {"ackermann": 2, "bicycle": 1}
 
+#: Gazebo with ROS 2 Humble, and with Jazzy or newer.
+_HUMBLE, _JAZZY = ("classic-ros2", "gz-fortress"), ("gz-harmonic", "gz-jetty")
+
 #: Place, message and help.
 _Problem = tuple[Span, str, str]
 
@@ -81,6 +86,7 @@ def check(context: Context) -> Findings:
             at = span
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
     sections = named_sections(context)
+    is_jazzy = context.targets.any_of(_JAZZY) and not context.targets.any_of(_HUMBLE)
     for file, controllers in by_file(context.controllers):
         names = {controller.name for controller in controllers}
         others = {name: section for name, section in sections.items() if name not in names}
@@ -90,6 +96,10 @@ def check(context: Context) -> Findings:
             own = sections.get(controller.name, controller.section)
             for severity, (span, message, help) in _problems(controller, own, others):
                 at, text = span, f"controller '{controller.name}': {message}"
+                yield Finding(at, text, help, related=(file.note,), severity=severity)
+            known = parameters_of(controller.type, controller.ros) if is_jazzy else None
+            for at, message, help in _outdated(known, own):
+                text, severity = f"controller '{controller.name}': {message}", Severity.WARNING
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
 
 
@@ -194,9 +204,44 @@ def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_
             yield span, message, correction(node, expected)
         elif name in known.positive and isinstance(node, Value) and is_not_positive(node):
             yield span, f"{name} is {node.text}, must be > 0", "write a positive number"
+        elif isinstance(node, Value) and (bound := _bound(known, name, node)):
+            yield span, f"{name} is {node.text}, must be {bound} 0", "change the sign"
+        elif wrong := _unknown_word(known, name, node):
+            yield wrong
         elif isinstance(node, list) and len(node) != lengths.get(name, len(node)):
             message = f"{name} has {len(node)} numbers, must have {lengths[name]}"
             yield span, message, f"write {lengths[name]} numbers"
+
+
+def _bound(known: ControllerParameters, name: str, value: Value) -> str:
+    """How a number must be to 0 and is not; empty if it has no such bound."""
+    number = number_of(value)
+    if number is None:
+        return ""
+    if name in known.not_negative and number < 0:
+        return ">="
+    return "<=" if name in known.not_positive and number > 0 else ""
+
+
+def _unknown_word(
+    known: ControllerParameters, name: str, node: Value | list[Node]
+) -> _Problem | None:
+    """A word that a parameter cannot have."""
+    words = known.words_of(name)
+    for value in scalars(node if isinstance(node, list) else [node]) if words else ():
+        if value.text and value.text not in words and not value.text.startswith(("$", "<", "{")):
+            message = f"{name} has '{value.text}'{did_you_mean(value.text, words)}"
+            return value.span, message, f"write one of {', '.join(words)}"
+    return None
+
+
+def _outdated(known: ControllerParameters | None, section: Section) -> Iterator[_Problem]:
+    """A switch that newer versions do not read: it has no effect there."""
+    for name, last in known.until.items() if known else ():
+        node = section.given.get(name)
+        if isinstance(node, Value) and node.text.lower() == "false":
+            message = f"{name} is not read after {last}: the controller reads stamped commands"
+            yield node.span, message, f"publish TwistStamped, and remove {name}"
 
 
 def _on_both_sides(controller: Controller) -> Iterator[_Problem]:

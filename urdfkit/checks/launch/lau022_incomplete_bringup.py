@@ -16,9 +16,10 @@
   gz_ros2_control/GazeboSimSystem does not exist".
 - No robot_state_publisher publishes on the topic of `create -topic`: "Waiting messages on topic
   [robot_description]", for ever.
-- A spawner looks for the controller manager in another namespace: "Could not contact service
-  /controller_manager/list_controllers". A relative name is in the namespace of the spawner; in
-  ROS 1 the manager is in the `<robotNamespace>` of gazebo_ros_control.
+- `ros2_control_node` reads the robot from a topic that no robot_state_publisher publishes.
+- A spawner looks for the controller manager in another namespace, or under another name: "Could not
+  contact service /controller_manager/list_controllers". A relative name is in the namespace of the
+  spawner; in ROS 1 the manager is in the `<robotNamespace>` of gazebo_ros_control.
 - A filter, a costmap or all displays of RViz read odometry, an IMU, images or a scan from a topic
   that nothing publishes, while such messages are published on another topic. Reported only if all
   programs of the workspace, and the publishers of the robot in RViz, are known.
@@ -95,6 +96,7 @@ def check(context: Context) -> Findings:
     yield from simulation.hardware_without_simulator(context, programs)
     if not launch.has_scopes and all(map(is_part_of_ros, launch.unread)):
         yield from mismatched_names.unpublished_description(context, programs)
+        yield from mismatched_names.unread_description(programs)
         yield from simulation.unpublished_joint_states(context, programs)
         yield from unpublished_inputs(context)
         yield from unread_commands(context)

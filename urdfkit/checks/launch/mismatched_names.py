@@ -65,10 +65,37 @@ def manager_in_another_namespace(
                 f"the spawner waits for '{name}', which nothing starts; the controller manager is "
                 f"'{other}'",
                 f"write --controller-manager {other}"
+                + (", or remove the name of ros2_control_node" if _is_named(other) else "")
                 if node.is_ros_2
                 else f'write ns="{other.rpartition("/")[0] or "/"}"',
                 related=(Related(place, "the controller manager is started here"),),
             )
+
+
+def _is_named(manager: str) -> bool:
+    """True for a controller manager with a name of its own."""
+    return not manager.endswith(f"/{MANAGER}")
+
+
+def unread_description(programs: tuple[StartedProgram, ...]) -> Findings:
+    """A controller manager that reads the robot from a topic that nothing publishes."""
+    publishers = [node for node in programs if node.package == _PUBLISHER]
+    topics = [topic_name(_DESCRIPTION, node) for node in publishers]
+    for node in programs:
+        is_manager = (node.package, node.executable) == (MANAGER, "ros2_control_node")
+        given = node.parameters.every if is_manager else None
+        for old, new in (node.remappings or {}).items() if is_manager else ():
+            name = resolve_name(new, node.namespace)
+            is_read = old.rpartition("/")[2] == _DESCRIPTION and node.namespace is not None
+            is_given = given is not None and _DESCRIPTION in given
+            if is_read and not is_given and topics and None not in topics and name not in topics:
+                yield Finding(
+                    node.at,
+                    f"the controller manager reads the robot from '{name}', which nothing "
+                    f"publishes; {_PUBLISHER} publishes '{topics[0]}'",
+                    f"remap {old} to {topics[0]}",
+                    related=(Related(publishers[0].span, f"{_PUBLISHER} is started here"),),
+                )
 
 
 def untyped_controllers(programs: tuple[StartedProgram, ...]) -> Findings:
@@ -95,8 +122,9 @@ def _managers(
     """The controller managers that are started; None for an unknown name."""
     for node in programs:
         if node.package == MANAGER and node.executable == "ros2_control_node":
-            is_plain = node.namespace is not None and node.name in ("", MANAGER)
-            yield resolve_name(MANAGER, node.namespace) if is_plain else None, node.span
+            is_known = node.namespace is not None and "$" not in node.name
+            own_name = node.name or MANAGER
+            yield resolve_name(own_name, node.namespace) if is_known else None, node.span
     if not any(map(model_spawner, programs)):
         return
     for description, robot in context.described_robots:

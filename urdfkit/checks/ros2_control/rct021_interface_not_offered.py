@@ -67,7 +67,9 @@ def check(context: Context) -> Findings:
         kind = controller.kind
         names = [name for name in kind.joints if name != "command_joints"] if kind else []
         joints = controller.values(names)
-        yield from _missing(controller, file, joints, _states(controller), states, free, "state")
+        yield from _missing(
+            context, controller, file, joints, _states(controller), states, free, "state"
+        )
     yield from _without_state(context)
 
 
@@ -95,10 +97,12 @@ def _without_command(context: Context) -> Findings:
             yield from _forgotten(context, user, file, all_joints, needed, by_ros[2])
         joints = [value for value in all_joints if (file.path, value.text) not in served]
         free_joints = free if user.ros == 2 else frozenset()
-        yield from _missing(user, file, joints, needed, by_ros[user.ros], free_joints, "command")
+        offered = by_ros[user.ros]
+        yield from _missing(context, user, file, joints, needed, offered, free_joints, "command")
 
 
 def _missing(
+    context: Context,
     controller: Controller,
     file: ParameterFile,
     joints: list[Value],
@@ -111,12 +115,16 @@ def _missing(
         available = offered.get(value.text)
         missing = [name for name in needed if available is not None and name not in available]
         if missing and available is not None:
+            joint = context.model.joints_by_name.get(value.text)
+            help = f"add the <{direction}_interface> to the joint, or change the controller"
+            if joint is not None and joint.mimic and direction == "command":
+                help = f"name '{joint.leader}', which moves this joint, too, or remove it"
             yield Finding(
                 value.span,
                 f"controller '{controller.name}' requires {direction} interface "
                 f"{', '.join(missing)} of joint '{value.text}', which offers: "
                 + (", ".join(sorted(available)) or "none"),
-                f"add the <{direction}_interface> to the joint, or change the controller",
+                help,
                 related=(file.note,),
                 severity=_severity(available) if value.text in free else None,
             )

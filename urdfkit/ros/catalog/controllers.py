@@ -2,34 +2,49 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 
 from urdfkit.core.record import Record
-from urdfkit.ros.catalog import data
+from urdfkit.core.static_typing import Any
+from urdfkit.ros.catalog import data, record
 
-_ROLES = ("required", "positive")
+_ROLES = ("required", "positive", "not_negative", "not_positive", "values", "until")
 
 
 class ControllerParameters(Record):
     """The parameters of one class of controller."""
 
-    required: tuple[str, ...]  # names of required parameters
-    positive: tuple[str, ...]  # names of numbers that must be above 0
+    required: tuple[str, ...] = ()  # names of required parameters
+    positive: tuple[str, ...] = ()  # names of numbers that must be above 0
     #: ``bool``, ``int``, ``double``, ``string`` or ``..._array`` by name, if all versions agree;
     #: ``*`` is the name of a joint. Empty for ROS 1, which converts types.
-    types: dict[str, str]
+    types: Mapping[str, str] = {}
+    not_negative: tuple[str, ...] = ()  # names of numbers that must be 0 or above
+    not_positive: tuple[str, ...] = ()  # names of numbers that must be 0 or below
+    values: Mapping[str, str] = {}  # the words that a parameter may have, by name as above
+    until: Mapping[str, str] = {}  # the last distribution that reads a parameter
 
     def type_of(self, name: str) -> str | None:
         """The type of a parameter, whose name has dots between levels; None if unknown."""
-        if name in self.types:
-            return self.types[name]
-        parts = name.split(".")
-        for pattern in (known.split(".") for known in self.types if "*" in known):
-            if len(pattern) == len(parts) and all(
-                p in ("*", q) for p, q in zip(pattern, parts, strict=True)
-            ):
-                return self.types[".".join(pattern)]
-        return None
+        return _matching(self.types, name)
+
+    def words_of(self, name: str) -> list[str]:
+        """The words that a parameter may have; empty for any."""
+        return (_matching(self.values, name) or "").split()
+
+
+def _matching(known: Mapping[str, str], name: str) -> str | None:
+    """The entry of a name, in which ``*`` stands for one level."""
+    if name in known:
+        return known[name]
+    parts = name.split(".")
+    for pattern in (each.split(".") for each in known if "*" in each):
+        if len(pattern) == len(parts) and all(
+            p in ("*", q) for p, q in zip(pattern, parts, strict=True)
+        ):
+            return known[".".join(pattern)]
+    return None
 
 
 @cache
@@ -55,8 +70,6 @@ def classes(ros: int) -> list[str]:
     return list(data("controllers")[f"ros{ros}"])
 
 
-def _parameters(entry: dict[str, list[str]]) -> ControllerParameters:
+def _parameters(entry: dict[str, Any]) -> ControllerParameters:
     types = {name: kind for kind, names in entry.items() for name in names if kind not in _ROLES}
-    return ControllerParameters(
-        tuple(entry.get("required", ())), tuple(entry.get("positive", ())), types
-    )
+    return record(ControllerParameters, entry, types=types)
