@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property, lru_cache
 
 from urdfkit.core import libraries
@@ -306,7 +306,17 @@ class Context(DescriptionFile):
     @property
     def described_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
         """The robots that the launch file describes and that can be expanded."""
-        for description in self.launch.descriptions:
+        yield from self._expanded(self.launch.descriptions)
+
+    @property
+    def configured_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
+        """The robots that MoveIt gets from the launch file and that can be expanded."""
+        yield from self._expanded(self.launch.configured)
+
+    def _expanded(
+        self, descriptions: Iterable[LaunchedDescription]
+    ) -> Iterator[tuple[LaunchedDescription, Context]]:
+        for description in descriptions:
             robot = self.other_robot(description.path, description.arguments)
             if robot.reading.document is not None:
                 yield description, robot

@@ -14,6 +14,7 @@ Sources:
 """
 
 import os
+from itertools import chain
 
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
@@ -39,7 +40,7 @@ def check(context: Context) -> Findings:
     for finding in reported(context, "LAU005"):
         _, _, argument = finding.message.partition("': ")
         yield finding._replace(group_key=argument)
-    for description, robot in context.described_robots:  # LAU004 reports the others
+    for description, robot in chain(context.described_robots, context.configured_robots):
         xacro = robot.reading.xacro
         if xacro is None:
             continue

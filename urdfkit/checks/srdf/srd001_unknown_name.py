@@ -25,7 +25,10 @@
   type or action ("Action client not connected"). Or no launch file names the controller, while a
   spawner loads another one of the file (warning).
 - In the file of MoveIt Servo, an unknown group or frame, or the topic of a controller that is not
-  defined (warning): the robot does not follow the commands.
+  defined, or that reads another type (warning): the robot does not follow the commands.
+- A misspelt or misplaced setting of a controller or of `trajectory_execution`, a list that is a
+  text, a pipeline that is half of Humble and half of Jazzy, an octomap updater or the Cartesian
+  limits of Pilz without a required parameter (mostly warnings).
 
 The SRDF is out of date, or the name is misspelt.
 
@@ -47,6 +50,7 @@ Sources:
 """
 
 from urdfkit.checks.srdf.configuration import unknown_names
+from urdfkit.checks.srdf.configuration_layout import invalid_layout
 from urdfkit.checks.srdf.namesakes import launched_namesakes
 from urdfkit.checks.srdf.servo import unknown_in_servo
 from urdfkit.checks.srdf.trajectory_controllers import mismatched_controllers
@@ -98,6 +102,7 @@ def check(context: Context) -> Findings:
                 )
     yield from _not_in_group(context, srdf)
     yield from unknown_names(context, srdf)
+    yield from invalid_layout(context, srdf)
     yield from mismatched_controllers(context, srdf)
     yield from unknown_in_servo(context, srdf)
 

@@ -60,6 +60,8 @@ class Collector:
         self._reader = reader
         self.outer = outer
         self.descriptions: list[LaunchedDescription] = []
+        #: Robots that MoveIt gets, which another launch file may start.
+        self.configured: list[LaunchedDescription] = []
         self.files: list[FileUse] = []
         self.packages: dict[str, PackageUse] = {}
         self.problems: list[Problem] = []
@@ -249,6 +251,7 @@ class Collector:
             self.has_scopes,
             self.names_parameters,
             tuple(self.includes),
+            tuple(self.configured),
         )
 
 

@@ -189,6 +189,8 @@ class Launch(Record):
     #: True if it names parameters itself, in its text or by a namespace for a parameter file.
     names_parameters: bool
     includes: tuple[IncludedFile, ...] = ()  # its includes, and those of its included files
+    #: Robots that MoveItConfigsBuilder reads, with arguments.
+    configured: tuple[LaunchedDescription, ...] = ()
 
     @property
     def programs(self) -> tuple[StartedProgram, ...]:

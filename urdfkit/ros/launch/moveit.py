@@ -12,10 +12,12 @@ from collections.abc import Iterator
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import UnreadableFile, UrdfkitError
-from urdfkit.ros.launch.collect import UNKNOWN, Collector
-from urdfkit.ros.launch.contents import MOVEIT
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.collect import UNKNOWN, Collector, frame_at
+from urdfkit.ros.launch.contents import MOVEIT, LaunchedDescription
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.document import Tag
 from urdfkit.text.located_yaml import Key, Node, load, mapping
 
 #: Methods whose first argument is a file of the package.
@@ -31,6 +33,7 @@ _PIPELINES = ("chomp", "ompl", "pilz_industrial_motion_planner", "stomp")
 _DISPLAY = b"moveit_rviz_plugin/MotionPlanning"
 _SEMANTIC = "robot_description_semantic"
 _KINEMATICS = "robot_description_kinematics"
+_SECTION = "ros__parameters"
 _SOLVER = ".kinematics_solver"
 #: Statements that change a dictionary after its creation.
 _CHANGES = re.compile(rb"\.update\(|\]\s*=[^=]|\|=")
@@ -59,26 +62,48 @@ def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
     if not package:
         return
     directory = collector.package(package, values.source, values.span(written or builder))
+    if called(call) == "robot_description":
+        _describe(call, directory or "", values, collector)
     if called(call) in _FILES:
-        node = argument(call, 0, "file_path")
-        path = values.text(node)
-        if node is not None and path and not path.startswith(UNKNOWN):
-            path = os.path.normpath(os.path.join(directory or f"{UNKNOWN}/{package}", path))
-            collector.file(path, values.span(node), MOVEIT)
+        _given_file(call, directory or f"{UNKNOWN}/{package}", values, collector)
     elif called(call) == "to_moveit_configs" and directory:
-        text = values.source.data
-        if _PLANNER.search(text) or not _NO_PLANNER.search(text):
-            _without_plugin(directory, collector)
+        _default_files(call, directory, values, collector)
     elif called(call) == "planning_pipelines" and directory:
         _default(call, values, collector)
-        for item in values.items(argument(call, 1, "pipelines")):
-            name = values.text(item)
-            file = os.path.join(directory, "config", f"{name}_planning.yaml")
-            if item is not None and name and name not in _PIPELINES and not disk.exists(file):
-                message = f"planning pipeline '{name}' has no config/{name}_planning.yaml"
-                message += did_you_mean(name, _PIPELINES)
-                help = "add the file, or name one of " + ", ".join(_PIPELINES)
-                collector.problems.append(Problem("LAU003", values.span(item), message, help))
+        _named_pipelines(call, directory, values, collector)
+
+
+def _given_file(call: ast.Call, directory: str, values: Values, collector: Collector) -> None:
+    """Record the file of a method of the builder, and report names that the builder adds."""
+    node = argument(call, 0, "file_path")
+    path = values.text(node)
+    if node is not None and path and not path.startswith(UNKNOWN):
+        path = os.path.normpath(os.path.join(directory, path))
+        if collector.file(path, values.span(node), MOVEIT):
+            _wrapped(called(call), path, collector)
+
+
+def _default_files(call: ast.Call, directory: str, values: Values, collector: Collector) -> None:
+    """Report problems of the files that the builder reads without being told."""
+    text = values.source.data
+    if _PLANNER.search(text) or not _NO_PLANNER.search(text):
+        _without_plugin(directory, collector)
+    methods = set(_methods(call))
+    for method, (file, _) in data("moveit")["wrapped"].items():
+        if method not in methods:
+            _wrapped(method, os.path.join(directory, "config", file), collector)
+
+
+def _named_pipelines(call: ast.Call, directory: str, values: Values, collector: Collector) -> None:
+    """Report pipelines without settings."""
+    for item in values.items(argument(call, 1, "pipelines")):
+        name = values.text(item)
+        file = os.path.join(directory, "config", f"{name}_planning.yaml")
+        if item is not None and name and name not in _PIPELINES and not disk.exists(file):
+            message = f"planning pipeline '{name}' has no config/{name}_planning.yaml"
+            message += did_you_mean(name, _PIPELINES)
+            help = "add the file, or name one of " + ", ".join(_PIPELINES)
+            collector.problems.append(Problem("LAU003", values.span(item), message, help))
 
 
 def _default(call: ast.Call, values: Values, collector: Collector) -> None:
@@ -112,6 +137,53 @@ def _without_plugin(directory: str, collector: Collector) -> None:
             first = next(key for key in root if isinstance(key, Key))
             problem = Problem("LAU024", first.span, message, help, severity=Severity.WARNING)
             collector.problems.append(problem)
+
+
+def _wrapped(method: str, path: str, collector: Collector) -> None:
+    """Report a file with names around its contents that the builder adds, or does not read."""
+    _, prefix = data("moveit")["wrapped"].get(method, ("", ""))
+    source = collector.resolver.readable(path) if disk.is_file(path) else None
+    file = os.path.basename(path)
+    for key, value in mapping(load(source)).items() if source else ():
+        inner = mapping(value)
+        if not isinstance(key, Key) or not inner:
+            continue
+        extra = [str(key)]
+        message = f"{file}: MoveItConfigsBuilder adds {prefix} around the file, which has it"
+        if _SECTION in inner:
+            message = f"{file}: MoveItConfigsBuilder reads the file as it is, without {_SECTION}"
+            extra = [key, _SECTION, *(name for name in mapping(inner, _SECTION) if name == prefix)]
+        elif key != prefix:
+            continue
+        names = ", ".join(f"'{name}:'" for name in extra)
+        help = f"remove {names}, and the indentation of what is below"
+        problem = Problem("LAU024", key.span, message, help, severity=Severity.WARNING)
+        if problem not in collector.problems:
+            collector.problems.append(problem)
+
+
+def _describe(call: ast.Call, directory: str, values: Values, collector: Collector) -> None:
+    """Record the robot of the builder with the arguments of its ``mappings``."""
+    path = values.text(argument(call, 0, "file_path")) or ""
+    path = os.path.normpath(os.path.join(directory, path))
+    given = argument(call, 1, "mappings")
+    if not path.endswith(".xacro") or given is None or not disk.is_file(path):
+        return
+    pairs = [(values.text(key), values.text(value)) for key, value in values.pairs(given)]
+    known = {name: value for name, value in pairs if name and value is not None}
+    unknown = tuple(name or "" for name, value in pairs if not name or value is None)
+    if pairs and "" not in unknown:
+        span = values.span(call)
+        frame = frame_at(values.source, Tag(values.source, span.start, span.start), None)
+        collector.configured.append(LaunchedDescription(path, known, frame, unknown))
+
+
+def _methods(call: ast.Call) -> Iterator[str]:
+    """The names of the methods in a chain of calls."""
+    node: ast.expr = call
+    while isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+        yield node.func.attr
+        node = node.func.value
 
 
 def _builder(call: ast.Call) -> ast.Call | None:

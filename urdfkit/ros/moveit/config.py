@@ -30,7 +30,7 @@ _OF_CONTROLLERS = (
 )
 #: The list of controllers in packages that were not written by the setup assistant.
 _OF_ROS_1 = "controllers.yaml"
-_PIPELINES = (
+PIPELINES = (
     _OMPL,
     "chomp_planning.yaml",
     "pilz_industrial_motion_planner_planning.yaml",
@@ -77,7 +77,7 @@ def planner_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, lis
 
 def planning_plugins(srdf: Srdf, resolver: Resolver) -> Iterator[Value]:
     """The plugins of the planning pipelines in the files of pipelines such as OMPL."""
-    for file in _PIPELINES:
+    for file in PIPELINES:
         root = load_next_to(srdf, file, resolver)
         for value in (root.get("planning_plugin"), *scalars(root.get("planning_plugins"))):
             if isinstance(value, Value):
@@ -89,7 +89,7 @@ def adapters(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, str, Value, 
 
     From Jazzy on, the file has a list of planning plugins.
     """
-    for file in _PIPELINES:
+    for file in PIPELINES:
         root = load_next_to(srdf, file, resolver)
         for key in ("request_adapters", "response_adapters"):
             node = root.get(key)

@@ -1,0 +1,154 @@
+"""SRD001: settings of MoveIt's YAML files that are missing, misplaced, or of the wrong kind."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.srdfs import findings
+from urdfkit import Severity
+
+GROUP = '<group name="g"><chain base_link="base" tip_link="hand"/></group>'
+MANAGER = "moveit_simple_controller_manager:\n  controller_names: [c]\n  c:\n    type: a\n"
+CLOUD = (
+    "s:\n  sensor_plugin: occupancy_map_monitor/PointCloudOctomapUpdater\n  point_cloud_topic: /p\n"
+    "  max_range: 5.0\n  padding_offset: 0.1\n  padding_scale: 1.0\n  point_subsample: 1\n"
+    "  max_update_rate: 1.0\n  filtered_cloud_topic: f\n"
+)
+IMAGE = CLOUD.replace("PointCloud", "DepthImage")
+LIMITS = "cartesian_limits:\n  max_trans_vel: 1.0\n  max_trans_acc: 1.0\n  max_trans_dec: -1.0\n"
+SERVO = "move_group_name: g\ncommand_out_topic: /c/joint_trajectory\ncommand_out_type: {}\n"
+ADAPTER = "default_planning_request_adapters/CheckStartStateBounds"
+OLD = "planning_plugin: ompl_interface/OMPLPlanner\n"
+NEW = "planning_plugins: [ompl_interface/OMPLPlanner]\n"
+
+
+def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str, str]]:
+    """Line, severity, message and help of each finding in a file next to the SRDF."""
+    (directory / file).write_text(text)
+    return [
+        (found.span.line, found.severity.name, found.message, found.help)
+        for found in findings(directory, GROUP, "SRD001")
+        if found.span.source.path == str(directory / file)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "line", "message", "help"),
+    [
+        (
+            "moveit_controllers.yaml",
+            "trajectory_execution:\n  a: 1\nallowed_start_tolerance: 0.1\n",
+            3,
+            "'allowed_start_tolerance' is not read: it is a parameter of trajectory_execution",
+            "indent it below trajectory_execution:",
+        ),
+        (
+            "moveit_controllers.yaml",
+            "trajectory_execution:\n  allowed_start_tolerence: 0.1\n",
+            2,
+            "trajectory_execution has no 'allowed_start_tolerence'",
+            "write allowed_start_tolerance",
+        ),
+        (
+            "moveit_controllers.yaml",
+            MANAGER + "    joint: [shoulder]\n",
+            5,
+            "controller 'c' has no 'joint'",
+            "write joints",
+        ),
+        (
+            "sensors_3d.yaml",
+            "sensors: [s]\n" + IMAGE,
+            3,
+            (
+                "DepthImageOctomapUpdater has no image_topic; it does not read point_cloud_topic, "
+                "max_range, point_subsample"
+            ),
+            "add image_topic, or name the plugin that reads point_cloud_topic",
+        ),
+        (
+            "sensors_3d.yaml",
+            "sensors: [s]\n" + CLOUD.replace("  max_range: 5.0\n", ""),
+            3,
+            "PointCloudOctomapUpdater has no max_range",
+            "add max_range",
+        ),
+        (
+            "pilz_cartesian_limits.yaml",
+            LIMITS,
+            1,
+            "cartesian_limits has no max_rot_vel: LIN and CIRC fail",
+            "add max_rot_vel",
+        ),
+        (
+            "ompl_planning.yaml",
+            NEW + f"request_adapters: >-\n  {ADAPTER}\n",
+            2,
+            "request_adapters is a text, but with planning_plugins (Jazzy) it is a list",
+            f"write each on a line: - {ADAPTER}",
+        ),
+        (
+            "ompl_planning.yaml",
+            OLD + f"request_adapters:\n  - {ADAPTER}\n",
+            1,
+            "planning_plugin is of Humble, and the lists of adapters are of Jazzy",
+            "write planning_plugins: [ompl_interface/OMPLPlanner]",
+        ),
+        (
+            "servo.yaml",
+            SERVO.format("std_msgs/Float64MultiArray"),
+            3,
+            (
+                "servo.yaml: command_out_type is 'std_msgs/Float64MultiArray', but "
+                "/c/joint_trajectory is trajectory_msgs/JointTrajectory"
+            ),
+            "write trajectory_msgs/JointTrajectory",
+        ),
+    ],
+)
+def test_settings_without_effect(
+    tmp_path: Path, file: str, text: str, line: int, message: str, help: str
+) -> None:
+    assert (line, Severity.WARNING.name, message, help) in reported(tmp_path, file, text)
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "line", "message", "help"),
+    [
+        ("sensors_3d.yaml", "sensors: s\n" + CLOUD, 1, "sensors is 's', not a list", "write [s]"),
+        ("sensors_3d.yaml", "sensors: [t]\n", 1, "sensor 't' has no settings", "fix the name"),
+        (
+            "ompl_planning.yaml",
+            "planner_configs:\n  RRT:\n    type: geometric::RRT\ng:\n  planner_configs: RRT\n",
+            5,
+            "planner_configs of group 'g' is not a list",
+            "write [RRT]",
+        ),
+    ],
+)
+def test_settings_at_which_move_group_stops(
+    tmp_path: Path, file: str, text: str, line: int, message: str, help: str
+) -> None:
+    assert reported(tmp_path, file, text) == [(line, Severity.ERROR.name, message, help)]
+
+
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        ("moveit_controllers.yaml", "trajectory_execution:\n  allowed_start_tolerance: 0.1\n"),
+        ("moveit_controllers.yaml", "moveit_manage_controllers: true\nmine: 1\n"),
+        ("moveit_controllers.yaml", MANAGER + "    joints: [shoulder]\n    action_ns: b\n"),
+        ("sensors_3d.yaml", "sensors: [s]\n" + CLOUD + "  ns: n\n  mine: 1\n"),
+        ("sensors_3d.yaml", "sensors: [s]\n" + IMAGE + "  image_topic: /d\n"),
+        ("sensors_3d.yaml", "sensors: []\n"),
+        ("sensors_3d.yaml", "sensors:\n  - {}\n"),
+        ("sensors_3d.yaml", "sensors: [s]\ns:\n  sensor_plugin: mine/Updater\n"),
+        ("pilz_cartesian_limits.yaml", LIMITS + "  max_rot_vel: 1.0\n"),
+        ("ompl_planning.yaml", OLD + f"request_adapters: >-\n  {ADAPTER}\n".replace("ning", "ner")),
+        ("ompl_planning.yaml", NEW + f"request_adapters:\n  - {ADAPTER}\n"),
+        ("servo.yaml", SERVO.format("trajectory_msgs/JointTrajectory")),
+        ("servo.yaml", SERVO.format("std_msgs/Float64MultiArray").replace("joint_traj", "my_")),
+    ],
+)
+def test_settings_that_are_read(tmp_path: Path, file: str, text: str) -> None:
+    assert reported(tmp_path, file, text) == []

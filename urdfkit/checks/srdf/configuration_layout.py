@@ -1,0 +1,149 @@
+"""Settings in MoveIt's YAML files that are missing, misplaced, or of the wrong kind.
+
+Sources: ``trajectory_execution_manager.cpp``, ``moveit_simple_controller_manager.cpp``,
+``pointcloud_octomap_updater.cpp``, ``depth_image_octomap_updater.cpp``,
+``planning_context_manager.cpp`` and ``cartesian_limits_parameters.yaml`` of moveit/moveit2.
+"""
+
+import os
+
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.ros.catalog import data
+from urdfkit.ros.moveit.config import (
+    PIPELINES,
+    controller_entries,
+    group_entries,
+    load_next_to,
+    servo_values,
+)
+from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
+
+_CONTROLLERS = "moveit_controllers.yaml"
+_EXECUTION = "trajectory_execution"
+_SENSORS = "sensors_3d.yaml"
+_CARTESIAN = "pilz_cartesian_limits.yaml"
+_ADAPTERS = ("request_adapters", "response_adapters")
+_OUTPUT = ("command_out_topic", "command_out_type")
+
+
+def invalid_layout(context: Context, srdf: Srdf) -> Findings:
+    yield from _execution(context, srdf)
+    yield from _controllers(context, srdf)
+    yield from _sensors(context, srdf)
+    yield from _cartesian_limits(context, srdf)
+    yield from _pipelines(context, srdf)
+    yield from _planners_of_groups(context, srdf)
+    yield from _servo(context, srdf)
+
+
+def _warning(key: object, message: str, help: str) -> Findings:
+    if isinstance(key, (Key, Value)):
+        yield Finding(key.span, message, help, severity=Severity.WARNING)
+
+
+def _execution(context: Context, srdf: Srdf) -> Findings:
+    """Parameters of trajectory execution outside of their section, or misspelt in it."""
+    known = data("moveit")[_EXECUTION].split()
+    root = load_next_to(srdf, _CONTROLLERS, context.resolver)
+    for key in root:
+        if key in known:
+            message = f"'{key}' is not read: it is a parameter of {_EXECUTION}"
+            yield from _warning(key, message, f"indent it below {_EXECUTION}:")
+    for key in mapping(root, _EXECUTION):
+        match = nearest(key, known, CLOSE_TYPO) if key not in known else None
+        if match:
+            yield from _warning(key, f"{_EXECUTION} has no '{key}'", f"write {match}")
+
+
+def _controllers(context: Context, srdf: Srdf) -> Findings:
+    """Misspelt settings of controllers."""
+    known = data("moveit")["controller"].split()
+    for name, entry in controller_entries(srdf, context.resolver):
+        for key in entry:
+            match = nearest(key, known) if key not in known else None
+            if match and match not in entry:
+                yield from _warning(key, f"controller '{name}' has no '{key}'", f"write {match}")
+
+
+def _sensors(context: Context, srdf: Srdf) -> Findings:
+    """Sensors of the octomap that move_group does not load."""
+    root = load_next_to(srdf, _SENSORS, context.resolver)
+    listed = root.get("sensors")
+    if isinstance(listed, Value) and listed.text:
+        message, help = f"sensors is '{listed.text}', not a list", f"write [{listed.text}]"
+        yield Finding(listed.span, message, help)
+    for name in scalars(listed):
+        section = mapping(root, name.text)
+        if name.text and not section:
+            yield Finding(name.span, f"sensor '{name.text}' has no settings", "fix the name")
+        plugin = section.get("sensor_plugin")
+        updater = data("moveit")["updaters"].get(getattr(plugin, "text", ""))
+        if updater is None or not isinstance(plugin, Value):
+            continue
+        required = updater["required"].split()
+        missing = [key for key in required if key not in section]
+        others = [key for key in section if key not in (*required, *updater["others"].split())]
+        if missing:
+            class_name = plugin.text.rpartition("/")[2]
+            message = f"{class_name} has no {', '.join(missing)}"
+            help = "add " + ", ".join(missing)
+            if others:
+                message += f"; it does not read {', '.join(others)}"
+                help = f"add {', '.join(missing)}, or name the plugin that reads {others[0]}"
+            yield from _warning(plugin, message, help)
+
+
+def _cartesian_limits(context: Context, srdf: Srdf) -> Findings:
+    """A limit without which Pilz's planner plans no lines: "not fully set"."""
+    root = load_next_to(srdf, _CARTESIAN, context.resolver)
+    limits = mapping(root, "cartesian_limits")
+    missing = [name for name in data("moveit")["cartesian_limits"].split() if name not in limits]
+    section = next((key for key in root if key == "cartesian_limits"), None)
+    if section is not None and limits and missing:
+        message = f"cartesian_limits has no {', '.join(missing)}: LIN and CIRC fail"
+        yield from _warning(section, message, "add " + ", ".join(missing))
+
+
+def _pipelines(context: Context, srdf: Srdf) -> Findings:
+    """Files of pipelines that are half of Humble and half of Jazzy."""
+    for file in PIPELINES:
+        root = load_next_to(srdf, file, context.resolver)
+        is_new = "planning_plugins" in root
+        for key in root:
+            value = root[key]
+            if key in _ADAPTERS and is_new and isinstance(value, Value) and value.text:
+                names = value.text.split()
+                message = f"{key} is a text, but with planning_plugins (Jazzy) it is a list"
+                yield from _warning(key, message, f"write each on a line: - {names[0]}")
+            elif key == "planning_plugin" and not is_new and _has_lists(root):
+                message = "planning_plugin is of Humble, and the lists of adapters are of Jazzy"
+                text = getattr(value, "text", "")
+                yield from _warning(key, message, f"write planning_plugins: [{text}]")
+
+
+def _has_lists(root: dict[str, Node]) -> bool:
+    return any(isinstance(root.get(key), list) for key in _ADAPTERS)
+
+
+def _planners_of_groups(context: Context, srdf: Srdf) -> Findings:
+    """A single planner where a group has a list: move_group stops at the type."""
+    for entry in group_entries(srdf, context.resolver):
+        value = entry.values.get("planner_configs")
+        if isinstance(value, Value) and value.text:
+            message = f"planner_configs of group '{entry.name}' is not a list"
+            yield Finding(value.span, message, f"write [{value.text}]")
+
+
+def _servo(context: Context, srdf: Srdf) -> Findings:
+    """A topic of a controller, and a type that this controller does not read."""
+    types: dict[str, str] = data("moveit")["servo_outputs"]
+    for source, values in servo_values(srdf, context.resolver):
+        topic, kind = (values.get(name) for name in _OUTPUT)
+        expected = types.get(topic.text.rpartition("/")[2]) if topic else None
+        if kind is None or topic is None or not expected or kind.text == expected:
+            continue
+        file = os.path.basename(source.path)
+        message = f"{file}: command_out_type is '{kind.text}', but {topic.text} is {expected}"
+        yield from _warning(kind, message, f"write {expected}")
