@@ -28,6 +28,13 @@ def test_nearest(word: str, suggested: str | None) -> None:
         # auv-software: the common suffix made the names similar
         ("start_cameras.launch.xml", ["start_xsens_driver.launch.xml"], None),
         ("start_camera.launch.xml", ["start_cameras.launch.xml"], "start_cameras.launch.xml"),
+        # khi_robot, stretch_ros: similar letters, but another word
+        ("chomp_planning.yaml", ["ompl_planning.yaml"], None),
+        ("stretch_dex_wrist.xacro", ["stretch_description.xacro"], None),
+        ("link_2.xacro", ["link_1.xacro", "links_2.xacro"], "links_2.xacro"),
+        # kinova-ros: a word more
+        ("move_group.launch", ["move_group_m1n6s300.launch"], "move_group_m1n6s300.launch"),
+        ("armdescription.rviz", ["arm_description.rviz"], "arm_description.rviz"),
         ("robt.xacro", ["robot.gazebo.xacro", "robot.xacro", "robot.yaml"], "robot.xacro"),
         ("arm.xacro", ["arm.urdf.xacro"], "arm.urdf.xacro"),
         ("arm.yaml", ["arm.xacro"], None),

@@ -19,6 +19,9 @@ _MIN_WORD_SIMILARITY = 0.4
 #: Candidates that are compared again without their common suffix.
 _MAX_COMPARED = 3
 
+#: Least similarity of two words of file names.
+_SIMILAR_WORD = 0.75
+
 #: Longer words are not compared: they are not typos of a name, and it would take time.
 _MAX_LENGTH = 200
 
@@ -106,6 +109,7 @@ def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
     """The known file name most similar to ``name``; None if none is similar, or of its suffix.
 
     Suffixes make no names similar: ``start_cameras.launch.xml`` is not ``start_driver.launch.xml``.
+    Nor do common words: ``chomp_planning.yaml`` is not ``ompl_planning.yaml``.
     """
     kind = os.path.splitext(name)[1]
     stem, _, suffix = name.partition(".")
@@ -114,8 +118,36 @@ def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
         first, _, rest = other.partition(".")
         if os.path.splitext(other)[1] == kind and (rest == suffix or first not in stems):
             stems[first] = other
-    suggested = nearest(stem, stems, SIMILAR_FILE)
-    return stems[suggested] if suggested else None
+    for _ in range(_MAX_COMPARED):
+        suggested = nearest(stem, stems)
+        if suggested is None or _has_similar_words(stem, suggested):
+            return stems[suggested] if suggested else None
+        del stems[suggested]
+    return None
+
+
+def _has_similar_words(name: str, other: str) -> bool:
+    """True if each word of the name with fewer words is similar to one of the other, or begins it.
+
+    So are names that differ in ``_`` or ``-`` alone.
+    """
+    few, many = sorted((_file_words(name), _file_words(other)), key=len)
+    is_similar = all(any(_is_similar_word(word, one) for one in many) for word in few)
+    return is_similar or nearest("".join(few), ["".join(many)], CLOSE_TYPO) is not None
+
+
+def _file_words(name: str) -> list[str]:
+    return [word for word in re.split(r"[\W_]+", name.casefold()) if word]
+
+
+def _is_similar_word(word: str, other: str) -> bool:
+    if word.isdigit() or other.isdigit():
+        return word == other
+    return (
+        word.startswith(other)
+        or other.startswith(word)
+        or nearest(word, [other], _SIMILAR_WORD) is not None
+    )
 
 
 class Suggester:

@@ -312,7 +312,7 @@ def _nearest_file(path: str) -> str:
     suggested = nearest_file_name(name, siblings)
     hint = f"did you mean '{suggested}'?" if suggested else ""
     if name == last:
-        return hint or "correct the path, which is relative to the directory of its file"
+        return hint or "correct the path; a relative one begins at the directory of its file"
     present = sorted(path for path in siblings if disk.is_directory(os.path.join(directory, path)))
     if not hint and 0 < len(present) <= _MAX_DIRECTORIES:  # often the valid values of an argument
         hint = f"available: {', '.join(present)}"
