@@ -95,6 +95,21 @@ def test_xml_that_is_not_well_formed(tmp_path: Path) -> None:
     assert (finding.span.line, finding.span.text) == (2, '<group name="g">')
 
 
+@pytest.mark.parametrize(
+    ("build", "severity"), [("catkin", Severity.WARNING), ("ament_cmake", Severity.ERROR)]
+)
+def test_a_comment_that_only_strict_parsers_reject(
+    tmp_path: Path, build: str, severity: Severity
+) -> None:
+    """khi_robot: a comment ends with ``--!>``. MoveIt 1 reads it, MoveIt 2 passes it to xacro."""
+    manifest = f"<package><name>p</name><buildtool_depend>{build}</buildtool_depend></package>"
+    (tmp_path / "package.xml").write_text(manifest)
+    body = '<!-- a --!>\n<!-- b -->\n<group name="g"><link name="lost"/></group>'
+    (finding,) = findings(tmp_path, body, "SRD017")
+    assert (finding.span.text, finding.severity) == ("<!--", severity)
+    assert [one.span.text for one in findings(tmp_path, body, "SRD001")] == ["lost"]
+
+
 def test_one_of_several_with_another_name_is_accepted(tmp_path: Path) -> None:
     (tmp_path / "other.srdf").write_text("<robot")
     assert findings(tmp_path, "", "SRD017") == []

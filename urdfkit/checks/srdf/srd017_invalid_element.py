@@ -1,6 +1,7 @@
 """An element of the SRDF is misspelt, incomplete or invalid, or the file is not well-formed.
 
 - move_group stops at a file that is not well-formed XML; the other rules for the SRDF cannot run.
+  It reads one with hyphens in a comment, which xacro rejects (a warning in ROS 1).
 - srdfdom ignores unknown elements and attributes (warning): a group loses its chain, a pair of
   links is checked for collisions again. Only typos of known names are reported, since other
   programs may add their own elements.
@@ -46,7 +47,13 @@ def check(context: Context) -> Findings:
     if not context.is_part:
         for problem in unreadable(context.source.path, context.model.name, context.resolver):
             at = Location(problem.span, problem.frame)
-            yield Finding(at, problem.message, problem.help, related=problem.related)
+            yield Finding(
+                at,
+                problem.message,
+                problem.help,
+                related=problem.related,
+                severity=problem.severity,
+            )
     if context.srdf is not None:
         yield from _misspelt(context.srdf)
         yield from _incomplete(context.srdf)

@@ -14,10 +14,13 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros import RosDescription
-from urdfkit.text.diagnostic import Problem
+from urdfkit.text.comments import blank_comments
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, Document, Element
 from urdfkit.text.file_kinds import is_xacro
+from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
+from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.srdf_files import (
     has_robot_name,
@@ -303,8 +306,12 @@ def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
             if source is None or is_xacro(source):
                 continue
             document, problems = read_xml(source)
-            if document is None:
+            if document is None and _read(source) is None:
                 yield from problems
+            elif document is None:  # xacro, which MoveIt's builder of ROS 2 uses, rejects it
+                manifest = manifest_of(resolver, candidate)
+                severity = Severity.WARNING if manifest and manifest.ros == 1 else None
+                yield from (problem._replace(severity=severity) for problem in problems)
 
 
 def _stem(path: str) -> str:
@@ -323,4 +330,15 @@ def _parsed(
 
         xacro = expand(source, resolver, arguments, trust=trust)
         return xacro.document, set(xacro.defaults)
-    return read_xml(source)[0], set()
+    return _read(source), set()
+
+
+def _read(source: Source) -> Document | None:
+    """The document of a file, read as by TinyXML, MoveIt's parser; None if it is not well-formed.
+
+    TinyXML ends a comment at the first ``-->``, whatever the comment contains.
+    """
+    document = read_xml(source)[0]
+    if document is None and b"<!--" in source.data:
+        document = read_xml(Source(source.path, blank_comments(source.data)))[0]
+    return document
