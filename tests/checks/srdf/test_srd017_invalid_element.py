@@ -16,6 +16,17 @@ def test_a_state_without_group_is_for_pinocchio(tmp_path: Path) -> None:
     assert finding.severity is Severity.WARNING
 
 
+@pytest.mark.parametrize(("groups", "severity"), [("", "warning"), ('<group name="g"/>', "error")])
+def test_states_of_a_file_without_groups_are_for_pinocchio(
+    tmp_path: Path, groups: str, severity: str
+) -> None:
+    """Pinocchio's simple_humanoid.srdf has states of a group 'all', and no group."""
+    state = '<group_state name="s" group="all"><joint name="shoulder" value="9"/></group_state>'
+    for code in ("SRD001", "SRD004"):
+        (finding,) = findings(tmp_path, groups + state, code)
+        assert finding.severity.value == severity
+
+
 @pytest.mark.parametrize(
     ("body", "message"),
     [

@@ -2,7 +2,7 @@
 
 - An unknown link, joint or group in a group, state, end effector, virtual or passive joint: MoveIt
   drops the group or state, and planning fails with "group not found" or with joints that never
-  move.
+  move. A warning for the group of a state if the SRDF has no groups: Pinocchio reads the state.
 - An unknown link in the collision matrix (warning): "Link is not known to URDF. Cannot disable
   collisions"; the entry has no effect.
 - A state that sets a joint outside its group (warning): MoveIt ignores the value.
@@ -90,7 +90,9 @@ def check(context: Context) -> Findings:
             continue
         is_known = attribute.value in srdf.known(kind) or is_free_flyer(attribute)
         if attribute.value and not is_known:
-            yield suggestions.unknown(kind, attribute)
+            finding = suggestions.unknown(kind, attribute)
+            is_for_pinocchio = attribute.element.tag == "group_state" and not srdf.groups
+            yield finding._replace(severity=Severity.WARNING) if is_for_pinocchio else finding
     links = srdf.known("link") | elsewhere
     for pair in (*srdf.root.all("disable_collisions"), *srdf.root.all("enable_collisions")):
         for key in ("link1", "link2"):

@@ -2,7 +2,8 @@
 
 - MoveIt does not plan to a state outside the limits: "goal state is out of bounds". The limits were
   changed after the state was written, or the value is in degrees. Limits of another robot of the
-  same name that a launch file starts count, too.
+  same name that a launch file starts count, too. A warning if the SRDF has no groups: Pinocchio,
+  which alone reads such a state, compares nothing.
 - A fixed joint has no position: MoveIt and Pinocchio ignore the value, and set the other joints of
   the state (warning). Mimic joints are not reported: a state may repeat their values.
 - If two states of a group have the same name, MoveIt silently keeps the last (warning).
@@ -46,7 +47,8 @@ def check(context: Context) -> Findings:
     namesakes = list(launched_namesakes(context, srdf)) if found else []
     for element, finding in found:
         if not any(_fits(element, robot) for robot in namesakes):
-            yield finding
+            # Only Pinocchio reads the states of an SRDF without groups, with any values.
+            yield finding if srdf.groups else finding._replace(severity=Severity.WARNING)
     yield from _duplicates(srdf.states)
 
 
