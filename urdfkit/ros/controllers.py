@@ -14,20 +14,18 @@ from operator import itemgetter
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.errors import UrdfkitError
 from urdfkit.ros import RosDescription
-from urdfkit.ros.catalog.controllers import parameters_of
 from urdfkit.ros.catalog.ros_control import ControllerType, controller_types, simulated_hardware
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import is_expression
-from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars, syntax_error
+from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars
 from urdfkit.text.source import Source, Span
 
-_MANAGER = "controller_manager"
-_PARAMETERS = "ros__parameters"
+MANAGER = "controller_manager"
 
 
 class Section(Record):
@@ -141,7 +139,7 @@ def _runs_on_hardware(description: RosDescription) -> bool:
 
 def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, Controller]]:
     """The controllers of the readable parameter files."""
-    for file, source in _sources(description):
+    for file, source in readable_files(description):
         for controller in read(source):
             yield file, controller
 
@@ -154,7 +152,8 @@ def by_file(
         yield file, [controller for _, controller in several]
 
 
-def _sources(description: RosDescription) -> Iterator[tuple[ParameterFile, Source]]:
+def readable_files(description: RosDescription) -> Iterator[tuple[ParameterFile, Source]]:
+    """The parameter files that can be read."""
     for file in parameter_files(description):
         if file.found and description.resolver.allows(file.found, description.source.path):
             try:
@@ -166,16 +165,15 @@ def _sources(description: RosDescription) -> Iterator[tuple[ParameterFile, Sourc
 
 def read(source: Source) -> list[Controller]:
     """The controllers of a file; empty if it is not a YAML file of parameters."""
-    root = load(source)
-    sections = _sections(root)
+    sections = _sections(source)
     if not sections:
-        return list(_of_ros1(root))
+        return list(_of_ros1(load(source)))
     types: dict[tuple[str, ...], Value] = {}
     # The controller manager reads the type from its own parameters.
-    for path, section in sorted(sections.items(), key=lambda item: item[0][-1] == _MANAGER):
+    for path, section in sorted(sections.items(), key=lambda item: item[0][-1] == MANAGER):
         for owner, kind in section.types.items():
-            node = (*path[:-1], owner) if path[-1] == _MANAGER else path
-            if bool(owner) is (path[-1] == _MANAGER):
+            node = (*path[:-1], owner) if path[-1] == MANAGER else path
+            if bool(owner) is (path[-1] == MANAGER):
                 types[node] = kind
     return [
         Controller(path[-1], kind.text, kind.span, 2, sections.get(path, Section({}, {}, None)))
@@ -185,39 +183,29 @@ def read(source: Source) -> list[Controller]:
 
 def managers(description: RosDescription) -> Iterator[tuple[ParameterFile, Section]]:
     """The parameters of the controller managers in ROS 2."""
-    for file, source in _sources(description):
-        for path, section in _sections(load(source)).items():
-            if path[-1] == _MANAGER:
+    for file, source in readable_files(description):
+        for path, section in _sections(source).items():
+            if path[-1] == MANAGER:
                 yield file, section
 
 
 def named_sections(description: RosDescription) -> dict[str, Section]:
     """The parameters of each node in ROS 2, from all files."""
     sections: dict[str, Section] = {}
-    for _, source in _sources(description):
-        for path, section in _sections(load(source)).items():
+    for _, source in readable_files(description):
+        for path, section in _sections(source).items():
             whole = sections.setdefault(path[-1], Section({}, {}, section.at))
             whole.given.update(section.given)
             whole.places.update(section.places)
     return sections
 
 
-def _sections(root: Node) -> dict[tuple[str, ...], Section]:
-    """The parameters of each ROS node, by namespace and name; empty for ROS 1.
-
-    ``**`` is any namespace.
-    """
+def _sections(source: Source) -> dict[tuple[str, ...], Section]:
+    """The parameters of each ROS node, by namespace and name; empty for ROS 1."""
     sections: dict[tuple[str, ...], Section] = {}
-    stack: list[tuple[tuple[str, ...], Node, str]] = [((), root, "")]
-    while stack:
-        path, node, above = stack.pop()
-        for key, inner in mapping(node).items():
-            if key == _PARAMETERS and path and isinstance(inner, dict):
-                start = getattr(above, "span", None)
-                sections.setdefault(path, Section({}, {}, start)).add(inner)
-            elif key != _PARAMETERS:
-                parts = [part for part in key.split("/") if part not in ("", "*", "**")]
-                stack.append(((*path, *parts), inner, key))
+    for node in node_parameters(source):
+        if node.path:
+            sections.setdefault(node.path, Section({}, {}, node.at)).add(node.values)
     return sections
 
 
@@ -236,111 +224,3 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
         elif not isinstance(node.get("name"), Value):
             # With a name it is a record from which a program creates an object.
             stack += node.items()
-
-
-def syntax_errors(description: RosDescription) -> Iterator[tuple[ParameterFile, Span, str]]:
-    """Parameter files that are not valid YAML, with the location and the reason."""
-    for file, source in _sources(description):
-        if error := syntax_error(source):
-            yield file, *error
-
-
-def unread_keys(
-    description: RosDescription,
-) -> Iterator[tuple[ParameterFile, list[tuple[Span, str, str]]]]:
-    """Unread keys of each file: location, message and help."""
-    for file, source in _sources(description):
-        yield file, list(_unread_keys(load(source)))
-
-
-def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:
-    sections = [(k, node) for k, node in mapping(root).items() if isinstance(node, dict)]
-    for key, node in sections:
-        for inner in node:
-            if isinstance(inner, Key) and inner != _PARAMETERS and _is_parameters(inner):
-                message = f"parameters of '{key}' are not read: '{inner}' is not '{_PARAMETERS}'"
-                yield inner.span, message, f"write {_PARAMETERS}"
-    declared: set[str] = set()
-    yield from _misspelt_manager(sections)
-    for key, node in sections:
-        inside = node.get(_PARAMETERS)
-        if _node_of(key) == _MANAGER and isinstance(inside, dict):
-            yield from _without_type(inside)
-            yield from _below_manager(inside, dict(sections))
-            section = Section({}, {}, None)
-            section.add(inside)
-            declared.update(section.types)
-    yield from _unread_sections(sections, declared - {""})
-
-
-def _unread_sections(
-    sections: list[tuple[str, dict[str, Node]]], declared: set[str]
-) -> Iterator[tuple[Span, str, str]]:
-    """Sections without a controller, and sections of controllers without ``ros__parameters``."""
-    without = declared.difference(_node_of(key) for key, _ in sections)
-    for key, node in sections:
-        name = _node_of(key)
-        if not isinstance(key, Key):
-            continue
-        if name in declared and not any(map(_is_parameters, node)):
-            message = f"parameters of '{key}' are not read: they are not in {_PARAMETERS}"
-            yield key.span, message, f"write {_PARAMETERS}: below '{key}', and indent the rest"
-        elif name not in declared and (suggested := nearest(name, without, TYPO)):
-            message = f"'{key}' is not a controller of the controller manager and not read"
-            yield key.span, message, f"did you mean '{suggested}'?"
-
-
-def _is_parameters(key: str) -> bool:
-    return key == _PARAMETERS or nearest(key, [_PARAMETERS], TYPO) is not None
-
-
-def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
-    """A ``type`` without a controller, because of its indentation, or a misspelt ``type``."""
-    kind = manager.get("type")
-    if isinstance(kind, Value) and "/" in kind.text:
-        message = "type without a controller: it is not indented below a name"
-        yield kind.span, message, "indent it below the name of its controller"
-    for name, node in manager.items():
-        for key, value in mapping(node).items() if "type" not in mapping(node) else ():
-            is_class = isinstance(value, Value) and "/" in value.text
-            if isinstance(key, Key) and is_class and is_typo(key, "type"):
-                yield key.span, f"controller '{name}' has '{key}' instead of type", "write type"
-
-
-def _misspelt_manager(
-    sections: list[tuple[str, dict[str, Node]]],
-) -> Iterator[tuple[Span, str, str]]:
-    """A section with the types of controllers whose name is that of the manager, misspelt."""
-    for key, node in sections:
-        inside = mapping(node, _PARAMETERS)
-        is_manager = any("type" in mapping(value) for value in inside.values())
-        name = _node_of(key)
-        if isinstance(key, Key) and is_manager and name != _MANAGER and is_typo(name, _MANAGER):
-            message = f"parameters of '{key}' are not read: the node is '{_MANAGER}'"
-            yield key.span, message, f"write {_MANAGER}"
-
-
-def _below_manager(
-    manager: dict[str, Node], sections: dict[str, dict[str, Node]]
-) -> Iterator[tuple[Span, str, str]]:
-    """Parameters of a controller next to its type, where only the controller manager sees them.
-
-    A controller that also has them in its own section works: those of ROS 1 were left over.
-    """
-    for name, node in manager.items():
-        kind = mapping(node).get("type")
-        known = parameters_of(kind.text, 2) if isinstance(kind, Value) else None
-        own = mapping(sections.get(name), _PARAMETERS)
-        for key in mapping(node) if known else ():
-            is_own = known is not None and (known.type_of(key) or key in known.required)
-            if is_own and key not in own and isinstance(key, Key):
-                message = f"'{key}' of controller '{name}' is not read: it is a parameter of "
-                message += _MANAGER
-                help = f"write it below {name}: {_PARAMETERS}:, at the top level"
-                yield key.span, message, help
-                break
-
-
-def _node_of(key: str) -> str:
-    """Name of the node in a key such as ``/**/drive``."""
-    return key.strip("/").rpartition("/")[2]

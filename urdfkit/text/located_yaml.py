@@ -6,7 +6,7 @@ have few levels, and a deeper file is not one.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import Any, TypeAlias
 
@@ -75,6 +75,16 @@ def mapping(node: Node, *keys: str) -> dict[str, Node]:
 def scalars(node: Node) -> list[Value]:
     """The scalars of a list; empty if the node is not a list."""
     return [item for item in node if isinstance(item, Value)] if isinstance(node, list) else []
+
+
+def entries(node: Node) -> Iterator[tuple[Key, Node]]:
+    """The keys of a mapping and of the mappings in it, with their values."""
+    stack = [mapping(node)]
+    while stack:
+        for key, value in stack.pop().items():
+            if isinstance(key, Key):
+                yield key, value
+                stack.append(mapping(value))
 
 
 def _compose(source: Source, events: Iterable[Any]) -> Node:

@@ -21,13 +21,15 @@ Sources:
 import os
 import re
 
+from urdfkit.checks.controllers.unread_keys import unread_keys
 from urdfkit.core.suggest import nearest_file
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
-from urdfkit.ros.controllers import parameter_files, syntax_errors, unread_keys
+from urdfkit.ros.controllers import MANAGER, parameter_files, readable_files
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
-from urdfkit.ros.launch.node_parameters import node_parameters
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.ros.ros_control import control_plugins, namespace_of
 from urdfkit.text.document import Element
+from urdfkit.text.located_yaml import load, syntax_error
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -40,16 +42,16 @@ FILES = {
 _FIND = "$(find PACKAGE)/config/FILE.yaml in the xacro, which works everywhere"
 #: Directories of generated files.
 _GENERATED = ("generated", "temp", "tmp")
-_MANAGER = "controller_manager"
 
 
 @rule(Severity.ERROR, help="fix the parameter file")
 def check(context: Context) -> Findings:
     yield from _missing(context)
-    for file, span, reason in syntax_errors(context):
-        yield Finding(span, f"invalid YAML: {reason}", related=(file.note,))
-    for file, problems in unread_keys(context):
-        for span, message, help in problems:
+    for file, source in readable_files(context):
+        if error := syntax_error(source):
+            span, reason = error
+            yield Finding(span, f"invalid YAML: {reason}", related=(file.note,))
+        for span, message, help in unread_keys(load(source)):
             yield Finding(span, message, help, related=(file.note,))
     yield from _outside_namespace(context)
 
@@ -65,13 +67,13 @@ def _outside_namespace(context: Context) -> Findings:
         sources = (context.resolver.readable(file.found) for file in named if file.found)
         sections = [section for source in sources if source for section in node_parameters(source)]
         written = {f"{section.namespace}/{section.name}".strip("/") for section in sections}
-        lost = next((section for section in sections if section.name == _MANAGER), None)
-        node = f"{namespace}/{_MANAGER}"
+        lost = next((section for section in sections if section.name == MANAGER), None)
+        node = f"{namespace}/{MANAGER}"
         if element and lost and node not in written and not any("*" in name for name in written):
             yield Finding(
                 lost.at,
-                f"parameters of '{_MANAGER}' are not read: the node is '/{node}'",
-                f"write /{node}, or /**/{_MANAGER}; the controllers need the namespace, too",
+                f"parameters of '{MANAGER}' are not read: the node is '/{node}'",
+                f"write /{node}, or /**/{MANAGER}; the controllers need the namespace, too",
                 related=(Related(element.span, "the namespace"), named[0].note),
                 severity=Severity.WARNING,
             )

@@ -9,7 +9,7 @@ from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import has_parameter
-from urdfkit.ros.launch.node_parameters import NodeParameters
+from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
 
 COSTMAPS = ("local_costmap", "global_costmap")

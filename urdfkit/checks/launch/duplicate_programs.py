@@ -3,9 +3,9 @@
 from urdfkit.checks.launch.odometry import OdometryTransform, of_bridges, of_drives, of_filters
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.spawning import model_spawner
 from urdfkit.ros.launch.transforms import static_transform
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.located_yaml import Value
 

@@ -41,7 +41,8 @@ from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.frames import GLOBAL, NamedFrame, default_frames, named_frames
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
-from urdfkit.text.located_yaml import Node, Value, load, mapping
+from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.text.located_yaml import Value
 from urdfkit.workspace.program_strings import strings_in_programs
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -284,13 +285,13 @@ def _wrong_filter_frames(context: Context) -> Findings:
     """Invalid combinations of the frames of robot_localization."""
     for file in context.launch.parameters:
         source = context.resolver.readable(file.path)
-        for section in _sections(load(source)) if source else ():
-            world, base = section.get("world_frame"), section.get("base_link_frame")
-            others = [section.get(key) for key in ("odom_frame", "map_frame")]
+        for node in node_parameters(source) if source else ():
+            world, base = node.values.get("world_frame"), node.values.get("base_link_frame")
+            others = [node.values.get(key) for key in ("odom_frame", "map_frame")]
             names = [frame.text for frame in others if isinstance(frame, Value)]
             if not isinstance(base, Value) or len(names) < len(others):
                 continue
-            odom = section["odom_frame"]
+            odom = node.values["odom_frame"]
             if isinstance(odom, Value) and odom.text in (base.text, names[1]):
                 key = "base_link_frame" if odom.text == base.text else "map_frame"
                 yield Finding(
@@ -306,10 +307,3 @@ def _wrong_filter_frames(context: Context) -> Findings:
                     f"map_frame '{names[1]}'",
                     f"write {names[0]}, or {names[1]} for the filter that uses GPS",
                 )
-
-
-def _sections(root: Node) -> Iterator[dict[str, Node]]:
-    """The parameters of each node."""
-    for node in mapping(root).values():
-        if parameters := mapping(node, "ros__parameters"):
-            yield parameters

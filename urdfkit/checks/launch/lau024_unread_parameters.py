@@ -73,8 +73,8 @@ from urdfkit.lint.rules import (
     rule,
 )
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.transforms import mistakes
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import load
 
 NAME = "launch/filter.launch.py"

@@ -13,8 +13,8 @@ from urdfkit.lint.rules import Context, Location
 from urdfkit.ros.gazebo.topics import of_plugin
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.document import Element
 from urdfkit.text.located_yaml import Value
 

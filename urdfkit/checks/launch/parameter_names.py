@@ -13,7 +13,7 @@ from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import GivenValue, given_values
-from urdfkit.ros.launch.node_parameters import NodeParameters
+from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Value, scalars
 
 _INPUT = re.compile(r"(odom|imu|pose|twist)\d+")

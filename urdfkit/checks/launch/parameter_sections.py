@@ -7,8 +7,8 @@ from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.node_parameters import NodeParameters
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.node_parameters import NodeParameters
 
 #: Programs that start several nodes, or nodes of other names.
 _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node", "move_group")

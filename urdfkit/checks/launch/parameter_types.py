@@ -5,15 +5,14 @@ rst-tu-dortmund/teb_local_planner#202 ("expected [double] got [integer]").
 """
 
 import re
-from collections.abc import Iterator
 
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.known_parameters import given_values
-from urdfkit.ros.launch.node_parameters import NodeParameters
+from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
-from urdfkit.text.located_yaml import Key, Node, Value, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, entries, scalars
 
 _SIZES = ("width", "height")
 PUBLISHER, FREQUENCY = "robot_state_publisher", "publish_frequency"
@@ -26,7 +25,7 @@ CONFIGURATION = re.compile(r"(odom|imu|pose|twist)\d+_config")
 
 def wrong_types(node: NodeParameters) -> Findings:
     """Values of another type than the declared one, which stop the node, and lists of lists."""
-    for key, value in _nested_parameters(node.values):
+    for key, value in entries(node.values):
         # The end of an inner list ends the outer list: a single inner list is read as flat.
         if isinstance(value, list) and sum(isinstance(item, list) for item in value) > 1:
             yield Finding(
@@ -97,11 +96,3 @@ def outdated_motion_model(node: NodeParameters) -> Findings:
             f"write {name}",
             severity=Severity.WARNING,
         )
-
-
-def _nested_parameters(values: dict[str, Node]) -> Iterator[tuple[Key, Node]]:
-    for key, value in values.items():
-        if isinstance(key, Key):
-            yield key, value
-        if isinstance(value, dict):
-            yield from _nested_parameters(value)

@@ -20,10 +20,11 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import Launch, StartedProgram
-from urdfkit.ros.launch.node_parameters import given_parameter, node_parameters
+from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import topic_of
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import Node, Value, mapping
 from urdfkit.text.source import Span
 

@@ -24,7 +24,7 @@ from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import FROM_GAZEBO, bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
-from urdfkit.ros.launch.node_parameters import given_parameter, node_parameters
+from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import (
     MANAGER,
@@ -32,6 +32,7 @@ from urdfkit.ros.launch.spawned_controllers import (
     spawned_controllers,
     topic_name,
 )
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import Value, mapping
 from urdfkit.text.source import Span
 from urdfkit.workspace.ros_packages import comes_with_ros

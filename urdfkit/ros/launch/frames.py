@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import Launch
-from urdfkit.ros.launch.node_parameters import given_parameter
+from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.rviz import displays, manager_of
-from urdfkit.text.located_yaml import Key, Node, Value, load, mapping
+from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.text.located_yaml import Value, entries, mapping
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
@@ -22,7 +23,6 @@ _OF_ROBOT = (
 #: Of costmaps, behaviours and the navigator: the frame of a map or of odometry.
 GLOBAL = "global_frame"
 _NAMING = (*_OF_ROBOT, GLOBAL)
-_PARAMETERS = "ros__parameters"
 #: Characters in values that are known only at run time.
 _OPEN = ("$", "<", "{")
 
@@ -71,14 +71,10 @@ def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
     """The frames in the parameters of nodes in ROS 2."""
     if not any(key.encode() in source.data for key in _NAMING):
         return
-    stack: list[tuple[Node, bool]] = [(load(source), False)]
-    while stack:
-        node, is_inside = stack.pop()
-        for key, value in mapping(node).items():
-            if is_inside and key in _NAMING and isinstance(value, Value):
+    for node in node_parameters(source):
+        for key, value in entries(node.values):
+            if key in _NAMING and isinstance(value, Value):
                 yield key, key, value
-            elif isinstance(value, dict) and isinstance(key, Key):
-                stack.append((value, is_inside or key == _PARAMETERS))
 
 
 def _of_rviz(source: Source) -> Iterator[tuple[str, str, Value]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.node_parameters import NodeParameters
+from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Node, Value, mapping
 
 #: The node of a costmap has the name of the costmap.

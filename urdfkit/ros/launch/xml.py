@@ -14,11 +14,11 @@ from urdfkit.ros.launch.argument_checks import (
 from urdfkit.ros.launch.collect import Collector, frame_at
 from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, IncludedFile, LaunchedFile, Word
 from urdfkit.ros.launch.markup import YAML, parsed
-from urdfkit.ros.launch.node_parameters import node_parameters
 from urdfkit.ros.launch.signature import Signature, arguments_in, signature
 from urdfkit.ros.launch.tags import SCOPES, dialect, mistakes, without_effect
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
 from urdfkit.ros.launch.xml_nodes import read_param, read_rosparam, start_executable, start_node
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.source import Source, Span

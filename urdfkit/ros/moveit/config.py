@@ -13,7 +13,7 @@ from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import UrdfkitError
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, entries, load, mapping, scalars
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -168,14 +168,11 @@ def servo_values(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Source, dict[
         source = resolver.readable(path) if name.endswith((".yaml", ".yml")) else None
         if source is None or not all(key in source.data for key in _OF_SERVO):
             continue
-        values: dict[str, Value] = {}
-        stack: list[Node] = [load(source)]
-        while stack:
-            for key, node in mapping(stack.pop()).items():
-                if isinstance(node, Value) and not node.text.startswith(_OPEN):
-                    values[str(key)] = node
-                elif isinstance(node, dict):
-                    stack.append(node)
+        values = {
+            str(key): node
+            for key, node in entries(load(source))
+            if isinstance(node, Value) and not node.text.startswith(_OPEN)
+        }
         yield source, values
 
 

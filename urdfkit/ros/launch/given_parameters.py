@@ -1,0 +1,29 @@
+"""The parameters that a launch file gives to a node, itself or in parameter files."""
+
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.text.located_yaml import Value
+from urdfkit.workspace.resolve import Resolver
+
+
+def given_parameter(program: StartedProgram, name: str, resolver: Resolver) -> str | None:
+    """A parameter of a node, from the launch file or its parameter files.
+
+    Returns:
+        An empty string if it is not given; None if it is known only at run time.
+    """
+    given = program.parameters
+    if name in given.values:
+        return given.values[name]
+    if not given.is_whole or any(name in (word.text or name) for word in program.words):
+        return None
+    values: set[str | None] = set()
+    for source in map(resolver.readable, given.files):
+        if source is None:
+            return None
+        nodes = (node.values for node in node_parameters(source) if name in node.values)
+        values.update(
+            value.text if isinstance(value, Value) else None
+            for value in (parameters[name] for parameters in nodes)
+        )
+    return next(iter(values), "") if len(values) < 2 else None

@@ -1,0 +1,45 @@
+"""Node parameters in a YAML file of ROS 2, by node.
+
+Source: ``rcl_yaml_param_parser`` of ros2/rcl.
+"""
+
+from collections.abc import Iterator
+
+from urdfkit.core.record import Record
+from urdfkit.text.located_yaml import Key, Node, load, mapping
+from urdfkit.text.source import Source, Span
+
+#: The key below which the parameters of a node are.
+PARAMETERS = "ros__parameters"
+
+
+class NodeParameters(Record):
+    """The parameters of a node in a file."""
+
+    name: str  # of the node, without its namespace
+    at: Span  # location of the name
+    values: dict[str, Node]  # parameters; sections are mappings
+    namespace: str = ""  # as in the file, with slashes between its parts
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """The parts of its namespace, and its name; without ``*`` and ``**``, which are any."""
+        parts = f"{self.namespace}/{self.name}".split("/")
+        return tuple(part for part in parts if part not in ("", "*", "**"))
+
+
+def node_parameters(source: Source) -> Iterator[NodeParameters]:
+    """The nodes of a file, in order; keys above ``ros__parameters`` are namespaces."""
+    stack: list[tuple[Node, Key | None, str]] = [(load(source), None, "")]
+    while stack:
+        node, parent, namespace_above = stack.pop()
+        parameters = mapping(node).get(PARAMETERS)
+        if parent is not None and isinstance(parameters, dict):
+            namespace, _, name = f"{namespace_above}/{parent}".rpartition("/")
+            yield NodeParameters(name, parent.span, parameters, namespace)
+            continue
+        inner_namespace = f"{namespace_above}/{parent}" if parent else ""
+        keys = [
+            (key, value) for key, value in reversed(mapping(node).items()) if isinstance(key, Key)
+        ]
+        stack += [(value, key, inner_namespace) for key, value in keys]
