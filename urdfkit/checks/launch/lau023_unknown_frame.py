@@ -89,35 +89,37 @@ def check(context: Context) -> Findings:
     frames = [*named_frames(launch, context.resolver), *default_frames(launch, context.resolver)]
     if not frames and not any(True for _ in _transforms(launch)):
         return
-    known = _published_frames(context)
-    if known:
+    if known := _published_frames(context):
         known |= _frames_of_filters(launch, frames)
-        overridden = {key for node in launch.programs for key in node.parameters.values}
-        last_words = {name.rpartition("/")[2] for name in known}
-        frames_of_drivers = _frames_of_drivers(launch)
-        unknown = [
-            frame
-            for frame in frames
-            if frame.name not in known
-            and frame.key not in overridden
-            and (frame.key or frame.name not in frames_of_drivers)
-            and not _is_in_namespace(frame, launch, last_words)
-            and (frame.key != GLOBAL or _is_typo(frame, frames))
-        ]
-        parents = {}
-        if not _may_have_other_publishers(context):
-            parents = dict(_unknown_parents(launch, known, _links_of_robots(context, (launch,))))
-        words = {frame.name for frame in unknown} | parents.keys()
-        suffixes = _suffixes(parents, launch)
-        words = words.union(suffixes.values())
-        elsewhere = strings_in_programs(words, context.source.path, context.resolver)
-        yield from (_finding(frame, known) for frame in unknown if frame.name not in elsewhere)
-        yield from (
-            finding
-            for name, finding in parents.items()
-            if elsewhere.isdisjoint((name, suffixes.get(name, name)))
-        )
+        yield from _unpublished(context, frames, known)
     yield from _wrong_filter_frames(context)
+
+
+def _unpublished(context: Context, frames: list[NamedFrame], known: frozenset[str]) -> Findings:
+    """Frames and parents of transforms that nothing publishes, and that no program names."""
+    launch = context.launch
+    overridden = {key for node in launch.programs for key in node.parameters.values}
+    last_words = {name.rpartition("/")[2] for name in known}
+    frames_of_drivers = _frames_of_drivers(launch)
+    unknown = [
+        frame
+        for frame in frames
+        if frame.name not in known
+        and frame.key not in overridden
+        and (frame.key or frame.name not in frames_of_drivers)
+        and not _is_in_namespace(frame, launch, last_words)
+        and (frame.key != GLOBAL or _is_typo(frame, frames))
+    ]
+    parents = {}
+    if not _may_have_other_publishers(context):
+        parents = dict(_unknown_parents(launch, known, _links_of_robots(context, (launch,))))
+    suffixes = _suffixes(parents, launch)
+    words = {*(frame.name for frame in unknown), *parents, *suffixes.values()}
+    elsewhere = strings_in_programs(words, context.source.path, context.resolver)
+    yield from (_finding(frame, known) for frame in unknown if frame.name not in elsewhere)
+    for name, finding in parents.items():
+        if elsewhere.isdisjoint((name, suffixes.get(name, name))):
+            yield finding
 
 
 def _suffixes(names: Iterable[str], launch: Launch) -> dict[str, str]:

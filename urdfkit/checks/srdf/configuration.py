@@ -47,6 +47,8 @@ def unknown_names(context: Context, srdf: Srdf) -> Findings:
     yield from _groups(context, srdf)
     yield from _solvers(context, srdf)
     yield from _planners(context, srdf)
+    yield from _planning_plugins(context, srdf)
+    yield from _adapters(context, srdf)
     yield from _projections(context, srdf)
     yield from _controllers(context, srdf)
 
@@ -116,7 +118,7 @@ def _solvers(context: Context, srdf: Srdf) -> Findings:
 
 
 def _planners(context: Context, srdf: Srdf) -> Findings:
-    """Misspelt planners of groups, plugins of planning pipelines, and adapters."""
+    """Misspelt planners of groups."""
     of_ompl = [f"{planner}kConfigDefault" for planner in data("moveit")["ompl"].split()]
     for name, defined in planner_entries(srdf, context.resolver):
         known = {*defined, *of_ompl}
@@ -124,12 +126,18 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
         if match:
             message = f"planner '{name.text}' is not in planner_configs; did you mean '{match}'?"
             yield Finding(name.span, message, f"write {match}", severity=Severity.WARNING)
+
+
+def _planning_plugins(context: Context, srdf: Srdf) -> Findings:
     for plugin in planning_plugins(srdf, context.resolver):
         match = nearest(plugin.text, data("moveit")["planners"], TYPO)
         is_of_ros1 = plugin.text == _PILZ_OF_ROS1 and context.targets.any_of(ROS1)
         if match and plugin.text != match and not is_of_ros1:
             message = f"unknown planning plugin '{plugin.text}'; did you mean '{match}'?"
             yield Finding(plugin.span, message, f"write {match}")
+
+
+def _adapters(context: Context, srdf: Srdf) -> Findings:
     keys = {name: key for key, names in data("moveit")["adapters"].items() for name in names}
     packages = {name.partition("/")[0] for name in keys}
     for key, adapter, place, is_new in adapters(srdf, context.resolver):

@@ -101,7 +101,8 @@ def check(context: Context) -> Findings:
         yield from _count(transmission, unread)
         for element in (transmission, *transmission.children):
             yield from _children(element, called(transmission), unread)
-    yield from _duplicates(read, is_simulated=_is_simulated_otherwise(context))
+    yield from _duplicate_names(read, is_simulated=_is_simulated_otherwise(context))
+    yield from _driven_twice(read)
 
 
 def _unread(first: Element, *others: Element) -> Finding:
@@ -220,29 +221,38 @@ def _is_simulated_otherwise(context: Context) -> bool:
     return any(kind is not None and kind.text.strip() not in ("", DEFAULT_SIM) for kind in kinds)
 
 
-def _duplicates(transmissions: Iterable[Element], *, is_simulated: bool) -> Findings:
-    """Names and joints of several transmissions.
+def _duplicate_names(transmissions: Iterable[Element], *, is_simulated: bool) -> Findings:
+    """Names of several transmissions.
 
     Args:
         is_simulated: True if transmissions of one joint may have one name.
     """
     names: dict[str, Attribute] = {}
-    driven: dict[tuple[str, str], Attribute] = {}
     for transmission in transmissions:
-        own = transmission.attributes.get("name")
-        first = names.setdefault(own.value, own) if own else None
-        if own and first and first is not own and not (is_simulated and _is_for_same(own, first)):
-            message = f"duplicate transmission name '{own.value}'"
-            yield _duplicate(own, message, "give it a unique name", first)
-        for joint in transmission.all("joint"):
-            name = joint.attributes.get("name")
-            keys = [(name.value, kind) for kind in _interface_types(joint)] if name else []
-            firsts = [driven.setdefault(key, name) for key in keys if name]
-            others = [first for first in firsts if first is not name]
-            if name and others:
-                message = f"joint '{name.value}' already has a transmission"
-                help = "name the joint that this transmission drives, or delete one of the two"
-                yield _duplicate(name, message, help, others[0])
+        name = transmission.attributes.get("name")
+        first = names.setdefault(name.value, name) if name else None
+        if (
+            name
+            and first
+            and first is not name
+            and not (is_simulated and _is_for_same(name, first))
+        ):
+            message = f"duplicate transmission name '{name.value}'"
+            yield _duplicate(name, message, "give it a unique name", first)
+
+
+def _driven_twice(transmissions: Iterable[Element]) -> Findings:
+    """Joints of several transmissions."""
+    driven: dict[tuple[str, str], Attribute] = {}
+    for joint in (joint for transmission in transmissions for joint in transmission.all("joint")):
+        name = joint.attributes.get("name")
+        keys = [(name.value, kind) for kind in _interface_types(joint)] if name else []
+        firsts = [driven.setdefault(key, name) for key in keys if name]
+        others = [first for first in firsts if first is not name]
+        if name and others:
+            message = f"joint '{name.value}' already has a transmission"
+            help = "name the joint that this transmission drives, or delete one of the two"
+            yield _duplicate(name, message, help, others[0])
 
 
 def _is_for_same(name: Attribute, first: Attribute) -> bool:

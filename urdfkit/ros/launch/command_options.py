@@ -19,24 +19,24 @@ _SPAWNER = ("controller_manager", "spawner")
 _RECENT = b"ros_gz"
 
 
-def wrong_options(started: StartedProgram) -> Iterator[Problem]:
+def wrong_options(program: StartedProgram) -> Iterator[Problem]:
     """Options that stop a program of ROS 2, or that it ignores."""
-    if not started.is_ros_2 or started.frame is not None:
+    if not program.is_ros_2 or program.frame is not None:
         return
-    yield from _ros_arguments(started)
-    if (started.package, started.executable) == _SPAWNER:
-        yield from _spawner(started)
-    if [word.text for word in started.words[:2]] == ["ros2", "control"]:
-        yield from _ros2_control(started)
+    yield from _ros_arguments(program)
+    if (program.package, program.executable) == _SPAWNER:
+        yield from _spawner(program)
+    if [word.text for word in program.words[:2]] == ["ros2", "control"]:
+        yield from _ros2_control(program)
 
 
-def _ros_arguments(started: StartedProgram) -> Iterator[Problem]:
+def _ros_arguments(program: StartedProgram) -> Iterator[Problem]:
     """ROS arguments that rcl rejects, such as ``-p name=value``."""
     known: dict[str, str] = data("launch")["ros_arguments"]
-    texts = [word.text for word in started.words]
+    texts = [word.text for word in program.words]
     start = texts.index(_ROS_ARGUMENTS) if _ROS_ARGUMENTS in texts else len(texts)
     expected = ""
-    for word in started.words[start + 1 :]:
+    for word in program.words[start + 1 :]:
         text = word.text
         if expected:
             is_assigned = expected != "assignment" or text is None or ":=" in text
@@ -55,12 +55,12 @@ def _ros_arguments(started: StartedProgram) -> Iterator[Problem]:
             yield _error(word, f"unknown ROS argument '{text}'", help)
 
 
-def _spawner(started: StartedProgram) -> Iterator[Problem]:
+def _spawner(program: StartedProgram) -> Iterator[Problem]:
     """Options that the spawner does not have: argparse stops at them."""
     facts = data("launch")["spawner"]
     known = facts["options"].split()
     is_value = False
-    for word in started.words:
+    for word in program.words:
         option = (word.text or "").partition("=")[0]
         if option == _ROS_ARGUMENTS:
             return
@@ -84,12 +84,12 @@ def _spawner(started: StartedProgram) -> Iterator[Problem]:
             yield _error(word, f"the spawner has no option {option}", help)
 
 
-def _ros2_control(started: StartedProgram) -> Iterator[Problem]:
+def _ros2_control(program: StartedProgram) -> Iterator[Problem]:
     """Verbs and states of ``ros2 control`` of Galactic and before."""
     facts = data("launch")["ros2_control"]
-    is_recent = _RECENT in started.span.source.data
+    is_recent = _RECENT in program.span.source.data
     severity = Severity.WARNING if is_recent else Severity.INFO
-    for word in started.words[2:]:
+    for word in program.words[2:]:
         successor = facts["former"].get(word.text or "")
         if successor:
             message = f"ros2 control has no '{word.text}' (supported up to Galactic)"
