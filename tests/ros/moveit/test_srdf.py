@@ -7,6 +7,8 @@ import pytest
 from tests.conftest import CORPUS, needs_corpus
 from tests.srdfs import ROBOT
 from urdfkit import check
+from urdfkit.core import disk
+from urdfkit.core.file_log import FileLog
 from urdfkit.lint.context import Context
 from urdfkit.ros.moveit.srdf import Srdf, find
 from urdfkit.text.source import Source
@@ -85,6 +87,25 @@ def srdf(text: str) -> Srdf:
     document, _ = read_xml(Source("r.srdf", text.encode()))
     assert document is not None
     return Srdf("r.srdf", document.root, context.tree)
+
+
+def test_of_very_many_only_those_with_the_name_of_the_robot_are_read(tmp_path: Path) -> None:
+    """tiago_dual_moveit_config has 579 SRDFs of 200 kB, one for each pair of hands."""
+    robot = tmp_path / "panda.urdf"
+    robot.write_text(ROBOT)
+    for name in ("panda", *(f"panda_{number}" for number in range(40))):
+        (tmp_path / f"{name}.srdf").write_text('<robot name="r"/>')
+    context = Context(Source.read(robot), Resolver(environment={}))
+    log = FileLog()
+    disk.log_to(log)
+    try:
+        found = find(context)
+    finally:
+        disk.log_to(None)
+    assert found
+    assert Path(found.path).name == "panda.srdf"
+    read = {path for kind, path in log.answers if kind.startswith("r") and path.endswith(".srdf")}
+    assert read == {found.path}
 
 
 def test_a_way_goes_down_the_tree():

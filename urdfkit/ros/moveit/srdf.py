@@ -7,6 +7,7 @@ match the robot.
 import os
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from itertools import islice
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.suggest import nearest
@@ -29,6 +30,9 @@ from urdfkit.workspace.srdf_files import (
     srdf_files,
     srdf_in,
 )
+
+#: Most SRDFs of a directory that are read for one robot.
+_MAX_READ = 32
 
 
 class Srdf:
@@ -191,10 +195,13 @@ def find(robot: RosDescription) -> Srdf | None:
     An SRDF with another robot name is accepted if it references the links and joints of the robot;
     an SRDF in a MoveIt package for several robots, if it fits this robot. An SRDF with the same
     file name as another robot in the same directory belongs to that robot, and so does an SRDF with
-    the robot name of another file, if this robot lacks links or joints of it.
+    the robot name of another file, if this robot lacks links or joints of it. Of very many SRDFs,
+    such as for each combination of two hands, only those with the name of the robot are read.
     """
     path, name, resolver = robot.source.path, robot.model.name, robot.resolver
     files = [one for one in srdf_files(path, resolver) if not is_of_namesake(one, path, resolver)]
+    if len(files) > _MAX_READ:
+        files = [one for one in files if _stem(one) in (_stem(path), name)]
     found = [srdf for one in files if (srdf := read(one, robot))]
     same = [srdf for srdf in found if srdf.root.get("name") == name]
     chosen = same or [
@@ -221,8 +228,8 @@ def _is_of_neighbour(srdf: Srdf, path: str, resolver: Resolver) -> bool:
 
 
 def neighbours(srdf: Srdf, robot: RosDescription) -> Iterator[Srdf]:
-    """The other SRDFs in the directory of an SRDF."""
-    for path in srdf_in([os.path.dirname(srdf.path)], robot.resolver):
+    """The other SRDFs in the directory of an SRDF, without those after very many."""
+    for path in islice(srdf_in([os.path.dirname(srdf.path)], robot.resolver), _MAX_READ):
         if path != srdf.path and (other := read(path, robot)):
             yield other
 
