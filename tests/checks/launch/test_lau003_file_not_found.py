@@ -139,3 +139,39 @@ def test_former_executable_of_ros_1(tmp_path: Path, type: str, count: int) -> No
     assert [(finding.severity, finding.help) for finding in findings] == [
         (Severity.INFO, 'write type="robot_state_publisher"')
     ] * count
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "help"),
+    [
+        ("yaml_filename", "hall.yaml", None),
+        ("yaml_filename", "hal.yaml", "did you mean 'hall.yaml'?"),
+        ("yaml_filename", "hall.pgm", "write hall.yaml"),
+        ("map_file_name", "graph", None),
+        ("map_file_name", "graph.posegraph", "write graph, without a suffix"),
+        ("map_file_name", "hall.yaml", "write hall, without a suffix"),
+        ("map_file_name", "grahp", "did you mean 'graph.posegraph'?"),
+        ("default_nav_to_pose_bt_xml", "tre.xml", "did you mean 'tree.xml'?"),
+    ],
+)
+def test_files_in_parameters(tmp_path: Path, name: str, value: str, help: str | None) -> None:
+    text = f'<node pkg="p" exec="e"><param name="{name}" value="$(dirname)/../{value}"/></node>'
+    files = {"hall.yaml": "image: hall.pgm\n", "hall.pgm": "P2", "graph.posegraph": "x"}
+    files["tree.xml"] = "<root/>"
+    found = reported(tmp_path, "LAU003", "a.launch.xml", text, files)
+    assert [one.help for one in found] == ([] if help is None else [help])
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("slam_toolbox: {ros__parameters: {map_file_name: /home/me/hall.posegraph}}\n", 1),
+        ("slam_toolbox: {ros__parameters: {map_file_name: /home/me/hall}}\n", 0),
+        ("map_server: {ros__parameters: {yaml_filename: /home/me/hall.png}}\n", 1),
+        ("map_server: {ros__parameters: {yaml_filename: /home/me/hall.yaml}}\n", 0),
+    ],
+)
+def test_maps_in_a_parameter_file(tmp_path: Path, text: str, count: int) -> None:
+    program = "Node(package='p', executable='e', parameters=['../a.yaml'])\n"
+    found = reported(tmp_path, "LAU003", "a.launch.py", program, {"a.yaml": text})
+    assert [one.span.source.path.endswith("a.yaml") for one in found] == [True] * count

@@ -316,3 +316,19 @@ def test_an_argument_of_an_include(tmp_path: Path, given: str, count: int) -> No
     )
     found = reported(tmp_path, "LAU010", "b.launch.xml", text, {"a.launch.xml": "<launch/>"})
     assert ["of an <include> has no value" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("package", "more", "count"),
+    [
+        ("teleop_twist_keyboard", "", 1),
+        ("teleop_twist_keyboard", ", prefix='xterm -e'", 0),
+        ("teleop_twist_joy", "", 0),
+    ],
+)
+def test_a_node_that_reads_the_keyboard(
+    tmp_path: Path, package: str, more: str, count: int
+) -> None:
+    text = f"Node(package='{package}', executable='{package}'{more})\n"
+    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert ["reads the keyboard" in one.message for one in found] == [True] * count

@@ -127,3 +127,10 @@ def test_several_controllers_in_one_item(tmp_path: Path) -> None:
     text = HEAD_2 + LOAD_2 + SPAWN_2.format("'arm_controller other'")
     (found,) = reported(tmp_path, "LAU013", "a.launch.py", text, ROS_2)
     assert found.help == "write one item for each controller: ['arm_controller', 'other']"
+
+
+def test_controllers_that_nothing_starts(tmp_path: Path) -> None:
+    yaml = "controller_manager: {ros__parameters: {states: {type: a/B}, arm: {type: a/B}}}\n"
+    text = HEAD_2 + LOAD_2 + SPAWN_2.format("'arm', 'broadcaster'")
+    (found,) = reported(tmp_path, "LAU013", "a.launch.py", text, {"config/c.yaml": yaml})
+    assert found.help == "start what is defined: states, or define broadcaster"

@@ -54,6 +54,46 @@ def test_static_transforms(tmp_path: Path, words: str, count: int) -> None:
     assert all("'lidar' is published twice" in one and "'mast'" in one for one in found)
 
 
+LOCALIZER = "Node(package='nav2_amcl', executable='amcl', parameters=[{}])\n"
+TO_ODOM = "['--frame-id', 'map', '--child-frame-id', '{}']"
+
+
+@pytest.mark.parametrize(
+    ("parameters", "child", "count"),
+    [
+        ("", "odom", 1),
+        ("", "other", 0),
+        ("{'odom_frame_id': 'other'}", "other", 1),
+        ("{'tf_broadcast': False}", "odom", 0),
+    ],
+)
+def test_localization_and_a_static_transform(
+    tmp_path: Path, parameters: str, child: str, count: int
+) -> None:
+    text = LOCALIZER.format(parameters) + STATIC.format(TO_ODOM.format(child))
+    found = messages(tmp_path, text)
+    assert [f"'{child}' is published twice" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("package", "words", "count"),
+    [
+        ("nav2_amcl", "['--frame-id', 'base', '--child-frame-id', 'lidar']", 1),
+        ("nav2_amcl", "['--z', '1', '--frame-id', 'base', '--child-frame-id', 'lidar']", 0),
+        ("my_driver", "['--frame-id', 'base', '--child-frame-id', 'lidar']", 0),
+    ],
+)
+def test_a_robot_of_another_launch_file(
+    tmp_path: Path, package: str, words: str, count: int
+) -> None:
+    """Navigation needs the transforms of the robot; a driver may run without it."""
+    files = {"r.urdf": ROBOT}
+    files["launch/robot.launch.py"] = f"robot = open('{tmp_path}/r.urdf')\n" + STATE
+    node = f"Node(package='{package}', executable='amcl')\n"
+    found = reported(tmp_path, "LAU021", "a.launch.py", node + STATIC.format(words), files)
+    assert ["'lidar' is published twice" in one.message for one in found] == [True] * count
+
+
 def test_without_a_robot_state_publisher_nothing_is_published_twice(tmp_path: Path) -> None:
     words = "['0', '0', '2', '0', '0', '0', 'base', 'lidar']"
     assert messages(tmp_path, STATIC.format(words)) == []

@@ -430,3 +430,25 @@ def test_names_of_the_controller_manager(tmp_path: Path, more: str, words: str) 
     found = reported(tmp_path, "LAU022", "a.launch.py", text, {"c.yaml": CONTROLLERS})
     assert len(found) == bool(words)
     assert all(words in one.message for one in found)
+
+
+NAVIGATION = """
+IncludeLaunchDescription(
+    PythonLaunchDescriptionSource(
+        [FindPackageShare('nav2_bringup'), '/launch/navigation_launch.py']
+    ),
+    launch_arguments={{'params_file': '{}/nav2.yaml'}}.items(),
+)
+"""
+MONITOR = "collision_monitor: {{ros__parameters: {{cmd_vel_in_topic: {}, use_sim_time: true}}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("topic", "count"), [("cmd_vel_smoothed", 0), ("cmd_vel_nav", 0), ("cmd_vel_raw", 1)]
+)
+def test_commands_of_the_collision_monitor(tmp_path: Path, topic: str, count: int) -> None:
+    files = {"nav2.yaml": MONITOR.format(topic)}
+    text = NAVIGATION.format(tmp_path)
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    words = "'velocity_smoother' publishes '/cmd_vel_smoothed'"
+    assert [words in one.message for one in found] == [True] * count

@@ -12,7 +12,7 @@ from launch_ros.actions import Node
 nodes = [
     Node({}),
     Node(package="nav2_lifecycle_manager", executable="lifecycle_manager", name="manager",
-         parameters=[{{"node_names": [{}]}}]),
+         parameters=[{{"autostart": True, "node_names": [{}]}}]),
 ]
 """
 CONTROLLER = 'package="nav2_controller", executable="controller_server", parameters=["../a.yaml"]'
@@ -445,3 +445,231 @@ def test_a_map_in_rviz(tmp_path: Path, server: str, durability: str, count: int)
     )
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, {"a.rviz": rviz})
     assert ["Map of RViz misses" in one.message for one in found] == [True] * count
+
+
+OBSTACLES = "obstacles: {{plugin: 'nav2_costmap_2d::ObstacleLayer', {}}}"
+SOURCE = "observation_sources: scan, scan: {{topic: /scan, data_type: LaserScan, {}}}"
+INFLATION = "inflation: {{plugin: 'nav2_costmap_2d::InflationLayer', inflation_radius: {}}}"
+COSTMAP_OF = "local_costmap: {{local_costmap: {{ros__parameters: {{{}}}}}}}\n"
+SQUARE = "footprint: '[[0.3, 0.2], [0.3, -0.2], [-0.3, -0.2], [-0.3, 0.2]]'"
+MPPI = (
+    "controller_server: {{ros__parameters: {{controller_frequency: {}, FollowPath: {{plugin: "
+    "'nav2_mppi_controller::MPPIController'{}}}}}}}\n"
+)
+AMCL = "amcl: {{ros__parameters: {{{}}}}}\n"
+EKF = "ekf: {{ros__parameters: {{{}}}}}\n"
+FALSE = "[false, false, false]"
+
+
+def rows(row: int) -> str:
+    """A configuration of robot_localization that reads one row."""
+    values = ["false"] * 3 * row + ["true"] * 3 + ["false"] * (12 - 3 * row)
+    return f"[{', '.join(values[:15])}]"
+
+
+@pytest.mark.parametrize(
+    ("yaml", "words"),
+    [
+        (MPPI.format("20.0", ", model_dt: 0.02"), "model_dt is 0.02 s, below the period of 0.05 s"),
+        (MPPI.format("20.0", ""), ""),
+        (MPPI.format("30.0", ", model_dt: 0.033"), "below the period of 0.03333 s"),
+        (MPPI.format("30.0", ""), ""),
+        (MPPI.format("10.0", ""), "below the period of 0.1 s"),
+        (AMCL.format("min_particles: 900, max_particles: 500"), "min_particles is 900, above"),
+        (AMCL.format("laser_min_range: 0.1, laser_max_range: -1.0"), ""),
+        (AMCL.format("initial_pose: {x: 0.0, y: 0.0}"), "initial_pose is not read"),
+        (
+            AMCL.format("set_initial_pose: false, initial_pose: {x: 1.0}"),
+            "initial_pose is not read",
+        ),
+        (AMCL.format("set_initial_pose: false, initial_pose: {x: 0.0}"), ""),
+        (AMCL.format("set_initial_pose: true, initial_pose: {x: 1.0}"), ""),
+        (EKF.format(f"odom0: odom, odom0_config: {rows(4)}"), "row 5, acceleration"),
+        (EKF.format(f"odom0: odom, odom0_config: {rows(2)}"), ""),
+        (EKF.format(f"imu0: imu, imu0_config: {rows(0)}"), "row 1, position"),
+        (EKF.format(f"imu0: imu, imu0_config: {rows(3)}"), ""),
+        (EKF.format(f"imu0: imu, imu0_config: [{', '.join(['false'] * 15)}]"), "reads nothing"),
+        (EKF.format(f"frequency: 30, odom0: odom, odom0_config: {rows(2)}"), "frequency is an int"),
+        (EKF.format(f"odom0: odom, odom0_confg: 1, odom0_config: {rows(2)}"), ""),
+        (EKF.format(f"two_d_mod: true, odom0: odom, odom0_config: {rows(2)}"), "'two_d_mode'"),
+    ],
+)
+def test_contradictions(tmp_path: Path, yaml: str, words: str) -> None:
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    assert [words in one for one in found] == [True] * bool(words)
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        (OBSTACLES.format(SOURCE.format("clearing: false, marking: true")), "are never cleared"),
+        (OBSTACLES.format(SOURCE.format("marking: true")), ""),  # the default, if unwanted
+        (OBSTACLES.format(SOURCE.format("clearing: true, raytrace_max_range: 2.0")), ""),
+        (
+            OBSTACLES.format(
+                SOURCE.format("clearing: true, obstacle_max_range: 3.0, raytrace_max_range: 2.0")
+            ),
+            "raytrace_max_range 2 is below obstacle_max_range 3",
+        ),
+        (f"{SQUARE}, {INFLATION.format(0.1)}", "below the inscribed radius of the robot, 0.2 m"),
+        (f"{SQUARE}, {INFLATION.format(0.2)}", ""),
+        (f"robot_radius: 0.3, {INFLATION.format(0.2)}", "below the inscribed radius"),
+        (INFLATION.format(0.05), ""),
+        (f"{SQUARE}, robot_radius: 2.0", "robot_radius 2 is not read"),
+        (f"{SQUARE}, robot_radius: 0.3", ""),
+        ("footprint: '[]', robot_radius: 2.0", ""),
+    ],
+)
+def test_contradictions_of_a_costmap(tmp_path: Path, values: str, words: str) -> None:
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', COSTMAP_OF.format(values))
+    assert [words in one for one in found] == [True] * bool(words)
+
+
+BOTH = (
+    "controller_server: {ros__parameters: {goal_checker_plugin: g, "
+    "goal_checker_plugins: [g], g: {plugin: a}}}\n"
+)
+JAZZY = "behavior_server: {ros__parameters: {spin: {plugin: 'nav2_behaviors::Spin'}}}\n"
+LIBRARIES = "bt_navigator: {{ros__parameters: {{plugin_lib_names: [{}]}}}}\n"
+MUX = "twist_mux: {{ros__parameters: {{topics: {{joy: {{{}}}}}{}}}}}\n"
+JOY = "topic: joy, timeout: 0.5, priority: 1"
+
+
+@pytest.mark.parametrize(
+    ("yaml", "before", "since"),
+    [
+        ("controller_server: {ros__parameters: {goal_checker_plugin: g}}\n", 0, 1),
+        (BOTH, 0, 0),
+        ("bt_navigator: {ros__parameters: {default_bt_xml_filename: a.xml}}\n", 0, 1),
+        ("recoveries_server: {ros__parameters: {cycle_frequency: 1.0}}\n", 0, 0),  # both are given
+        (LIBRARIES.format("nav2_wait_action_bt_node"), 0, 1),
+        (LIBRARIES.format("my_wait_action_bt_node"), 0, 0),
+        (MUX.format(JOY, ""), 0, 1),
+        (MUX.format(JOY, ", use_stamped: true"), 0, 0),
+        (MUX.format("topic: joy, timeout: 1, priority: 1", ", use_stamped: true"), 1, 1),
+        (MUX.format("topic: joy, timeout: 1.0", ", use_stamped: true"), 1, 1),
+        ("teleop_twist_joy_node: {ros__parameters: {scale_linear: 0.5}}\n", 1, 1),
+        ("teleop_twist_joy_node: {ros__parameters: {scale_linear: {x: 0.5}}}\n", 0, 0),
+        ("teleop_twist_joy_node: {ros__parameters: {scale_linear: {x: 1}}}\n", 1, 1),
+        ("slam_toolbox: {ros__parameters: {max_laser_range: 20}}\n", 1, 1),
+    ],
+)
+def test_parameters_of_other_releases(tmp_path: Path, yaml: str, before: int, since: int) -> None:
+    """Only other names of Jazzy in the workspace tell that a file is for Jazzy."""
+    is_jazzy = "use_stamped" in yaml
+    for name, text, count in (
+        ("1", yaml, since if is_jazzy else before),
+        ("2", yaml + JAZZY, since),
+    ):
+        (tmp_path / name).mkdir()
+        found = messages(tmp_path / name, CONTROLLER, '"controller_server"', text)
+        assert len(found) == count
+
+
+VALID = {
+    "image": "hall.pgm",
+    "resolution": "0.05",
+    "origin": "[0.0, 0.0, 0.0]",
+    "negate": "0",
+    "occupied_thresh": "0.65",
+    "free_thresh": "0.25",
+}
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "words"),
+    [
+        ("resolution", "0.05", ""),
+        ("resolution", "0.05m", "resolution '0.05m' is not a number"),
+        ("resolution", "-0.05", "is negative"),
+        ("resolution", None, "the map has no resolution"),
+        ("origin", "[0.0, 0.0]", "origin has 2 values"),
+        ("mode", "trinary", ""),
+        ("mode", "trinery", "unknown mode 'trinery'; did you mean 'trinary'?"),
+        ("free_thresh", "0.7", "free_thresh 0.7 is above occupied_thresh 0.65"),
+        ("negate", None, "the map has no negate"),
+    ],
+)
+def test_maps(tmp_path: Path, key: str, value: str | None, words: str) -> None:
+    values = {**VALID, key: value}
+    yaml = "".join(f"{name}: {text}\n" for name, text in values.items() if text is not None)
+    text = (
+        '<node pkg="nav2_map_server" exec="map_server">\n'
+        '<param name="yaml_filename" value="$(dirname)/../hall.yaml"/>\n</node>'
+    )
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.xml", text, {"hall.yaml": yaml})
+    assert [words in one.message for one in found] == [True] * bool(words)
+
+
+MANAGER = (
+    "from launch_ros.actions import Node\n\nnodes = [Node(package='nav2_lifecycle_manager', "
+    "executable='lifecycle_manager', name='m', parameters=[{{'node_names': ['a']{}}}])]\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("more", "count"),
+    [("", 1), (", 'autostart': True", 0), (", 'autostart': False", 1), (", 'autostart': x()", 0)],
+)
+def test_autostart(tmp_path: Path, more: str, count: int) -> None:
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", MANAGER.format(more))
+    assert ["stay unconfigured" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("yaml", "more", "count"),
+    [
+        (JAZZY, "", 1),
+        ("", "", 0),
+        (JAZZY, MANAGER.format(", 'autostart': True").replace("'a'", "'slam_toolbox'"), 0),
+        (JAZZY, "\nChangeState\n", 0),
+    ],
+)
+def test_slam_is_activated(tmp_path: Path, yaml: str, more: str, count: int) -> None:
+    text = (
+        "from launch_ros.actions import Node\n\n"
+        "slam = Node(package='slam_toolbox', executable='async_slam_toolbox_node', "
+        "name='slam_toolbox')\n"
+        "other = Node(package='nav2_behaviors', executable='behavior_server', "
+        "parameters=['../a.yaml'])\n"
+    )
+    files = {"a.yaml": yaml or "a: 1\n"}
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text + more, files)
+    assert sum("which nothing activates" in one.message for one in found) == count
+
+
+@pytest.mark.parametrize(
+    ("stamps", "names"),
+    [
+        (("true", "true"), []),
+        (("true", "false"), ["collision_monitor"]),
+        (("true", ""), ["collision_monitor"]),
+        (("", "true"), ["velocity_smoother"]),
+        (("false", ""), []),
+        (("", ""), []),
+    ],
+)
+def test_stamps_of_nav2(tmp_path: Path, stamps: tuple[str, str], names: list[str]) -> None:
+    nodes = ("velocity_smoother", "collision_monitor")
+    more = ", polygons: [p], p: {type: circle}, observation_sources: [scan], scan: {topic: scan}"
+    yaml = "".join(
+        f"{node}: {{ros__parameters: {{use_sim_time: true"
+        + (f", enable_stamped_cmd_vel: {stamp}" if stamp else "")
+        + (more if node == "collision_monitor" else "")
+        + "}}\n"
+        for node, stamp in zip(nodes, stamps, strict=True)
+    )
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    assert [one.split("'")[1] for one in found if "stamped" in one] == names
+
+
+@pytest.mark.parametrize(("to", "count"), [("odom", 1), ("/odom", 1), ("odom/filtered", 0)])
+def test_a_filter_that_reads_its_output(tmp_path: Path, to: str, count: int) -> None:
+    text = (
+        '<node pkg="robot_localization" exec="ekf_node" name="ekf">\n'
+        '<param from="$(dirname)/../ekf.yaml"/>\n'
+        f'<remap from="odometry/filtered" to="{to}"/>\n</node>'
+    )
+    files = {"ekf.yaml": EKF.format(f"odom0: odom, odom0_config: {rows(2)}")}
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.xml", text, files)
+    assert ["reads its own output" in one.message for one in found] == [True] * count

@@ -88,7 +88,8 @@ def test_missing_models(tmp_path: Path) -> None:
     assert messages(tmp_path, CODE, world=include.format("big_shelf"), files=files) == []
     (typo,) = messages(tmp_path, CODE, world=include.format("big_shlef"))
     assert typo == "model 'model://big_shlef' is not found; did you mean 'big_shelf'?"
-    assert messages(tmp_path, CODE, world=include.format("cafe")) == []
+    unknown = one(tmp_path, include.format("cafe"))
+    assert (unknown.severity, "not in the workspace" in unknown.message) == (Severity.INFO, True)
     for name in ("sun", "ground_plane"):
         (online,) = messages(tmp_path, CODE, world=include.format(name))
         assert f"gz sim does not have 'model://{name}'" in online
@@ -96,7 +97,7 @@ def test_missing_models(tmp_path: Path) -> None:
 
 
 PLANE = (
-    '<model name="floor">{}<link name="link"><{shape}>'
+    '<model name="floor">{}<link name="link"><{shape} name="s">'
     "<geometry><plane><normal>0 0 1</normal></plane></geometry></{shape}></link></model>"
 )
 
@@ -142,3 +143,51 @@ def test_spawned_into_another_world(argument: str, tmp_path: Path) -> None:
     same = SPAWN.format('"-world", "hall"')
     assert messages(tmp_path, CODE, world="", launch=INCLUDE + same) == []
     assert messages(tmp_path, CODE, world="", launch=INCLUDE + SPAWN.format("")) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "severity", "words"),
+    [
+        ("<pose>0 0 0.5 0 0 0</pose>", None, ""),
+        ("<pose>0 0 0.5</pose>", Severity.ERROR, "<pose> is '0 0 0.5', must be 6 numbers"),
+        ('<pose degrees="true">0 0 0 0 0 90</pose>', None, ""),
+        ("<pose/>", None, ""),
+        ("<static>yes</static>", Severity.ERROR, "must be true or false"),
+        ("<link name='l'><inertial><mass>2,5</mass></inertial></link>", Severity.WARNING, "as 2"),
+        ("<link name='l'><inertial><mass>two</mass></inertial></link>", Severity.ERROR, "a number"),
+        ("<link/>", Severity.ERROR, "<link> has no name"),
+        ("<joint name='j' type='hinge'/>", Severity.ERROR, "unknown type 'hinge' of <joint>"),
+    ],
+)
+def test_values(tmp_path: Path, text: str, severity: Severity | None, words: str) -> None:
+    found = findings(tmp_path, CODE, world=f'<model name="m">{text}</model>')
+    assert [one.severity for one in found] == ([severity] if severity else [])
+    assert all(words in one.message for one in found)
+
+
+@pytest.mark.parametrize(
+    ("uri", "count"),
+    [
+        ("model://shelf/shelf.dae", 0),
+        ("model://shelf/other.dae", 1),
+        ("model://elsewhere/shelf.dae", 0),
+        ("file:///opt/shelf.dae", 0),
+        ("shelf.dae", 1),
+    ],
+)
+def test_meshes_of_a_world(tmp_path: Path, uri: str, count: int) -> None:
+    shape = f"<geometry><mesh><uri>{uri}</uri></mesh></geometry>"
+    world = f'<model name="m"><link name="l"><visual name="v">{shape}</visual></link></model>'
+    files = {"models/shelf/model.config": "<model/>", "models/shelf/shelf.dae": "x"}
+    found = messages(tmp_path, CODE, world=world, files=files)
+    assert ["is not found" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("name", "count"), [("hall", 0), ("empty", 1)])
+def test_topics_of_another_world(tmp_path: Path, name: str, count: int) -> None:
+    topic = f"/world/{name}/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"
+    bridge = (
+        f'\nNode(package="ros_gz_bridge", executable="parameter_bridge", arguments=["{topic}"])'
+    )
+    found = messages(tmp_path, CODE, world="", launch=INCLUDE + bridge)
+    assert ["of world 'empty', but world 'hall'" in each for each in found] == [True] * count

@@ -1,8 +1,13 @@
 """Programs whose work the simulation, or another program, does already."""
 
+from collections.abc import Iterator
+
 from urdfkit.checks.launch.odometry import OdometryTransform, of_bridges, of_drives, of_filters
+from urdfkit.checks.launch.published_robots import published_robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.launch.bridges import is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawning import model_spawner
 from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import node_parameters
@@ -14,6 +19,11 @@ _PUBLISHER = "robot_state_publisher"
 _WORLDS = ("world", "map", "odom")
 #: Packages of programs that publish the transform from map to odom, and the parameter for it.
 _LOCALIZING = {"nav2_amcl": "tf_broadcast", "slam_toolbox": "transform_publish_period"}
+#: Their parameters for these two frames.
+_FRAMES = {
+    "nav2_amcl": ("global_frame_id", "odom_frame_id"),
+    "slam_toolbox": ("map_frame", "odom_frame"),
+}
 
 
 def second_publisher(context: Context, programs: list[StartedProgram]) -> Findings:
@@ -84,6 +94,7 @@ def static_odometry(context: Context, programs: list[StartedProgram]) -> Finding
     if not static or context.launch.has_scopes:
         return
     moving = [*of_drives(programs, context), *of_filters(programs, context)]
+    moving += _of_localization(programs, context)
     for _, robot in context.described_robots:
         moving += of_bridges(programs, context, robot)
     by_child = {odometry.child: odometry for odometry in moving if odometry.child}
@@ -101,12 +112,24 @@ def static_odometry(context: Context, programs: list[StartedProgram]) -> Finding
             )
 
 
+def _of_localization(
+    programs: list[StartedProgram], context: Context
+) -> Iterator[OdometryTransform]:
+    """The transforms from the map to odometry of programs that localize the robot."""
+    for node in programs:
+        if _localizes(node, context):
+            keys = _FRAMES[node.package]
+            parent, child = (given_parameter(node, key, context.resolver) for key in keys)
+            if parent is not None and child is not None:
+                publisher = f"'{node.executable}'"
+                yield OdometryTransform(parent or "map", child or "odom", publisher, node.at)
+
+
 def second_map(context: Context, programs: list[StartedProgram]) -> Findings:
     """A transform from map to odom by two programs that localize the robot."""
     localizing: dict[str, StartedProgram] = {}
     for node in programs if not context.launch.has_scopes else ():
-        is_known = node.package in _LOCALIZING and _is_plain(node)
-        if is_known and not _may_be_disabled(node, _LOCALIZING[node.package], context):
+        if _localizes(node, context):
             localizing.setdefault(node.package, node)
     if len(localizing) > 1:
         first, second = localizing.values()
@@ -117,6 +140,12 @@ def second_map(context: Context, programs: list[StartedProgram]) -> Findings:
             "start one of the two: SLAM to map, or localization in a map",
             related=(Related(first.span, f"'{first.executable}' is started here"),),
         )
+
+
+def _localizes(program: StartedProgram, context: Context) -> bool:
+    """True for a program that certainly publishes the transform from map to odom."""
+    is_known = program.package in _LOCALIZING and _is_plain(program)
+    return is_known and not _may_be_disabled(program, _LOCALIZING[program.package], context)
 
 
 def _may_be_disabled(program: StartedProgram, switch: str, context: Context) -> bool:
@@ -132,17 +161,16 @@ def _may_be_disabled(program: StartedProgram, switch: str, context: Context) -> 
 
 def second_parent(context: Context, programs: list[StartedProgram]) -> Findings:
     """A transform of a link with a parent joint, by a filter or a bridge."""
-    descriptions = context.launch.descriptions
-    publishers = [node for node in programs if node.package == _PUBLISHER and _is_plain(node)]
-    if not publishers or len(descriptions) != 1:
+    filters = list(of_filters(programs, context))
+    robots = published_robots(context) if filters or any(map(is_bridge, programs)) else []
+    roots = {root.name for robot in robots for root in robot.tree.roots}
+    if len(roots) != 1 or roots.intersection(_WORLDS):
         return
-    robot = context.other_robot(descriptions[0].path, descriptions[0].arguments)
-    roots = robot.tree.roots if robot.reading.document and descriptions[0].is_whole else ()
-    if len(roots) != 1 or any(root.name in _WORLDS for root in roots):
-        return
-    bridged = of_bridges(programs, context, robot)
-    for odometry in (*of_filters(programs, context), *bridged):
-        joint = next(iter(robot.tree.parents.get(odometry.child, ())), None)
+    (root,) = roots
+    bridged = of_bridges(programs, context, robots[0])
+    for odometry in (*filters, *bridged):
+        joints = [next(iter(robot.tree.parents.get(odometry.child, ())), None) for robot in robots]
+        joint = joints[0] if all(joints) else None
         if joint is None or joint.parent_name == odometry.parent:
             continue
         is_bridged = odometry.named_at is not None
@@ -151,6 +179,6 @@ def second_parent(context: Context, programs: list[StartedProgram]) -> Findings:
             f"{odometry.publisher} publishes the transform of '{odometry.child}'"
             f"{' through the bridge' if is_bridged else ''}, and robot_state_publisher that of "
             f"joint '{joint.name}': a frame has one parent",
-            f"write {'' if is_bridged else 'base_link_frame: '}{roots[0].name}, the root link",
+            f"write {'' if is_bridged else 'base_link_frame: '}{root}, the root link",
             related=(Related(joint.at.span, f"joint '{joint.name}'"),),
         )

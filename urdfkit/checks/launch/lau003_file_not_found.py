@@ -4,7 +4,8 @@ RViz starts with an empty view when its configuration is missing; a missing para
 file stops the launch, and Gazebo does not start without its world. Also reported:
 
 - An executable or launch file that a ROS package does not have.
-- A Nav2 map whose image is missing.
+- A Nav2 map whose image is missing, or whose image is given instead of its YAML file. slam_toolbox
+  adds `.posegraph` to the name of a map itself.
 - `xacro.py`, and the `state_publisher` of `robot_state_publisher`, which were removed in Noetic
   (info in a launch file of ROS 1).
 - In Python, a path component that begins with a slash: `os.path.join` and `PathJoinSubstitution`
@@ -26,8 +27,9 @@ from urdfkit.core.suggest import is_typo, nearest_file
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, reported, rule
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
-from urdfkit.ros.launch.contents import MAP, FileUse
+from urdfkit.ros.launch.contents import MAP, POSE_GRAPH, FileUse
 from urdfkit.ros.launch.worlds import GZ, StartedWorld, worlds
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import Value, load, mapping
 from urdfkit.text.source import Span
 from urdfkit.workspace.gitignore import is_ignored
@@ -41,6 +43,11 @@ FILES = {"config/controllers.yaml": b"arm_controller:\n  joint: elbow\n"}
 
 #: Suffixes of map images that map_server reads.
 _IMAGES = (".pgm", ".png", ".bmp")
+#: Parameters of slam_toolbox and map_server that name a map.
+_OF_SLAM, _OF_SERVER = "map_file_name", "yaml_filename"
+_GRAPH = ".posegraph"
+#: Suffixes with which the map of slam_toolbox is written, although it has none.
+_OF_MAPS = (_GRAPH, ".data", ".yaml", *_IMAGES)
 #: Directories of a workspace that are searched for a world without a path.
 _MAX_DIRECTORIES = 2000
 
@@ -50,12 +57,52 @@ def check(context: Context) -> Findings:
     for file in context.launch.files:
         if file.is_outside:
             yield _outside_workspace(f"{file.purpose} {file.path}", file.span)
+        elif file.purpose == POSE_GRAPH:
+            yield from _pose_graph(context, file)
+        elif file.purpose == MAP and file.path.endswith(_IMAGES):
+            yield _image_as_map(file.path, file.span)
         elif not file.exists and not _may_exist_elsewhere(context, file.path):
             yield _not_found(file.purpose, file.path, file.span)
         elif file.exists and file.purpose == MAP:
             yield from _missing_image(context, file)
+    yield from _in_parameters(context)
     yield from _worlds(context)
     yield from reported(context, "LAU003")
+
+
+def _pose_graph(context: Context, file: FileUse) -> Findings:
+    """A map of slam_toolbox, which are two files: NAME.posegraph and NAME.data."""
+    if file.path.endswith(_OF_MAPS):
+        yield _with_suffix(file.path, file.span)
+    elif not disk.exists(file.path + _GRAPH) and not _may_exist_elsewhere(context, file.path):
+        yield _not_found(file.purpose, file.path + _GRAPH, file.span)
+
+
+def _with_suffix(path: str, span: Span) -> Finding:
+    name = os.path.basename(path)
+    message = f"slam_toolbox looks for {name}{_GRAPH}: it adds the suffix to map_file_name"
+    return Finding(span, message, f"write {os.path.splitext(name)[0]}, without a suffix")
+
+
+def _in_parameters(context: Context) -> Findings:
+    """Maps in parameter files, whose paths are often those of another computer."""
+    for file in context.launch.parameters:
+        source = context.resolver.readable(file.path)
+        for node in node_parameters(source) if source else ():
+            for key in (_OF_SLAM, _OF_SERVER):
+                value = node.values.get(key)
+                if not isinstance(value, Value):
+                    continue
+                if key == _OF_SLAM and value.text.endswith(_OF_MAPS):
+                    yield _with_suffix(value.text, value.span)
+                elif key == _OF_SERVER and value.text.endswith(_IMAGES):
+                    yield _image_as_map(value.text, value.span)
+
+
+def _image_as_map(path: str, span: Span) -> Finding:
+    name = os.path.basename(path)
+    message = f"map_server reads the YAML file of a map, not its image {name}"
+    return Finding(span, message, f"write {os.path.splitext(name)[0]}.yaml")
 
 
 def _missing_image(context: Context, file: FileUse) -> Findings:

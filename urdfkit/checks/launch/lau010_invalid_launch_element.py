@@ -41,6 +41,8 @@
   it once and stops at the second start. An action waits for the exit of a node that does not exit,
   such as robot_state_publisher, and never starts; or for that of an included launch file, which is
   no process (error).
+- A node that reads the keyboard, such as teleop_twist_keyboard, has no terminal in a launch file of
+  ROS 2: "Inappropriate ioctl for device". Start it in one of its own, with `prefix="xterm -e"`.
 - An action is created but not added to the launch description, so it is never started (info: often
   intended).
 
@@ -54,7 +56,17 @@ Sources:
     launch, command.py: https://github.com/ros2/launch/blob/rolling/launch/launch/substitutions/command.py
 """
 
-from urdfkit.lint.rules import Context, Findings, Need, Severity, reported, rule
+from urdfkit.lint.rules import (
+    Context,
+    Finding,
+    Findings,
+    Location,
+    Need,
+    Severity,
+    reported,
+    rule,
+)
+from urdfkit.ros.catalog import data
 
 NAME = "robot.launch"
 BAD = '<launch><node name="rviz" pkg="rviz" type="rviz" respwan="true"/></launch>'
@@ -65,3 +77,21 @@ GOOD = BAD.replace("respwan", "respawn")
 def check(context: Context) -> Findings:
     for finding in reported(context, "LAU010"):
         yield finding._replace(group_key=finding.message)  # a file of the other ROS has many
+    yield from _without_terminal(context)
+
+
+def _without_terminal(context: Context) -> Findings:
+    """Nodes that read the keyboard, which launch of ROS 2 does not pass to them."""
+    if b"prefix" in context.source.data:
+        return
+    interactive = data("launch")["interactive"]
+    for node in context.launch.started:
+        if f"{node.package}/{node.executable}" in interactive and node.is_ros_2:
+            is_python = context.source.path.endswith(".py")
+            yield Finding(
+                Location(node.span, node.frame),
+                f"'{node.executable}' reads the keyboard and stops: it has no terminal in a "
+                "launch file",
+                f'write {"prefix" if is_python else "launch-prefix"}="xterm -e", or start it with '
+                "ros2 run",
+            )

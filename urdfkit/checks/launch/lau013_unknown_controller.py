@@ -17,6 +17,7 @@ from itertools import islice
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.core.suggest import Suggester, is_typo
+from urdfkit.core.words import few
 from urdfkit.lint.rules import (
     Context,
     Finding,
@@ -43,6 +44,7 @@ FILES = {
     "config/control.yaml": b"arm_controller:\n  type: effort_controllers/JointEffortController\n",
 }
 
+_MAX_NAMED = 4
 #: Options of the spawner for the file that defines the controllers.
 _PARAMETER_FILES = ("-p", "--param-file")
 #: Files of a package that are read, and directories in which they are searched.
@@ -74,8 +76,18 @@ def check(context: Context) -> Findings:
             yield Finding(
                 controller.at,
                 f"controller '{name}' is not defined in any parameter file" + suggester.hint(name),
-                f"write one item for each controller: {name.split()}" if " " in name else "",
+                _help(name, bool(suggested), loaded, context),
             )
+
+
+def _help(name: str, is_suggested: bool, loaded: set[str], context: Context) -> str:
+    """The controllers that nothing starts, one of which may be meant."""
+    if " " in name:
+        return f"write one item for each controller: {name.split()}"
+    words = [spawned.word for spawned in spawned_controllers(context.launch.programs)]
+    idle = sorted(loaded - {word.name for word in words})
+    is_clear = not is_suggested and idle and all(word.text for word in words)
+    return f"start what is defined: {few(idle, _MAX_NAMED)}, or define {name}" if is_clear else ""
 
 
 def _typed_by_themselves(

@@ -2,7 +2,8 @@
 
 - A static_transform_publisher and robot_state_publisher both publish the transform of a link: tf
   keeps the last one, and the robot flickers if the two differ. Or it publishes the transform of the
-  frame that odometry moves, such as map to base_link next to odom to base_link.
+  frame that odometry moves, such as map to base_link next to odom to base_link, or that of odom
+  next to AMCL or slam_toolbox.
 - joint_state_publisher and joint_state_broadcaster of ros2_control (joint_state_controller in
   ROS 1) publish on the same `joint_states`: the model jumps between the real positions and those of
   the sliders. The same holds for joint states that are bridged from Gazebo.
@@ -16,6 +17,7 @@
 - `ros2_control_node` runs next to Gazebo's plugin, which runs its own controller manager: a spawner
   may reach either. Or there are two robot_state_publishers of one robot.
 
+The robot of a launch file for navigation is that of the other launch files of the workspace.
 Programs with a condition that is known only at run time are ignored.
 
 Sources:
@@ -28,8 +30,10 @@ from math import dist
 
 from urdfkit.checks.launch import duplicate_programs
 from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.checks.launch.published_robots import published_robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.joint import Joint
+from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.claims import commanded_joints, commands
 from urdfkit.ros.controllers import Controller
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
@@ -73,16 +77,14 @@ def check(context: Context) -> Findings:
 
 
 def _transforms(context: Context, programs: list[StartedProgram]) -> Findings:
+    """Static transforms of links that robot_state_publisher of this or another file publishes."""
     published = [(node, transform) for node in programs if (transform := static_transform(node))]
-    if not published or all(node.package != "robot_state_publisher" for node in programs):
-        return
-    joints: dict[str, Joint] = {}
-    for _, robot in context.described_robots:
-        joints |= {joint.child_name: joint for joint in robot.model.joints if joint.child}
+    trees = [robot.tree for robot in published_robots(context)] if published else []
     for node, transform in published:
         child = transform.child
-        joint = joints.get(child.name)
-        if joint and not _repeats_joint(transform, joint):
+        joints = [next(iter(tree.parents.get(child.name, ())), None) for tree in trees]
+        joint = joints[0] if joints and all(joints) else None
+        if joint and not _repeats_joint(transform, joint, trees[0]):
             yield Finding(
                 Location(child.span, node.frame),
                 f"the transform of '{child.name}' is published twice: by this node, and by "
@@ -92,11 +94,14 @@ def _transforms(context: Context, programs: list[StartedProgram]) -> Findings:
             )
 
 
-def _repeats_joint(transform: StaticTransform, joint: Joint) -> bool:
-    """True if the transform repeats a fixed joint, which is harmless."""
-    is_parent = joint.parent_name == transform.parent.name
-    distance = dist(transform.position, joint.origin.position)
-    return joint.kind == "fixed" and is_parent and distance < _POSITION_TOLERANCE
+def _repeats_joint(transform: StaticTransform, joint: Joint, tree: KinematicTree) -> bool:
+    """True if the transform repeats that of a fixed link, which is harmless."""
+    names = (transform.parent.name, transform.child.name)
+    parent, child = (tree.frames.get(name) for name in names)
+    if parent is None or child is None or joint.kind != "fixed":
+        return False
+    position = (parent.inverse @ child).position
+    return dist(transform.position, position) < _POSITION_TOLERANCE
 
 
 def _joint_states(context: Context, programs: list[StartedProgram]) -> Findings:

@@ -25,8 +25,9 @@
   programs of the workspace, and the publishers of the robot in RViz, are known.
 - Nothing reads the velocity commands of twist_mux or a teleoperation node, while a drive reads them
   on another topic. Reported only if all programs of the workspace are known.
-- A teleoperation node publishes `Twist` on the topic of a drive that reads `TwistStamped`, as those
-  of ros2_control do: no message arrives, without an error.
+- A teleoperation node, or Nav2, publishes `Twist` on the topic of a drive that reads
+  `TwistStamped`, as those of ros2_control do: no message arrives, without an error.
+- The collision monitor of Nav2 reads commands on another topic than that of the velocity smoother.
 
 A launch file is not checked if it includes unavailable files that are not part of ROS.
 
@@ -43,6 +44,7 @@ Sources:
 
 from urdfkit.checks.launch import mismatched_names, simulation
 from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.checks.launch.navigation_commands import mistyped_navigation, unpublished_commands
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
 from urdfkit.checks.launch.unread_commands import is_part_of_ros, mistyped_commands, unread_commands
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
@@ -101,6 +103,8 @@ def check(context: Context) -> Findings:
         yield from unpublished_inputs(context)
         yield from unread_commands(context)
         yield from mistyped_commands(context, programs)
+        yield from mistyped_navigation(context, programs)
+        yield from unpublished_commands(context)
         yield from mismatched_names.manager_in_another_namespace(context, programs)
 
 

@@ -14,6 +14,15 @@
   footprint is invalid, a list has the wrong length, or a limit the wrong sign. The classes of
   plugins have names of different versions of Nav2 (warning), or nothing of an input of
   robot_localization is read (warning).
+- Values contradict one another: the step of MPPI is below the period of the controller, which stops
+  it; an inflation radius is within the robot, rays that clear obstacles are shorter than the range
+  of obstacles, or no source clears them; a minimum is above its maximum; an initial pose is given
+  without `set_initial_pose`; a row of `imu0_config` is of values that an IMU does not have (all
+  warnings but the first).
+- A name is that of an earlier release, while other files are for Jazzy: `recoveries_server`,
+  `progress_checker_plugin`, Nav2's own libraries in `plugin_lib_names`, a twist_mux without
+  `use_stamped` (warnings). Nodes of Nav2 differ in `enable_stamped_cmd_vel` (warning).
+- A map lacks a value or has an invalid one, at which map_server stops.
 - A costmap layer has an unknown class or an unsupported `data_type`. Or an obstacle layer stands
   behind the last inflation layer, which does not inflate its obstacles (warning).
 - The parameters of a costmap are not below its name twice: `local_costmap: local_costmap:`.
@@ -23,7 +32,8 @@
 - A source in `observation_sources` has no parameters (warning): the layer subscribes to a topic of
   that name.
 - A lifecycle manager waits for a node that nothing starts, or no lifecycle manager activates a node
-  of Nav2, which stays unconfigured (warning).
+  of Nav2, or of slam_toolbox since Jazzy, which stays unconfigured (warning). Or `autostart` of the
+  manager is false, as it is by default (warning).
 - An RViz configuration has a display of a class that RViz 2 does not have, such as `rviz/LaserScan`
   of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes have paths, such as
   `$(find PACKAGE)/mesh.stl`, or Gazebo's `model://`: "Could not load resource" (warning). Or its
@@ -37,6 +47,7 @@
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
 - A spawner or robot_state_publisher remaps the topics of a controller (warning), whose node is the
   controller manager. Or a remapping is the wrong way round: from another name to that of the node.
+  Or `odometry/filtered` of robot_localization is remapped to its own input (warning).
 - static_transform_publisher has an unknown option or a wrong number of arguments: a period after
   the frames belongs to ROS 1.
 
@@ -47,16 +58,23 @@ Sources:
     Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
     ros2_controllers, topics of controllers: https://github.com/ros-controls/ros2_controllers/issues/262
     Nav2, lifecycle manager: https://docs.nav2.org/configuration/packages/configuring-lifecycle.html
+    Nav2, migration guides: https://docs.nav2.org/migration
+    twist_mux, use_stamped: https://github.com/ros-teleop/twist_mux/issues/53
 """
 
 import os
 from itertools import chain
 
 from urdfkit.checks.launch import costmap_parameters, parameter_names, parameter_types
-from urdfkit.checks.launch.lifecycle import not_activated
+from urdfkit.checks.launch.invalid_maps import invalid_maps
+from urdfkit.checks.launch.lifecycle import inactive_mapping, not_activated, not_started
+from urdfkit.checks.launch.navigation_commands import mixed_stamps
+from urdfkit.checks.launch.parameter_relations import contradictions
 from urdfkit.checks.launch.parameter_sections import misnamed_sections
+from urdfkit.checks.launch.renamed_parameters import outdated
 from urdfkit.checks.launch.rviz_displays import meshes_without_uri, unknown_classes, volatile_maps
 from urdfkit.checks.launch.unread_remappings import (
+    read_own_output,
     reversed_remappings,
     unread_remappings,
     unstamped_commands,
@@ -116,6 +134,7 @@ def check(context: Context) -> Findings:
         yield from parameter_names.invalid_values(section)
         yield from parameter_names.wrong_signs(section)
         yield from costmap_parameters.misspelt_servers(section)
+        yield from contradictions(section)
         if names.count(section.name) == 1:  # otherwise another section may complete it
             yield from costmap_parameters.plugins(section)
             yield from parameter_names.missing(section)
@@ -124,14 +143,20 @@ def check(context: Context) -> Findings:
             yield from costmap_parameters.not_inflated(section)
     for own in files.values():
         yield from costmap_parameters.mixed_names(own)
+    yield from outdated(context, sections)
+    yield from mixed_stamps(sections)
     yield from _lists(context)
     yield from misnamed_sections(context, files)
+    yield from invalid_maps(context)
     yield from not_activated(context)
+    yield from not_started(context)
+    yield from inactive_mapping(context)
     yield from unknown_classes(context)
     yield from meshes_without_uri(context)
     yield from volatile_maps(context)
     yield from unread_remappings(context)
     yield from reversed_remappings(context)
+    yield from read_own_output(context)
     yield from unstamped_commands(context)
     yield from reported(context, "LAU024")
     for program in context.launch.started:

@@ -1,12 +1,24 @@
-"""Nodes of Nav2 and the lifecycle managers that activate them."""
+"""Lifecycle nodes of Nav2 and slam_toolbox, and what activates them.
+
+Sources: ``lifecycle_manager.cpp`` of nav2_lifecycle_manager (humble to rolling): autostart is false
+by default; slam_toolbox since Jazzy: its nodes are lifecycle nodes.
+"""
+
+import re
 
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
+from urdfkit.ros.launch.given_parameters import given_parameter
+from urdfkit.ros.launch.releases import is_for_jazzy
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 
 _MANAGER = "nav2_lifecycle_manager"
-_NAMES = "node_names"
+_NAMES, _AUTOSTART = "node_names", "autostart"
+_SLAM = "slam_toolbox"
+#: What activates a lifecycle node in a launch file, or in a program.
+_TRANSITIONS = re.compile(rb"(?i)lifecycle|ChangeState|change_state")
 _MAX_NAMED = 4
 
 
@@ -19,13 +31,17 @@ def not_activated(context: Context) -> Findings:
     is_whole = not launch.unread and all(node.is_sure for node in programs)
     if not managers or not is_whole or b"omposable" in context.source.data:
         return
+    is_part = is_included(context.source.path, context.resolver)
+    others = launches_of_workspace(context.source.path, context.resolver) if is_part else ()
+    elsewhere = (node for launch in others for node in launch.programs)
+    listed += [node.parameters.lists.get(_NAMES) for node in elsewhere if node.package == _MANAGER]
     if any(names is None or None in names for names in listed):
         return
     names = {name for listed_names in listed for name in listed_names or () if name}
     nodes = {node.title: node for node in programs}
     executables = data("nodes")["lifecycle"].split()
     managed = {name: node for name, node in nodes.items() if node.executable in executables}
-    if names.isdisjoint(nodes) or is_included(context.source.path, context.resolver):
+    if names.isdisjoint(nodes):
         return
     for name, node in managed.items():
         if name not in names and node.package.startswith("nav2_"):
@@ -35,10 +51,49 @@ def not_activated(context: Context) -> Findings:
                 f"add it to {_NAMES} of the lifecycle manager",
                 severity=Severity.WARNING,
             )
-    if missing := sorted(names.difference(nodes)):
+    if not is_part and (missing := sorted(names.difference(nodes))):
         yield Finding(
             managers[0].at,
             f"the lifecycle manager waits for {few(missing, _MAX_NAMED)}, which nothing starts",
             f"start them, or remove them from {_NAMES}",
             severity=Severity.WARNING,
         )
+
+
+def not_started(context: Context) -> Findings:
+    """Lifecycle managers that wait for somebody to start their nodes."""
+    for node in context.launch.started if not context.launch.has_scopes else ():
+        text = given_parameter(node, _AUTOSTART, context.resolver)
+        is_manager = node.package == _MANAGER and node.is_sure
+        if is_manager and text is not None and text.lower() in ("", "false"):
+            is_default = " by default" if not text else ""
+            yield Finding(
+                node.at,
+                f"the nodes stay unconfigured: {_AUTOSTART} of the lifecycle manager is false"
+                f"{is_default}",
+                f"set {_AUTOSTART}: true",
+                severity=Severity.WARNING,
+            )
+
+
+def inactive_mapping(context: Context) -> Findings:
+    """Nodes of slam_toolbox that nothing activates, as is necessary since Jazzy."""
+    nodes = [node for node in context.launch.started if node.package == _SLAM and node.is_sure]
+    if not nodes or not is_for_jazzy(context.source.path, context.resolver):
+        return
+    managed = {
+        name
+        for launch in launches_of_workspace(context.source.path, context.resolver)
+        for node in launch.programs
+        if node.package == _MANAGER
+        for name in node.parameters.lists.get(_NAMES, (None,))
+    }
+    for node in nodes if not _TRANSITIONS.search(context.source.data) else ():
+        if managed.isdisjoint((None, node.name or _SLAM)):
+            yield Finding(
+                node.at,
+                f"'{node.executable}' of Jazzy and later is a lifecycle node, which nothing "
+                "activates: it publishes no map",
+                "include online_async_launch.py of slam_toolbox, or add it to a lifecycle manager",
+                severity=Severity.WARNING,
+            )

@@ -7,12 +7,11 @@ cra-ros-pkg/robot_localization, humble to rolling.
 import re
 from math import inf
 
-from urdfkit.checks.launch.parameter_types import CONFIGURATION
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, is_typo, nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.known_parameters import GivenValue, given_values
+from urdfkit.ros.launch.known_parameters import CONFIGURATION, GivenValue, given_values
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Value, scalars
 

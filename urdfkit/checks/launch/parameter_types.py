@@ -9,7 +9,7 @@ import re
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.known_parameters import given_values
+from urdfkit.ros.launch.known_parameters import CONFIGURATION, given_values
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
 from urdfkit.text.located_yaml import Key, Node, Value, entries, scalars
@@ -19,8 +19,6 @@ PUBLISHER, FREQUENCY = "robot_state_publisher", "publish_frequency"
 #: Values of a configuration of robot_localization: position, angles, velocities, rates,
 #: accelerations.
 _STATES = 15
-#: What a node of robot_localization reads of its inputs.
-CONFIGURATION = re.compile(r"(odom|imu|pose|twist)\d+_config")
 
 
 def wrong_types(node: NodeParameters) -> Findings:
@@ -36,11 +34,6 @@ def wrong_types(node: NodeParameters) -> Findings:
     for given in given_values(node):
         if given.at not in _SIZES:
             yield from _wrong_type(node, given.at, given.value, given.type)
-    if any(map(CONFIGURATION.fullmatch, node.values)):
-        for name in data("nodes")["filter_doubles"].split():
-            value = node.values.get(name)
-            if isinstance(value, Value) and type_of(value) == "int":
-                yield from _wrong_type(node, name, value, "double")
 
 
 def _wrong_type(node: NodeParameters, name: str, value: Node, expected: str | None) -> Findings:

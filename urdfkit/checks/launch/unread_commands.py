@@ -54,7 +54,7 @@ _COMMAND = re.compile(r"cmd_vel|reference")
 _TWIST, _TWIST_STAMPED = "Twist", "TwistStamped"
 
 
-class _Reader(Record):
+class Reader(Record):
     """A topic on which velocity commands are read."""
 
     topic: str
@@ -64,12 +64,12 @@ class _Reader(Record):
 
 def unread_commands(context: Context) -> Findings:
     """Nodes whose velocity commands nothing reads."""
-    sources = list(_sources(context.launch.programs))
+    sources = list(command_sources(context.launch.programs))
     if not sources or is_included(context.source.path, context.resolver):
         return
     launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
     programs = [node for launch in launches for node in launch.programs]
-    if not all(map(_is_whole, launches)) or not all(map(_is_known, programs)):
+    if not all(map(_is_whole, launches)) or not all(map(is_known_reader, programs)):
         return
     defined = defined_controllers(context)
     controllers = [defined.get(spawned.name) for spawned in spawned_controllers(programs)]
@@ -77,7 +77,7 @@ def unread_commands(context: Context) -> Findings:
         return  # unknown controllers may read any topic
     if not all(are_all_known(robot.model) for _, robot in context.described_robots):
         return
-    readers = {reader.topic: reader.at for reader in _readers(context, programs)}
+    readers = {reader.topic: reader.at for reader in command_readers(context, programs)}
     read = {topic.removesuffix(_PLAIN) for topic in readers}
     if any(node.package in _SMOOTHERS for node in programs):
         read.update(_SMOOTHED)
@@ -95,7 +95,7 @@ def unread_commands(context: Context) -> Findings:
 
 def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes whose velocity commands have another type than their readers expect."""
-    for node, topic in _sources(programs):
+    for node, topic in command_sources(programs):
         switch, default = data("nodes")["stamped"].get(_key(node), ("", ""))
         is_stamped = given_parameter(node, switch, context.resolver)
         if is_stamped is None or (is_stamped or default).lower() not in ("true", "false"):
@@ -103,7 +103,9 @@ def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) ->
         message = _TWIST_STAMPED if (is_stamped or default).lower() == "true" else _TWIST
         # Without stamps a drive has another topic until Humble, and later none.
         topics = (topic, f"{topic}{_PLAIN}")
-        readers = [reader for reader in _readers(context, programs) if reader.topic in topics]
+        readers = [
+            reader for reader in command_readers(context, programs) if reader.topic in topics
+        ]
         expected = [_TWIST_STAMPED if x.topic != topic else x.message for x in readers]
         if readers and message not in expected:
             reader, who = readers[0], f"'{node.executable}' publishes {message} on '{topic}'"
@@ -116,7 +118,7 @@ def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) ->
             )
 
 
-def _sources(programs: Iterable[StartedProgram]) -> Iterator[tuple[StartedProgram, str]]:
+def command_sources(programs: Iterable[StartedProgram]) -> Iterator[tuple[StartedProgram, str]]:
     """The nodes that publish velocity commands, and the topics of these."""
     published: dict[str, str] = data("nodes")["commands"]
     for node in programs:
@@ -138,7 +140,7 @@ def _is_whole(launch: Launch) -> bool:
     return not launch.has_scopes and all(map(is_part_of_ros, launch.unread))
 
 
-def _is_known(program: StartedProgram) -> bool:
+def is_known_reader(program: StartedProgram) -> bool:
     """True if the topics on which a program reads velocity commands are known."""
     if program.remappings is None or program.namespace is None:
         return False
@@ -150,7 +152,7 @@ def _is_known(program: StartedProgram) -> bool:
     return program.package in _SMOOTHERS or bool(_OTHERS.fullmatch(program.package))
 
 
-def _readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[_Reader]:
+def command_readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[Reader]:
     """Topics on which the bridge and wheel controllers read velocity commands."""
     defined = defined_controllers(context)
     renamed = {
@@ -163,7 +165,7 @@ def _readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[_
             name = topic_name(topic.ros_topic, node)
             is_twist = message in (_TWIST, _TWIST_STAMPED)
             if is_twist and topic.direction != FROM_GAZEBO and name:
-                yield _Reader(name, message, topic.span)
+                yield Reader(name, message, topic.span)
         yield from _read_by_mux(node, context)
     for spawned in spawned_controllers(programs):
         controller = defined.get(spawned.name)
@@ -175,10 +177,10 @@ def _readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[_
             topic_of_drive = f"/{controller.name}/{name}{_PLAIN * is_plain}"
             topic_of_drive = renamed.get(topic_of_drive, topic_of_drive)
             at = spawned.word.span
-            yield _Reader(topic_of_drive, _TWIST if is_plain else _TWIST_STAMPED, at)
+            yield Reader(topic_of_drive, _TWIST if is_plain else _TWIST_STAMPED, at)
 
 
-def _read_by_mux(node: StartedProgram, context: Context) -> Iterator[_Reader]:
+def _read_by_mux(node: StartedProgram, context: Context) -> Iterator[Reader]:
     """The inputs of twist_mux, if its parameters tell their type."""
     is_stamped = given_parameter(node, _MUX_STAMPED, context.resolver) or ""
     if node.package != _MUX or is_stamped.lower() not in ("true", "false"):
@@ -189,7 +191,7 @@ def _read_by_mux(node: StartedProgram, context: Context) -> Iterator[_Reader]:
             for entry in mapping(section.values.get("topics")).values():
                 topic = mapping(entry).get("topic")
                 if isinstance(topic, Value):
-                    yield _Reader(resolve_name(topic.text, node.namespace), message, topic.span)
+                    yield Reader(resolve_name(topic.text, node.namespace), message, topic.span)
 
 
 def _is_named(topic: str, launches: Iterable[Launch], context: Context) -> bool:

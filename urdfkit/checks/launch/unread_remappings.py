@@ -6,10 +6,11 @@ Sources: ros-controls/ros2_controllers#262 and #1246, ros-controls/ros2_control_
 ``spawner.py`` of ros2_control (humble to rolling).
 """
 
+import re
 from collections.abc import Iterator
 
 from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import (
@@ -17,12 +18,17 @@ from urdfkit.ros.launch.spawned_controllers import (
     resolve_name,
     spawned_controllers,
     spawns_controllers,
+    topic_name,
 )
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.document import Element
+from urdfkit.text.located_yaml import Value
 
 #: The topic of a drive without stamps, and the parameter for it, up to Iron.
 _UNSTAMPED, _STAMPED = "cmd_vel_unstamped", "use_stamped_vel"
+#: The output of robot_localization, and its inputs of the same type.
+_FILTERED, _ODOMETRY = "odometry/filtered", re.compile(r"odom\d+")
 _SPAWNERS = ("spawner", "spawner.py")
 _HELP = (
     'pass --controller-ros-args "-r OLD:=NEW" to the spawner, or remap in ros2_control_node or in '
@@ -103,6 +109,27 @@ def reversed_remappings(context: Context) -> Findings:
                     f"write it the other way round: from {new} to {old}",
                     severity=Severity.WARNING,
                 )
+
+
+def read_own_output(context: Context) -> Findings:
+    """A filter of robot_localization whose output is renamed to one of its inputs."""
+    for node in context.launch.started:
+        output = topic_name(_FILTERED, node) if node.package == "robot_localization" else None
+        sources = map(context.resolver.readable, node.parameters.files if output else ())
+        sections = (node for source in sources if source for node in node_parameters(source))
+        for section in sections:
+            for key, value in section.values.items() if section.name in (node.name, "**") else ():
+                if not _ODOMETRY.fullmatch(key) or not isinstance(value, Value):
+                    continue
+                if resolve_name(value.text, node.namespace) == output:
+                    yield Finding(
+                        value.span,
+                        f"'{section.name}' reads its own output: {key} is '{value.text}', and "
+                        f"{_FILTERED} is remapped to it",
+                        f"remap {_FILTERED} to another topic",
+                        related=(Related(node.span, "the remapping is here"),),
+                        severity=Severity.WARNING,
+                    )
 
 
 def _topics(program: StartedProgram, topics: dict[str, str]) -> list[str]:

@@ -1,7 +1,9 @@
 """Gazebo cannot load the world that a launch file starts, or a part of it.
 
 - The file is not well-formed, or contains no `<world>`: Gazebo starts without a world (error).
-- The `<world>` has no name, or its `<max_step_size>` is not greater than 0 (error).
+- The `<world>` has no name, or its `<max_step_size>` is not greater than 0 (error). A value has
+  another type than in SDF, such as a `<pose>` of three numbers (error), or a number has a unit
+  (warning). A model, a link or a light has no name, or an unknown type (error).
 - The gravity points up, an element is misspelt, which Gazebo ignores (warnings), or a link that
   moves has no positive mass, which SDF rejects (error). A ground plane is not static, so that it
   falls with the robot (warning). Two models have the same name (warning).
@@ -11,11 +13,12 @@
 - The library or the class of a plugin is misspelt: in gz sim, `name` is the class (error).
 - The render engine does not exist: cameras and lidars publish no data (error). The older `ogre`
   supports neither segmentation nor bounding box cameras: use `ogre2`, the default (warning).
-- A model that the world includes with `model://` is not in the workspace, but other models are; or
+- A mesh of a model or package of the workspace does not exist (warning).
+- A model that the world includes with `model://` is not in the workspace (info), or is misspelt; or
   gz sim loads `model://sun` or `model://ground_plane`, which only Gazebo Classic downloads: the
   world is not loaded unless the resource path contains the model (warning).
 - The node that spawns the robot names another world than the started one: it waits for the service
-  of that world for ever (error).
+  of that world for ever (error). Or the bridge forwards a topic of another world (error).
 
 Sources:
     gz-sim, SystemLoader.cc: https://github.com/gazebosim/gz-sim/blob/gz-sim8/src/SystemLoader.cc
@@ -31,6 +34,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
+from urdfkit.checks.worlds.world_values import FOREIGN, invalid_values, missing_meshes
 from urdfkit.core.suggest import TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.values import number, numbers
@@ -38,6 +42,7 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import TITLES, find, misspelt
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.worlds import Models, World, model_name
+from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.spawning import model_spawner, options
 from urdfkit.ros.launch.worlds import GZ, worlds
 from urdfkit.text.document import Element
@@ -69,9 +74,9 @@ FILES = {
 _TITLES = ("Gazebo Classic", TITLES[GZ])
 #: Libraries that only Gazebo Classic has.
 _CLASSIC = re.compile(r"(lib)?gazebo_ros_\w+(\.so)?$")
+#: Topics of a world, with its name.
+_OF_WORLD = re.compile(r"/?world/([^/]+)(?=/)")
 _FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
-#: Elements with other contents than those of SDF.
-_FOREIGN = ("plugin", "gui")
 #: Marks of templates from which a world is generated.
 _TEMPLATES = (b"<%", b"{%", b"{{", b"@(", b"xmlns:xacro")
 
@@ -86,6 +91,8 @@ def check(context: Context) -> Findings:
         elif opened.world is not None:
             yield from _values(opened, opened.world)
             yield from _elements(opened, opened.world)
+            yield from invalid_values(opened, opened.world)
+            yield from missing_meshes(opened, opened.world, models, context)
             yield from _masses(opened, opened.world)
             yield from _falling_grounds(opened, opened.world)
             yield from _names(opened, opened.world)
@@ -140,7 +147,7 @@ def _elements(opened: OpenedWorld, world: World) -> Findings:
     while stack:
         element = stack.pop()
         known = children.get(element.tag, "").split()
-        stack += [child for child in element.children if child.tag not in _FOREIGN]
+        stack += [child for child in element.children if child.tag not in FOREIGN]
         for child in element.children if known else ():
             meant = nearest(child.tag, known, TYPO) if child.tag not in known else None
             if meant and not element.child(meant):
@@ -280,9 +287,13 @@ def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:
         elif fuel and opened.started.generation == GZ:
             message = f"gz sim does not have '{uri}', which Gazebo Classic downloads"
             help = f"write {_FUEL}{fuel}, or the model itself"
+        elif opened.started.generation == GZ:
+            message = f"model '{uri}' is not in the workspace: without it the world is not loaded"
+            help = "add its parent directory to GZ_SIM_RESOURCE_PATH, or write the model itself"
         else:
             continue
-        yield Finding(at, message, help, related=opened.note, severity=Severity.WARNING)
+        severity = Severity.WARNING if suggested or fuel else Severity.INFO
+        yield Finding(at, message, help, related=opened.note, severity=severity)
 
 
 def _engines(context: Context, opened: OpenedWorld) -> Findings:
@@ -320,7 +331,7 @@ def _sensors_of(context: Context, kinds: list[str]) -> Iterator[Sensor]:
 
 
 def _other_worlds(context: Context, opened: OpenedWorld) -> Findings:
-    """Nodes that spawn the robot into a world of another name."""
+    """Nodes that spawn the robot into a world of another name, or forward its topics."""
     if opened.started.generation != GZ or not opened.name or not opened.started.is_sure:
         return
     for program in context.launch.programs:
@@ -334,3 +345,12 @@ def _other_worlds(context: Context, opened: OpenedWorld) -> Findings:
                 f"the robot is spawned into world '{name}', but world '{opened.name}' is started",
                 f"write {opened.name}, or omit the name",
             )
+        for topic in bridged_topics(program, context.resolver):
+            match = _OF_WORLD.match(topic.topic)
+            if match and match.group(1) != opened.name:
+                yield Finding(
+                    Location(topic.at("gz_topic_name", "topic_name"), program.frame),
+                    f"the bridge has '{topic.topic}' of world '{match.group(1)}', but world "
+                    f"'{opened.name}' is started",
+                    f"write /world/{opened.name}{topic.topic[match.end(1) :]}",
+                )

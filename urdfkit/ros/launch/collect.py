@@ -13,6 +13,7 @@ from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
 from urdfkit.ros.launch.command_options import wrong_options
 from urdfkit.ros.launch.contents import (
     BRIDGE,
+    MAP,
     MAX_DEPTH,
     MAX_INCLUDED,
     PARAMETERS,
@@ -122,6 +123,9 @@ class Collector:
         passed = {word.text: word.span for word in (file.arguments or {}).values()}
         for path in dict.fromkeys(path for node in nodes for path in node.parameters.files):
             self.file(path, passed[path], PARAMETERS)
+        map = (file.arguments or {}).get("map") if "/nav2_bringup/" in file.path else None
+        if map and map.text and os.path.isabs(map.text):
+            self.file(map.text, map.span, MAP)
 
     def mention(self, path: str, span: Span) -> None:
         """Record a path in a package whose use is unknown, if it exists.

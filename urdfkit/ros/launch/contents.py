@@ -20,6 +20,16 @@ MAP = "map"
 MOVEIT = "MoveIt configuration"
 #: Name of the topic file of ros_gz_bridge in messages.
 BRIDGE = "bridge configuration"
+#: Name of a map of slam_toolbox in messages.
+POSE_GRAPH = "pose graph"
+#: Parameters of nodes that name a file, and what the file is.
+FILE_PARAMETERS = {
+    "yaml_filename": MAP,
+    "config_file": BRIDGE,
+    "map_file_name": POSE_GRAPH,
+    "default_nav_to_pose_bt_xml": "behaviour tree",
+    "default_nav_through_poses_bt_xml": "behaviour tree",
+}
 
 _COMMENT = re.compile(rb"<!--.*?(-->|\Z)", re.DOTALL)
 #: The attribute and the tag of XML, and the key of YAML.

@@ -1,7 +1,8 @@
-"""Parameters of nodes and plugins of Nav2 and slam_toolbox: ``catalog/node_parameters.json``."""
+"""Parameters of nodes, and of plugins of Nav2: ``catalog/node_parameters.json``."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.record import Record
@@ -11,6 +12,8 @@ from urdfkit.text.located_yaml import Key, Node, Value, mapping
 
 #: The node of a costmap has the name of the costmap.
 _COSTMAP = "_costmap"
+#: What a node of robot_localization, which has any name, reads of an input.
+CONFIGURATION = re.compile(r"((odom|imu|pose|twist)\d+)_config")
 
 
 class GivenValue(Record):
@@ -57,7 +60,16 @@ def _in_section(
 
 
 def _of_node(node: NodeParameters) -> dict[str, str]:
-    return _types("nodes", "costmap" if node.name.endswith(_COSTMAP) else node.name)
+    if inputs := [match.group(1) for key in node.values if (match := CONFIGURATION.fullmatch(key))]:
+        by_type: dict[str, str] = data("node_parameters")["filter"]
+        of_filter = [(name, kind) for kind, names in by_type.items() for name in names.split()]
+        return {name.replace("*", each): kind for name, kind in of_filter for each in inputs}
+    return _types("nodes", kind_of(node))
+
+
+def kind_of(node: NodeParameters) -> str:
+    """The name of a node in the catalogue."""
+    return "costmap" if node.name.endswith(_COSTMAP) else node.name
 
 
 def _types(kind: str, name: str) -> dict[str, str]:

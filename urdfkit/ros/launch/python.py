@@ -13,8 +13,7 @@ from urdfkit.ros.launch.command_line import UNKNOWN_PART
 from urdfkit.ros.launch.commands import missing_space
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import (
-    BRIDGE,
-    MAP,
+    FILE_PARAMETERS,
     PARAMETERS,
     GivenParameters,
     IncludedFile,
@@ -260,10 +259,8 @@ class _PythonReader:
         """Record the file that is the value of a parameter, or whose text is the value."""
         if name == "robot_description" and self.frame is None:
             self._unexpanded(value)
-        if name == "yaml_filename" and self.values.text(value):
-            self._file(value, MAP)
-        if name == "config_file" and self.values.text(value):
-            self._file(value, BRIDGE)
+        if name in FILE_PARAMETERS and self.values.text(value):
+            self._file(value, FILE_PARAMETERS[name])
 
     def _untyped_commands(self, node: ast.Call) -> Iterator[ast.expr]:
         parameters = argument(node, None, "parameters")

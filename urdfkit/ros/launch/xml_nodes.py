@@ -5,13 +5,21 @@ import re
 from itertools import pairwise
 
 from urdfkit.ros.launch.collect import frame_at, path_from
-from urdfkit.ros.launch.contents import PARAMETERS, GivenParameters, StartedProgram, with_words
+from urdfkit.ros.launch.contents import (
+    FILE_PARAMETERS,
+    PARAMETERS,
+    GivenParameters,
+    StartedProgram,
+    with_words,
+)
 from urdfkit.ros.launch.signature import arguments_in
 from urdfkit.ros.launch.substitutions import unresolved
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, CallFrame, Element
 
+#: A list of names as YAML.
+_LIST = re.compile(r"\s*\[([^\[\]]+)\]\s*")
 _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 
@@ -73,16 +81,20 @@ def _parameters(file: XmlLaunchFile, node: Element) -> GivenParameters:
     """The parameters of a node in ROS 2; in ROS 1 they do not belong to a node."""
     values: dict[str, str | None] = {}
     files: list[str] = []
+    lists: dict[str, tuple[str | None, ...]] = {}
     is_whole = file.ros == 2 and "ros_args" not in node.attributes
     for child in node.all("param"):
         source = child.attributes.get("from")
         if source is None:
-            values[child.get("name") or ""] = file.text(child.attributes.get("value"))
+            name, text = child.get("name") or "", file.text(child.attributes.get("value"))
+            values[name] = text
+            if text and (match := _LIST.fullmatch(text)):
+                lists[name] = tuple(item.strip(" '\"") for item in match.group(1).split(","))
             continue
         path = file.path(source)
         is_whole = is_whole and path is not None
         files += [path] if path else []
-    return GivenParameters(values, tuple(files), is_whole)
+    return GivenParameters(values, tuple(files), is_whole, lists)
 
 
 def read_param(file: XmlLaunchFile, element: Element) -> None:
@@ -107,6 +119,8 @@ def read_param(file: XmlLaunchFile, element: Element) -> None:
                 file.collector.unexpanded(path, attribute.span, file.frame)
         elif _DESCRIPTION.search(name):
             _described(file, attribute, frame)
+        elif name in FILE_PARAMETERS and (path := file.text(attribute)) and os.path.isabs(path):
+            file.collector.file(path, attribute.span, FILE_PARAMETERS[name])
 
 
 def _described(file: XmlLaunchFile, attribute: Attribute, frame: CallFrame) -> None:

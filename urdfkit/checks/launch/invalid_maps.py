@@ -1,0 +1,72 @@
+"""Maps that map_server does not load.
+
+Source: ``map_io.cpp`` of nav2_map_server (humble to rolling) and ``main.cpp`` of map_server.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.robot.values import number
+from urdfkit.ros.launch.contents import MAP
+from urdfkit.text.located_yaml import Node, Value, load, mapping, scalars
+from urdfkit.text.source import Source, Span
+
+_REQUIRED = ("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh")
+_NUMBERS = ("resolution", "occupied_thresh", "free_thresh")
+_MODES = ("trinary", "scale", "raw")
+#: Values that a template or another program replaces.
+_OPEN = ("$", "<", "{")
+
+
+def invalid_maps(context: Context) -> Findings:
+    """Maps of a launch file that lack a value, or have one that is not readable."""
+    for path in dict.fromkeys(use.path for use in context.launch.files if use.purpose == MAP):
+        source = context.resolver.readable(path) if path.endswith((".yaml", ".yml")) else None
+        values = mapping(load(source)) if source else {}
+        if source and values.keys() & {"image", "resolution"}:
+            for at, message, help in _problems(source, values):
+                yield Finding(at, f"map_server stops: {message}", help)
+            yield from _thresholds(values)
+
+
+def _problems(source: Source, values: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
+    for key in _REQUIRED:
+        if key not in values:
+            hint = did_you_mean(key, values.keys() - set(_REQUIRED))
+            yield Span(source, 0, 0), f"the map has no {key}{hint}", f"add {key}"
+    for key in _NUMBERS:
+        value = values.get(key)
+        if isinstance(value, Value) and _is_fixed(value) and number(value.text) is None:
+            yield value.span, f"{key} '{value.text}' is not a number", "write a number"
+    resolution, mode = values.get("resolution"), values.get("mode")
+    if isinstance(resolution, Value) and (number(resolution.text) or 1.0) < 0:
+        yield resolution.span, f"resolution {resolution.text} is negative", "write m per pixel"
+    origin = values.get("origin")
+    numbers = [number(value.text) for value in scalars(origin)]
+    if isinstance(origin, list) and origin and (len(numbers) != 3 or None in numbers):
+        first = scalars(origin)[0].span if scalars(origin) else Span(source, 0, 0)
+        yield first, f"origin has {len(origin)} values, not 3 numbers", "write [x, y, yaw]"
+    if isinstance(mode, Value) and _is_fixed(mode) and mode.text not in _MODES:
+        hint = did_you_mean(mode.text, _MODES)
+        yield mode.span, f"unknown mode '{mode.text}'{hint}", f"write {', '.join(_MODES)}"
+
+
+def _thresholds(values: dict[str, Node]) -> Findings:
+    """A cell cannot be free and occupied."""
+    free, occupied = values.get("free_thresh"), values.get("occupied_thresh")
+    if isinstance(free, Value) and isinstance(occupied, Value):
+        low, high = number(free.text), number(occupied.text)
+        if low is not None and high is not None and low > high:
+            yield Finding(
+                free.span,
+                f"free_thresh {low:g} is above occupied_thresh {high:g}: free cells are occupied",
+                "write free_thresh: 0.25 and occupied_thresh: 0.65",
+                severity=Severity.WARNING,
+            )
+
+
+def _is_fixed(value: Value) -> bool:
+    return not any(mark in value.text for mark in _OPEN)

@@ -1,0 +1,145 @@
+"""Velocity commands of Nav2: with or without stamps, and from one node to the next.
+
+Sources: ``twist_publisher.hpp`` of nav2_util (enable_stamped_cmd_vel is false up to Jazzy),
+``navigation_launch.py`` of nav2_bringup and ``collision_monitor_node.cpp``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from urdfkit.checks.launch.unread_commands import (
+    command_readers,
+    command_sources,
+    is_known_reader,
+)
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
+from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
+from urdfkit.ros.node_parameters import NodeParameters, node_parameters
+from urdfkit.text.located_yaml import Value
+from urdfkit.text.source import Span
+from urdfkit.workspace.resolve import Resolver
+
+_STAMPED = "enable_stamped_cmd_vel"
+_SMOOTHER, _MONITOR = "velocity_smoother", "collision_monitor"
+#: The nodes of Nav2 that publish or read velocity commands.
+_COMMANDING = ("controller_server", "behavior_server", _SMOOTHER, _MONITOR)
+_IN, _OUT = "cmd_vel_in_topic", "cmd_vel_out_topic"
+#: Topics of the controller and of its behaviours, alone and in Nav2's launch files.
+_OF_CONTROLLER = ("/cmd_vel", "/cmd_vel_nav")
+
+
+class _Output(Record):
+    """The last node of Nav2 before the robot."""
+
+    section: NodeParameters
+    topic: str
+
+
+def mixed_stamps(sections: list[NodeParameters]) -> Findings:
+    """Nodes of Nav2 with and without stamps, which do not understand one another."""
+    nodes = [section for section in sections if section.name in _COMMANDING]
+    given = [(node, _text(node, _STAMPED).lower()) for node in nodes]
+    stamped = [node for node, text in given if text == "true"]
+    plain = [node for node, text in given if text == "false"]
+    if not stamped or any("*" in section.name for section in sections):
+        return
+    fewer, text = (plain, "true") if len(plain) <= len(stamped) else (stamped, "false")
+    other = (stamped if fewer is plain else plain)[0].name
+    for node in fewer:
+        value = node.values[_STAMPED]
+        if isinstance(value, Value):
+            message = f"'{node.name}': {_STAMPED} is {value.text}, unlike that of '{other}'"
+            help = f"write {_STAMPED}: {text}"
+            yield Finding(value.span, message, help, severity=Severity.WARNING)
+    for node, text in given if not plain else ():
+        if not text and _STAMPED not in node.values:
+            message = f"'{node.name}' lacks {_STAMPED}: true, which '{other}' has; it is false "
+            help = f"add {_STAMPED}: true"
+            message += "by default up to Jazzy"
+            yield Finding(node.at, message, help, severity=Severity.WARNING)
+
+
+def _text(node: NodeParameters, key: str, default: str = "") -> str:
+    value = node.values.get(key)
+    return value.text if isinstance(value, Value) else default
+
+
+def mistyped_navigation(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
+    """Commands of Nav2 without stamps for a drive that reads them with stamps."""
+    expected = {each.topic: each for each in command_readers(context, started)}
+    launches = launches_of_workspace(context.source.path, context.resolver) if expected else ()
+    places: set[Span] = set()
+    for output in (each for launch in launches for each in _outputs(launch, context.resolver)):
+        reader, section = expected.get(output.topic), output.section
+        switch = section.values.get(_STAMPED)
+        is_stamped = _text(section, _STAMPED, "false").lower()
+        if reader is None or is_stamped not in ("true", "false"):
+            continue
+        message = "TwistStamped" if is_stamped == "true" else "Twist"
+        at = switch.span if isinstance(switch, Value) else section.at
+        if message != reader.message and at not in places:
+            places.add(at)
+            until = "" if isinstance(switch, Value) else " up to Jazzy"
+            yield Finding(
+                at,
+                f"'{section.name}'{until} publishes {message} on '{output.topic}', where "
+                f"{reader.message} is read",
+                f"write {_STAMPED}: {str(reader.message == 'TwistStamped').lower()}, in all nodes "
+                "of Nav2",
+                related=(Related(reader.at, "the reader"),),
+            )
+
+
+def _outputs(launch: Launch, resolver: Resolver) -> Iterator[_Output]:
+    """The last node of Nav2 in a launch file, by its parameter files."""
+    if launch.has_scopes or any(node.namespace != "" for node in launch.programs):
+        return
+    smoothers = [node for node in launch.programs if node.executable == _SMOOTHER]
+    monitors = [node for node in launch.programs if node.executable == _MONITOR]
+    for section in _sections(launch, resolver):
+        is_started = bool(smoothers and not smoothers[0].is_remapped) or bool(monitors)
+        if section.name == _MONITOR and is_started:
+            yield _Output(section, resolve_name(_text(section, _OUT, "cmd_vel"), ""))
+
+
+def _sections(launch: Launch, resolver: Resolver) -> Iterator[NodeParameters]:
+    paths = dict.fromkeys(file.path for file in launch.parameters if file.exists)
+    for source in filter(None, map(resolver.readable, paths)):
+        yield from node_parameters(source)
+
+
+def unpublished_commands(context: Context) -> Findings:
+    """A collision monitor that reads commands on a topic on which nothing publishes them."""
+    launches = launches_of_workspace(context.source.path, context.resolver)
+    programs = [node for launch in launches for node in launch.programs]
+    smoothers = [node for node in context.launch.programs if node.executable == _SMOOTHER]
+    is_whole = all(map(is_known_reader, programs)) and not any(each.has_scopes for each in launches)
+    if not smoothers or not is_whole:
+        return
+    published = [topic for topic in _published(smoothers, programs) if topic]
+    for section in _sections(context.launch, context.resolver):
+        value = section.values.get(_IN)
+        name = resolve_name(value.text, "") if isinstance(value, Value) else ""
+        if section.name == _MONITOR and isinstance(value, Value) and name not in published:
+            other = nearest(name, published[:1], 0) or published[0]
+            yield Finding(
+                value.span,
+                f"'{_MONITOR}' waits for '{name}', which nothing publishes; '{_SMOOTHER}' "
+                f"publishes '{other}'",
+                f"write {other.strip('/')}",
+                related=(Related(smoothers[0].span, f"'{_SMOOTHER}' is started here"),),
+            )
+
+
+def _published(
+    smoothers: list[StartedProgram], programs: Iterable[StartedProgram]
+) -> Iterator[str | None]:
+    for node in smoothers:
+        yield topic_name("cmd_vel_smoothed", node)
+    yield from _OF_CONTROLLER
+    yield from (topic for _, topic in command_sources(programs))

@@ -1,0 +1,49 @@
+"""The robots whose transforms robot_state_publisher publishes next to a launch file."""
+
+from __future__ import annotations
+
+import re
+
+from urdfkit.lint.rules import Context
+from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+
+PUBLISHER = "robot_state_publisher"
+#: Packages whose nodes need the transforms of a robot that is running.
+_NEEDING = re.compile(r"nav2_\w+|slam_toolbox|robot_localization")
+#: Most robots of a workspace that are expanded.
+_MAX_ROBOTS = 4
+
+
+def published_robots(context: Context) -> list[Context]:
+    """The robots of a launch file; if it starts only navigation, those of the workspace.
+
+    Returns:
+        An empty list if a robot is unknown, or may have other names of frames.
+    """
+    launches: tuple[Launch, ...] = (context.launch,)
+    if not any(map(_is_publisher, context.launch.programs)):
+        if not any(_NEEDING.fullmatch(node.package) for node in context.launch.programs):
+            return []
+        launches = launches_of_workspace(context.source.path, context.resolver)
+    launches = tuple(each for each in launches if any(map(_is_publisher, each.programs)))
+    publishers = [node for each in launches for node in each.programs if _is_publisher(node)]
+    descriptions = {
+        (each.path, *sorted(each.arguments.items())): each
+        for launch in launches
+        for each in launch.descriptions
+    }
+    are_whole = all(each.is_whole for each in descriptions.values())
+    if not are_whole or not all(map(_is_plain, publishers)) or len(descriptions) > _MAX_ROBOTS:
+        return []
+    robots = [context.other_robot(each.path, each.arguments) for each in descriptions.values()]
+    return robots if all(robot.reading.document is not None for robot in robots) else []
+
+
+def _is_publisher(started: StartedProgram) -> bool:
+    return started.package == PUBLISHER
+
+
+def _is_plain(started: StartedProgram) -> bool:
+    """True for a publisher that does not rename the frames."""
+    return started.namespace == "" and "frame_prefix" not in started.parameters.values

@@ -1,0 +1,128 @@
+"""Parameters in the form of an earlier release of ROS, which a node no longer reads.
+
+Sources: ``renamed`` in ``catalog/node_parameters.json``; ``bt_navigator.cpp`` of Jazzy and later,
+which adds ``plugin_lib_names`` to its own libraries; ``twist_mux.cpp`` and ``params_helpers.hpp``.
+"""
+
+from __future__ import annotations
+
+import re
+
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.known_parameters import given_values, kind_of
+from urdfkit.ros.launch.releases import is_for_jazzy
+from urdfkit.ros.node_parameters import NodeParameters
+from urdfkit.ros.parameter_types import TYPES, correction, type_of
+from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
+
+_LIBRARIES = "plugin_lib_names"
+_LIBRARY = re.compile(r"nav2_\w+_bt_node")
+#: Releases before Jazzy in the path of a parameter file that is for one of them.
+_OLDER = re.compile(r"humble|iron|galactic|foxy")
+_MUX, _STAMPED = "twist_mux", "use_stamped"
+#: Of each input and each lock of twist_mux its parameters, all of them required.
+_OF_INPUT = {"topic": "string", "timeout": "double", "priority": "int"}
+
+
+def outdated(context: Context, sections: list[NodeParameters]) -> Findings:
+    """Names of earlier releases in the parameters of a launch file."""
+    names = {section.name for section in sections}
+    of_older: list[Finding] = []
+    for node in sections:
+        yield from _unread_sections(node)
+        if node.name == _MUX:
+            yield from _inputs(node)
+        if not _OLDER.search(node.at.source.path):
+            of_older += _renamed(node)
+            of_older += _renamed_node(node, names)
+            of_older += _own_libraries(node)
+            of_older += _unstamped(node)
+    paths = [section.at.source.path for section in sections]
+    if of_older and is_for_jazzy(context.source.path, context.resolver, paths):
+        yield from of_older
+
+
+def _renamed(node: NodeParameters) -> Findings:
+    """Parameters that are not read; an info if their values are the defaults anyway."""
+    renamed: dict[str, list[str]] = data("node_parameters")["renamed"].get(kind_of(node), {})
+    stack: list[dict[str, Node]] = [node.values]
+    while stack and renamed:
+        section = stack.pop()
+        stack += [inner for inner in section.values() if isinstance(inner, dict)]
+        for key, value in section.items():
+            name, since, default = renamed.get(key, ("", "", ""))
+            if name and name not in section and isinstance(key, Key):
+                is_default = isinstance(value, Value) and value.text == default
+                yield Finding(
+                    key.span,
+                    f"'{node.name}' of {since} and later does not read '{key}': it is '{name}'",
+                    f"write {name}: {_listed(value)}" if name == f"{key}s" else f"write {name}",
+                    severity=Severity.INFO if is_default else Severity.WARNING,
+                )
+
+
+def _listed(value: Node) -> str:
+    return f"[{value.text}]" if isinstance(value, Value) else "as a list"
+
+
+def _unread_sections(node: NodeParameters) -> Findings:
+    """Values for which a node has a section, such as ``scale_linear`` of ROS 1."""
+    for given in given_values(node):
+        inner = [name for name in given.known if name.startswith(f"{given.name}.")]
+        if inner and given.name not in given.known and isinstance(given.value, Value):
+            names = ", ".join(name.rpartition(".")[2] for name in inner)
+            yield _finding(
+                given.at,
+                f"'{node.name}': {given.at} is a value, but the node reads {inner[0]}",
+                f"write a section: {given.at} with {names}",
+            )
+
+
+def _renamed_node(node: NodeParameters, names: set[str]) -> Findings:
+    name, since = data("node_parameters")["renamed_nodes"].get(node.name, ("", ""))
+    if name and name not in names:
+        message = f"parameters of '{node.name}' are not read: the node of {since} and later is "
+        yield Finding(node.at, f"{message}'{name}'", f"write {name}", severity=Severity.WARNING)
+
+
+def _own_libraries(node: NodeParameters) -> Findings:
+    """Libraries that the navigator loads anyway: the second time it stops."""
+    listed = scalars(node.values.get(_LIBRARIES)) if node.name == "bt_navigator" else []
+    own = [library for library in listed if _LIBRARY.fullmatch(library.text)]
+    for library in own[:1]:
+        count = f" and {len(own) - 1} more" if own[1:] else ""
+        yield _finding(
+            library,
+            f"'{node.name}' of Jazzy and later stops: it loads '{library.text}'{count} anyway, "
+            "and a behaviour is registered once",
+            f"remove {_LIBRARIES}, except libraries of other packages",
+        )
+
+
+def _unstamped(node: NodeParameters) -> Findings:
+    """A twist_mux that does not say whether its commands have stamps, at which it stops."""
+    if node.name == _MUX and _STAMPED not in node.values and "topics" in node.values:
+        message = f"'{_MUX}' of Jazzy and later stops: parameter '{_STAMPED}' is not given"
+        help = f"add {_STAMPED}: true, or false for Twist"
+        yield Finding(node.at, message, help, severity=Severity.WARNING)
+
+
+def _inputs(node: NodeParameters) -> Findings:
+    """Inputs of twist_mux without a parameter, or with one of another type, at which it stops."""
+    for group in ("topics", "locks"):
+        for name, entry in mapping(node.values.get(group)).items():
+            values = mapping(entry)
+            for key, kind in _OF_INPUT.items():
+                value = values.get(key)
+                actual = type_of(value) if isinstance(value, Value) else None
+                who = f"'{_MUX}' stops: {key} of '{name}' is"
+                if values and key not in values and isinstance(name, Key):
+                    yield Finding(name.span, f"{who} not given", f"add {key}")
+                elif actual and actual != kind and isinstance(value, Value):
+                    message = f"{who} {TYPES[actual]}, must be {TYPES[kind]}"
+                    yield Finding(value.span, message, correction(value, kind))
+
+
+def _finding(at: Key | Value, message: str, help: str) -> Finding:
+    return Finding(at.span, message, help, severity=Severity.WARNING)

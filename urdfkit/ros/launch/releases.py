@@ -1,0 +1,28 @@
+"""The release of ROS 2 that the parameter files of a workspace are written for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.workspace.resolve import Resolver
+
+#: What only Jazzy and later have: stamped commands of Nav2 and twist_mux, and names of classes.
+_JAZZY = re.compile(
+    rb"^[^#\n]*(\b(enable_stamped_cmd_vel|use_stamped)\s*:|\bparallel_gripper_action_controller/"
+    rb"|\bnav2_(behaviors|navfn_planner|smac_planner|theta_star_planner)::)",
+    re.MULTILINE,
+)
+
+
+def is_for_jazzy(path: str, resolver: Resolver, others: Iterable[str] = ()) -> bool:
+    """True if parameter files of the workspace of a file have names of Jazzy and later.
+
+    Args:
+        others: paths of further parameter files.
+    """
+    launches = launches_of_workspace(path, resolver)
+    paths = {file.path for launch in launches for file in launch.parameters if file.exists}
+    sources = filter(None, map(resolver.readable, sorted(paths.union(others))))
+    return any(_JAZZY.search(source.data) for source in sources)
