@@ -95,8 +95,15 @@ def test_a_wheel_touches_along_a_line(rpy: str) -> None:
     assert found.ground == pytest.approx(-0.06)
 
 
-def test_two_wheels_alone_balance() -> None:
-    wheel = shape("collision", '<sphere radius="0.06"/>')
+@pytest.mark.parametrize(
+    "wheel",
+    [
+        shape("collision", '<sphere radius="0.06"/>'),
+        # doogie: the points near the lowest line of a small cylinder were contacts
+        shape("collision", '<cylinder radius="0.015" length="0.02"/>', rpy="1.5708 0 0.001"),
+    ],
+)
+def test_two_wheels_alone_balance(wheel: str) -> None:
     pair = link("left", wheel) + joint("base", "left", "continuous", "0 0.1 0")
     text = link("base", inertial(1, (1, 1, 1), xyz="0.5 0 0")) + pair
     assert stand(of(text + pair.replace("left", "right").replace('"0 0.1', '"0 -0.1'))) is None
@@ -132,10 +139,11 @@ def test_named_contacts() -> None:
     assert found is not None
     assert found.links == ("left_wheel", "right_wheel", "caster")
     assert found.margin > 0
-    wheels = stand(robot, contacts=["left_wheel", "right_wheel"])
-    assert wheels is not None
-    assert wheels.links == ("left_wheel", "right_wheel")
-    assert wheels.margin < found.margin
+    assert stand(robot, contacts=["left_wheel", "right_wheel"]) is None
+    left = stand(robot, contacts=["left_wheel", "caster"])
+    assert left is not None
+    assert left.links == ("left_wheel", "caster")
+    assert left.margin < 0
 
 
 def test_the_lowest_vertices_of_a_mesh_are_contacts() -> None:
@@ -159,7 +167,7 @@ def test_real_robots_stand(path: str, feet: int) -> None:
     found = stand(read(CORPUS / path), meshes=False)
     assert found is not None
     assert len(found.links) == feet
-    assert found.margin > 0.01
+    assert found.margin > 0.004
 
 
 @given(st.lists(st.tuples(*[st.integers(-20, 20).map(float)] * 2), max_size=30))

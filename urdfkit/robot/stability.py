@@ -26,6 +26,12 @@ Point = tuple[float, float]
 #: by millimetres. A part of the size of the robot, and at least `MIN_TOLERANCE` m.
 TOLERANCE, MIN_TOLERANCE = 0.02, 0.003
 
+#: Sine of the angle up to which a cylinder is upright: it stands on its end, not on a line.
+UPRIGHT = 0.1
+
+#: In m: contacts that are narrower are on a line, apart from rounding.
+MIN_WIDTH = 1e-3
+
 #: Points of the unit circle.
 _CIRCLE = tuple((cos(pi * number / 16), sin(pi * number / 16)) for number in range(32))
 
@@ -192,7 +198,7 @@ def _stability(
     """The stability of masses on the contact points of links."""
     mass = sum(load for load, _ in loads)
     polygon = hull((x, y) for points in touching.values() for x, y, _ in points)
-    if mass <= 0 or len(polygon) < 3:
+    if mass <= 0 or len(polygon) < 3 or _width(polygon) < MIN_WIDTH:
         return None
     ground = min(z for points in touching.values() for _, _, z in points)
     x, y, z = (sum(load * place[axis] for load, place in loads) / mass for axis in range(3))
@@ -237,6 +243,16 @@ def _edges(polygon: tuple[Point, ...], center: Point, height: float) -> tuple[fl
     margin, direction = min(edges)
     # All edges are equally far below the centre of mass, so that the nearest one is the weakest.
     return margin, atan2(margin, max(height, 0.0)), direction
+
+
+def _width(polygon: tuple[Point, ...]) -> float:
+    """The least distance of two parallel lines that contain a convex polygon."""
+    edges = zip(polygon, (*polygon[1:], polygon[0]), strict=True)
+    return min(
+        max(abs((bx - ax) * (y - ay) - (by - ay) * (x - ax)) for x, y in polygon)
+        / hypot(bx - ax, by - ay)
+        for (ax, ay), (bx, by) in edges
+    )
 
 
 def hull(points: Iterable[Point]) -> tuple[Point, ...]:
@@ -314,9 +330,11 @@ def _lowest(robot: Robot, body: Body, link: Transform, meshes: bool) -> list[Vec
         balls = (at.apply((0.0, 0.0, z)) for z in ends)
         return [(x, y, z - part.radius) for x, y, z in balls]
     _, _, (gx, gy, _) = at.rotation  # slope of the x and y axes of the cylinder
-    steep = hypot(gx, gy) or 1.0
-    rim = ((part.radius * x, part.radius * y) for x, y in (*_CIRCLE, (-gx / steep, -gy / steep)))
-    return [at.apply((x, y, z)) for x, y in rim for z in ends]
+    steep = hypot(gx, gy)
+    rim = _CIRCLE
+    if steep > UPRIGHT:  # it lies: the neighbours of its lowest line are only near to the ground
+        rim = ((-gx / steep, -gy / steep),)
+    return [at.apply((part.radius * x, part.radius * y, z)) for x, y in rim for z in ends]
 
 
 def _of_mesh(robot: Robot, shape: Shape, at: Transform) -> list[Vector]:
