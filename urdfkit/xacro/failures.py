@@ -13,6 +13,7 @@ from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import is_out_of_memory, root_cause
 from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expansion_log import ANY
+from urdfkit.xacro.messages import relative_to_caller
 
 _UNBOUND_PREFIX = 27  # expat's XML_ERROR_UNBOUND_PREFIX
 
@@ -73,6 +74,8 @@ def _failure(run: ExpansionRun, error: BaseException, node: Node | None) -> _Fai
     code, message, help = diagnosis.classify(run.defined, error)
     if node is None:
         return _Failure([Problem(code, Span(run.request.source, 0, 0), message, help)], None)
+    if text := relative_to_caller(root_cause(error), node.tag_at.source.path):
+        message, help = text
     is_removed = node.parentNode is None and node.tagName != "xacro:property"
     if code == "XAC013" or is_removed:
         return _Failure([Problem(code, node.tag_at.span, message, help, node.frame)], None)

@@ -21,6 +21,8 @@ from urdfkit.xacro.errors import NOT_BUILT, ONLY_XACRODOC, BrokenYaml
 
 #: Most directories in a help text.
 _MAX_DIRECTORIES = 10
+#: Most directories in the path of a file in a macro.
+_MAX_LEVELS = 5
 
 _FROM_STANDARD_INPUT = (
     "paths in standard input are relative to the current directory: run urdfkit there, or pass "
@@ -260,6 +262,22 @@ def _innermost(text: bytes) -> str:
         elif opened:
             opened.pop()
     return opened[-1] if opened else ""
+
+
+def relative_to_caller(cause: BaseException, own: str) -> MessageText | None:
+    """The message for a missing file that is found from the file ``own``, in whose macro it is."""
+    if not isinstance(cause, FileNotFoundError) or not cause.filename:
+        return None
+    path, home = os.fspath(cause.filename), os.path.dirname(own)
+    name, above = os.path.basename(path), os.path.dirname(path)
+    for _ in range(_MAX_LEVELS):
+        is_other = os.path.abspath(above) != os.path.abspath(home)
+        if is_other and disk.is_file(os.path.join(home, name)):
+            message = f"file not found: {shown(path)}, relative to the file that calls the macro"
+            help = f"write $(find PACKAGE)/..., which finds {shown(home)}/{name} from everywhere"
+            return MessageText(message, help)
+        name, above = f"{os.path.basename(above)}/{name}", os.path.dirname(above)
+    return None
 
 
 def _missing_file(path: str) -> MessageText:

@@ -234,6 +234,23 @@ class TestMissingFiles:
         directory = tmp_path / "config"
         assert found.help == f"directory 'ur5x' not found in {directory}; did you mean 'ur5e'?"
 
+    def test_a_path_in_a_macro_is_relative_to_the_file_with_the_call(self, tmp_path: Path) -> None:
+        """Reach Alpha: urdf/alpha.xacro includes tools/jaws.xacro in a macro for config/."""
+        for name in (".git", "urdf/tools", "config"):
+            (tmp_path / name).mkdir(parents=True)
+        (tmp_path / "urdf/tools/jaws.xacro").write_text("<robot><link name='jaws'/></robot>")
+        include = '<xacro:include filename="tools/jaws.xacro"/>'
+        arm = f'<xacro:macro name="arm">{include}</xacro:macro>'
+        (tmp_path / "urdf/arm.xacro").write_text(xacro(arm))
+        robot = tmp_path / "config/robot.xacro"
+        robot.write_text(xacro('<xacro:include filename="../urdf/arm.xacro"/><xacro:arm/>'))
+        (found,) = told_of("XAC001", robot)
+        path = f"{tmp_path}/config/tools/jaws.xacro"
+        assert found.message == f"file not found: {path}, relative to the file that calls the macro"
+        assert "urdf/tools/jaws.xacro from everywhere" in found.help
+        (tmp_path / "urdf/robot.xacro").write_text(robot.read_text().replace("../urdf/", ""))
+        assert told_of("XAC001", tmp_path / "urdf/robot.xacro") == []
+
     def test_what_lacks_because_of_it_is_not_reported(self) -> None:
         body = '<xacro:include filename="none.xacro"/><xacro:arm/><link name="${length}"/>'
         assert codes(body) == ["XAC001"]
