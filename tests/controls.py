@@ -65,11 +65,19 @@ def controller(name: str, kind: str = TRAJECTORY, **parameters: str) -> str:
     return f"{name}:\n  ros__parameters:\n    type: {kind}\n{lines}"
 
 
-def reported_with_file(code: str, directory: Path, text: str, blocks: str) -> list[Diagnostic]:
-    """What a rule says of ROBOT and a parameter file, ``c.yaml``, that its plugin names."""
+def reported_with_file(
+    code: str, directory: Path, text: str, blocks: str, robot: str = ROBOT, more: str = ""
+) -> list[Diagnostic]:
+    """What a rule says of a robot and a parameter file, ``c.yaml``, that its plugin names.
+
+    Args:
+        text: of the parameter file.
+        blocks: behind the robot.
+        more: further tags of the plugin.
+    """
     (directory / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
-    (directory / "r.urdf").write_text(whole_robot(ROBOT + blocks + names))
+    names = plugin("gz_ros2_control-system", f"{more}<parameters>{directory}/c.yaml</parameters>")
+    (directory / "r.urdf").write_text(whole_robot(robot + blocks + names))
     report = check(directory / "r.urdf", select=[code])
     assert report.crashed == ()
     return list(report.diagnostics)

@@ -2,10 +2,9 @@
 
 from pathlib import Path
 
-from tests.controls import plugin
+from tests.controls import reported_with_file
 from tests.gazebos import WHEELS
-from urdfkit import Diagnostic, check
-from urdfkit.lint.rule_examples import whole_robot
+from urdfkit import Diagnostic
 
 DRIVE = """\
 controller_manager:
@@ -26,13 +25,8 @@ def reported(
     directory: Path, code: str, text: str, robot: str = WHEELS, namespace: str = ""
 ) -> list[Diagnostic]:
     """What a rule says about a robot with these controllers, whose manager has a namespace."""
-    (directory / "c.yaml").write_text(text)
     ros = f"<ros><namespace>{namespace}</namespace></ros>" if namespace else ""
-    names = plugin("gz_ros2_control-system", f"{ros}<parameters>{directory}/c.yaml</parameters>")
-    (directory / "r.urdf").write_text(whole_robot(robot + names))
-    report = check(directory / "r.urdf", select=[code])
-    assert report.crashed == ()
-    return list(report.diagnostics)
+    return reported_with_file(code, directory, text, "", robot, ros)
 
 
 def place(found: Diagnostic) -> tuple[str, int, str]:

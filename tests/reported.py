@@ -17,9 +17,11 @@ def reported(
     return [found for found in report.diagnostics if found.code.startswith(code)]
 
 
-def messages(code: str, text: str, path: str = "robot.urdf") -> list[str]:
+def messages(
+    code: str, text: str, path: str = "robot.urdf", targets: tuple[str, ...] = ()
+) -> list[str]:
     """The messages of a rule about a robot, in the order of the file."""
-    return [diagnostic.message for diagnostic in reported(code, text, path)]
+    return [diagnostic.message for diagnostic in reported(code, text, path, targets)]
 
 
 def places(code: str, text: str, path: str = "robot.urdf") -> list[tuple[int, str]]:

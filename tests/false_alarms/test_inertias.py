@@ -4,10 +4,7 @@ import pytest
 
 from tests.massive import BALL, inertial, joint, link, part, shape
 from tests.reported import messages, reported
-from urdfkit.lint import engine
-from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Source
 
 #: A rod of 1 kg, 0.6 x 0.1 x 0.1 m, turned by 30 degrees about z.
 ROD = shape("collision", '<box size="0.6 0.1 0.1"/>', rpy="0 0 0.5235987755982988")
@@ -116,8 +113,7 @@ def test_a_gram_without_a_tensor_stands_in(
     """UUV Simulator: thrusters of a gram, whose forces a plugin computes."""
     robot = part("hull", 10, (1, 1, 1), BALL) + link("thruster", inertial(mass, (0, 0, 0)))
     robot += joint("hull", "thruster", "continuous")
-    source = Source("robot.urdf", whole_robot(robot).encode())
-    (found,) = engine.check(source, select=["INE005"], targets=targets).diagnostics
+    (found,) = reported("INE005", robot, targets=targets)
     assert found.severity is severity
 
 

@@ -3,6 +3,7 @@
 import json
 import struct
 from base64 import b64encode
+from collections.abc import Sequence
 
 Triangle = tuple[tuple[float, ...], ...]
 
@@ -22,7 +23,9 @@ def binary_stl(triangles: list[Triangle] = TETRAHEDRON, header: bytes = b"made h
     return header.ljust(80, b"\0") + struct.pack("<I", len(triangles)) + body
 
 
-def ascii_stl(triangles: list[Triangle] = TETRAHEDRON, name: str = "part") -> bytes:
+def ascii_stl(
+    triangles: Sequence[Sequence[Sequence[float]]] = TETRAHEDRON, name: str = "part"
+) -> bytes:
     lines = [f"solid {name}"]
     for triangle in triangles:
         lines += ["  facet normal 0 0 0", "    outer loop"]

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.mesh.made import ascii_stl
 from urdfkit.cli import main
 from urdfkit.mesh.samples import BOX, collada
 
@@ -30,12 +31,7 @@ def ply(corners: Corners) -> str:
 
 
 def stl(corners: Corners) -> str:
-    lines = ["solid box"]
-    for face in BOX:
-        lines += ["facet normal 0 0 0", "outer loop"]
-        lines += ["vertex {!r} {!r} {!r}".format(*corners[i]) for i in face]
-        lines += ["endloop", "endfacet"]
-    return "\n".join([*lines, "endsolid box\n"])
+    return ascii_stl([[corners[i] for i in face] for face in BOX]).decode()
 
 
 def dae(corners: Corners) -> str:

@@ -4,20 +4,10 @@ from math import pi
 
 import pytest
 
+from tests.documents import model
 from tests.jointed import joint, limit, robot
-from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.robot import joint_limits
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.model import RobotModel
-from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
-
-
-def model(text: str) -> RobotModel:
-    document, problems = read_xml(Source("robot.urdf", whole_robot(text).encode()))
-    assert document is not None
-    assert problems == []
-    return RobotModel(document)
 
 
 def one(kind: str, content: str) -> Joint:

@@ -3,9 +3,9 @@
 import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
+from tests.documents import tree
 from tests.growth import executed_lines
 from tests.massive import BALL, inertial, link, shape
-from tests.robot.test_kinematics import tree
 from urdfkit.lint.loading import read
 from urdfkit.robot.inertia import MassProperties
 from urdfkit.robot.joint_loads import (

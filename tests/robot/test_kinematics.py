@@ -7,11 +7,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.conftest import MODELS
+from tests.documents import tree
 from tests.growth import executed_lines
 from tests.jointed import joint, mimic, robot
 from urdfkit.core.spatial import from_rpy, rotation_about, to_rpy
 from urdfkit.lint.loading import load, read
-from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.robot.kinematics import (
     MimicLaw,
     direction,
@@ -21,16 +21,8 @@ from urdfkit.robot.kinematics import (
     positions,
     transform,
 )
-from urdfkit.robot.model import RobotModel, UnknownLink
+from urdfkit.robot.model import UnknownLink
 from urdfkit.robot.tree import KinematicTree
-from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
-
-
-def tree(text: str) -> KinematicTree:
-    document, _ = read_xml(Source("r.urdf", whole_robot(text).encode()))
-    assert document is not None
-    return KinematicTree(RobotModel(document))
 
 
 def test_a_chain_of_followers_in_any_order() -> None:

@@ -6,7 +6,7 @@ from random import Random
 import pytest
 
 from tests.conftest import CORPUS, needs_corpus
-from tests.robot.test_kinematics import tree
+from tests.documents import tree
 from urdfkit.lint.loading import read
 from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import frames

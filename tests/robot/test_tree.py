@@ -2,10 +2,8 @@ import itertools
 
 import pytest
 
-from urdfkit.robot.model import RobotModel
+from tests import documents
 from urdfkit.robot.tree import MAX_LOOPS, KinematicTree
-from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
 
 
 def tree(links: str, *joints: str) -> KinematicTree:
@@ -17,9 +15,7 @@ def tree(links: str, *joints: str) -> KinematicTree:
             f'<joint name="{parent}{child}" type="fixed"><origin xyz="{" ".join(xyz)}"/>'
             f'<parent link="{parent}"/><child link="{child}"/></joint>'
         )
-    document, _ = read_xml(Source("a.urdf", f'<robot name="r">{text}</robot>'.encode()))
-    assert document is not None
-    return KinematicTree(RobotModel(document))
+    return documents.tree(f'<robot name="r">{text}</robot>')
 
 
 def loops(made: KinematicTree) -> list[str]:

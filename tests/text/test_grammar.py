@@ -2,17 +2,9 @@ import sys
 
 import pytest
 
+from tests.documents import document as read
 from urdfkit.text import schema
-from urdfkit.text.document import Document
 from urdfkit.text.grammar import MAX_UNKNOWN, deviations, is_number, version_of
-from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
-
-
-def read(text: str) -> Document:
-    document, _ = read_xml(Source("a.urdf", text.encode()))
-    assert document is not None
-    return document
 
 
 def found(text: str) -> dict[str, int]:

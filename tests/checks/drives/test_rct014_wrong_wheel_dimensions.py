@@ -2,14 +2,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.controls import controller, plugin
+from tests.controls import controller, reported_with_file
 from tests.gazebos import BASE, WHEELS
 from tests.gazebos import plugin as gazebo_plugin
 from tests.gazebos import wheel as tyre
 from tests.reported import messages, places
 from tests.reported import reported as reported_anywhere
-from urdfkit import Diagnostic, check
-from urdfkit.lint.rule_examples import whole_robot
+from urdfkit import Diagnostic
 from urdfkit.text.diagnostic import Severity
 
 DIFF = "diff_drive_controller/DiffDriveController"
@@ -36,12 +35,7 @@ def robot(radius: float = 0.1, shift: float = 0.0) -> str:
 
 
 def reported(directory: Path, text: str, model: str) -> list[Diagnostic]:
-    (directory / "c.yaml").write_text(text)
-    names = plugin("gz_ros2_control-system", f"<parameters>{directory}/c.yaml</parameters>")
-    (directory / "r.urdf").write_text(whole_robot(model + names))
-    report = check(directory / "r.urdf", select=["RCT014"])
-    assert report.crashed == ()
-    return list(report.diagnostics)
+    return reported_with_file("RCT014", directory, text, "", model)
 
 
 def drive(separation: float, radius: float) -> str:

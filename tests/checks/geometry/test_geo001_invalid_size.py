@@ -1,11 +1,8 @@
 import pytest
 
 from tests.massive import BOX, link, shape
-from tests.reported import messages, places
-from urdfkit.lint import engine
-from urdfkit.lint.rule_examples import whole_robot
+from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Source
 
 
 @pytest.mark.parametrize(
@@ -74,8 +71,7 @@ def test_a_small_extent(geometry: str) -> None:
     [("drake", Severity.INFO), ("gz-harmonic", Severity.INFO), ("mujoco", Severity.ERROR)],
 )
 def test_the_severity_of_zero(target: str, severity: Severity) -> None:
-    source = Source("robot.urdf", whole_robot(EMPTY).encode())
-    (found,) = engine.check(source, select=["GEO001"], targets=[target]).diagnostics
+    (found,) = reported("GEO001", EMPTY, targets=(target,))
     assert found.severity is severity
 
 

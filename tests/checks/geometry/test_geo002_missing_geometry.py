@@ -2,11 +2,9 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import BALL, joint, link, shape
-from tests.reported import messages, places
+from tests.reported import messages, places, reported
 from urdfkit.lint import engine
-from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Source
 
 VISUAL, COLLISION = shape("visual", BALL), shape("collision", BALL)
 BASE = link("base", VISUAL, COLLISION)
@@ -33,8 +31,7 @@ def test_what_is_all_right() -> None:
 )
 def test_the_severity(target: str, severity: Severity) -> None:
     robot = BASE + link("mast", VISUAL) + joint("base", "mast")
-    source = Source("robot.urdf", whole_robot(robot).encode())
-    (found,) = engine.check(source, select=["GEO002"], targets=[target]).diagnostics
+    (found,) = reported("GEO002", robot, targets=(target,))
     assert found.severity is severity
 
 
@@ -52,8 +49,7 @@ def test_a_collision_without_visual() -> None:
     robot = BASE + link("bump", COLLISION, COLLISION) + joint("base", "bump")
     assert messages("GEO002", robot) == ["link 'bump' has a collision and no visual"]
     assert places("GEO002", robot) == [(3, "<collision>")]
-    source = Source("robot.urdf", whole_robot(robot).encode())
-    (found,) = engine.check(source, select=["GEO002"], targets=["moveit"]).diagnostics
+    (found,) = reported("GEO002", robot, targets=("moveit",))
     assert found.severity is Severity.INFO
 
 

@@ -3,10 +3,9 @@ import pytest
 from tests.conftest import MODELS
 from tests.massive import BALL, inertial, joint, link, shape
 from tests.reported import messages, places
+from tests.reported import reported as reported_by
 from urdfkit.lint import engine
-from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Diagnostic, Severity
-from urdfkit.text.source import Source
 
 HEAVY = inertial(1, (0.1, 0.1, 0.1))
 VISUAL = shape("visual", BALL)
@@ -14,8 +13,7 @@ BASE = link("base", HEAVY)
 
 
 def reported(text: str, *targets: str) -> list[Diagnostic]:
-    source = Source("robot.urdf", whole_robot(text).encode())
-    return list(engine.check(source, select=["INE004"], targets=targets).diagnostics)
+    return reported_by("INE004", text, targets=targets)
 
 
 @pytest.mark.parametrize(

@@ -2,10 +2,7 @@ import pytest
 
 from tests.massive import BALL, MESH, inertial, joint, link, part, shape
 from tests.reported import messages, places, reported
-from urdfkit.lint import engine
-from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Source
 
 ZERO = (0, 0, 0)
 BASE = link("base", inertial(2, (1, 1, 1)))
@@ -118,8 +115,7 @@ def test_all_thin_links_are_one_finding() -> None:
     ("targets", "severity"), [((), Severity.WARNING), (("mujoco",), Severity.ERROR)]
 )
 def test_the_severity_of_a_thin_link(targets: tuple[str, ...], severity: Severity) -> None:
-    source = Source("robot.urdf", whole_robot(rod(THIN)).encode())
-    (found,) = engine.check(source, select=["INE005"], targets=targets).diagnostics
+    (found,) = reported("INE005", rod(THIN), targets=targets)
     assert found.severity is severity
 
 

@@ -2,11 +2,9 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import inertial, joint, link
-from tests.reported import messages, places
+from tests.reported import messages, places, reported
 from urdfkit.lint import engine
-from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Source
 
 MOMENTS = (0.1, 0.1, 0.1)
 
@@ -53,8 +51,7 @@ def test_what_is_extreme(robot: str, found: int) -> None:
     [((), Severity.INFO), (("pinocchio",), Severity.INFO), (("gz-jetty",), Severity.WARNING)],
 )
 def test_who_suffers(targets: tuple[str, ...], severity: Severity) -> None:
-    source = Source("robot.urdf", whole_robot(chain(0.001, 10)).encode())
-    (found,) = engine.check(source, select=["INE014"], targets=targets).diagnostics
+    (found,) = reported("INE014", chain(0.001, 10), targets=targets)
     assert found.severity is severity
 
 

@@ -1,11 +1,8 @@
 import pytest
 
 from tests.massive import inertial, joint, link
-from tests.reported import messages, places
-from urdfkit.lint import engine
-from urdfkit.lint.rule_examples import whole_robot
+from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Source
 
 BASE = link("base", inertial(3, (0.03, 0.03, 0.05)))
 
@@ -39,6 +36,5 @@ def test_what_is_all_right_or_another_rule_s(robot: str) -> None:
     ("targets", "severity"), [((), Severity.INFO), (("classic-ros2",), Severity.WARNING)]
 )
 def test_who_suffers(targets: tuple[str, ...], severity: Severity) -> None:
-    source = Source("robot.urdf", whole_robot(frame(0, (1, 1, 1))).encode())
-    (found,) = engine.check(source, select=["INE016"], targets=targets).diagnostics
+    (found,) = reported("INE016", frame(0, (1, 1, 1)), targets=targets)
     assert found.severity is severity

@@ -2,11 +2,8 @@ import pytest
 
 from tests.jointed import joint, robot
 from tests.reported import messages, places, reported
-from urdfkit.lint import engine
-from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import Source
 
 
 @pytest.mark.parametrize("kind", ["floating", "planar"])
@@ -25,8 +22,7 @@ def test_no_finding(kind: str) -> None:
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_who_suffers(target: str) -> None:
-    source = Source("robot.urdf", whole_robot(robot(joint("j", "planar"))).encode())
-    (found,) = engine.check(source, select=["JNT022"], targets=[target]).diagnostics
+    (found,) = reported("JNT022", robot(joint("j", "planar")), targets=(target,))
     suffers = target == "kdl" or target.startswith(("classic", "gz"))
     assert found.severity is (Severity.WARNING if suffers else Severity.INFO)
     assert found.targets == ((target,) if suffers else ())

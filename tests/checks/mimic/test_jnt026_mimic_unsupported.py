@@ -2,11 +2,8 @@ import pytest
 
 from tests.jointed import joint, mimic, robot
 from tests.reported import messages, places, reported
-from urdfkit.lint import engine
-from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.targets import GAZEBO, TARGETS
 from urdfkit.text.diagnostic import Diagnostic, Severity
-from urdfkit.text.source import Source
 
 HAND = robot(
     joint("a", "continuous"),
@@ -16,8 +13,7 @@ HAND = robot(
 
 
 def told_to(target: str, text: str) -> list[Diagnostic]:
-    source = Source("robot.urdf", whole_robot(text).encode())
-    return list(engine.check(source, select=["JNT026"], targets=[target]).diagnostics)
+    return reported("JNT026", text, targets=(target,))
 
 
 @pytest.mark.parametrize("target", TARGETS)

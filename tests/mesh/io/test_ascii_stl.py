@@ -1,16 +1,15 @@
+from functools import partial
+
 import pytest
 
 from tests.mesh import made
+from tests.mesh.io.sniffed import sniffed
 from urdfkit.mesh.io.facts import Defect, DefectKind
-from urdfkit.mesh.io.sniff import sniff
 
 SOUND = made.ascii_stl()
 
 
-def judged(data: bytes) -> tuple[Defect | None, str]:
-    facts = sniff(data, ".stl")
-    assert facts.format == "ASCII STL"
-    return facts.defect, facts.non_finite
+judged = partial(sniffed, suffix=".stl", format="ASCII STL")
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,5 @@
 import struct
+from functools import partial
 from math import inf, nan
 
 import pytest
@@ -6,16 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.mesh import made
+from tests.mesh.io.sniffed import sniffed
 from urdfkit.mesh.io.facts import Defect, DefectKind
-from urdfkit.mesh.io.sniff import sniff
 
 SOUND = made.binary_stl()
 
 
-def judged(data: bytes) -> tuple[Defect | None, str]:
-    facts = sniff(data, ".stl")
-    assert facts.format == "binary STL"
-    return facts.defect, facts.non_finite
+judged = partial(sniffed, suffix=".stl", format="binary STL")
 
 
 @pytest.mark.parametrize(

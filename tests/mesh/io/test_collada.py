@@ -1,16 +1,15 @@
+from functools import partial
+
 import pytest
 
 from tests.mesh import made
+from tests.mesh.io.sniffed import sniffed
 from urdfkit.mesh.io.facts import Defect, DefectKind
-from urdfkit.mesh.io.sniff import sniff
 
 SOUND = made.collada()
 
 
-def judged(data: bytes) -> tuple[Defect | None, str]:
-    facts = sniff(data, ".dae")
-    assert facts.format == "COLLADA"
-    return facts.defect, facts.non_finite
+judged = partial(sniffed, suffix=".dae", format="COLLADA")
 
 
 def changed(old: str, new: str) -> bytes:

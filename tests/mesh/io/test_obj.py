@@ -1,16 +1,15 @@
+from functools import partial
+
 import pytest
 
 from tests.mesh import made
+from tests.mesh.io.sniffed import sniffed
 from urdfkit.mesh.io.facts import Defect, DefectKind
-from urdfkit.mesh.io.sniff import sniff
 
 SOUND = made.obj()
 
 
-def judged(data: bytes) -> tuple[Defect | None, str]:
-    facts = sniff(data, ".obj")
-    assert facts.format == "OBJ"
-    return facts.defect, facts.non_finite
+judged = partial(sniffed, suffix=".obj", format="OBJ")
 
 
 @pytest.mark.parametrize(

@@ -1,17 +1,16 @@
+from functools import partial
+
 import pytest
 
 from tests.mesh import made
+from tests.mesh.io.sniffed import sniffed
 from urdfkit.mesh.io.facts import Defect, DefectKind
-from urdfkit.mesh.io.sniff import sniff
 
 ASCII = made.ascii_ply()
 BINARY = made.binary_ply()
 
 
-def judged(data: bytes) -> tuple[Defect | None, str]:
-    facts = sniff(data, ".ply")
-    assert facts.format == "PLY"
-    return facts.defect, facts.non_finite
+judged = partial(sniffed, suffix=".ply", format="PLY")
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from xml.sax.saxutils import quoteattr
 import pytest
 
 from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
+from tests.mesh.made import ascii_stl
 from tests.workspaces import add_file, add_package
 from urdfkit import bundle, check, read
 from urdfkit.core import temporary
@@ -53,15 +54,6 @@ ROBOT = f"""<?xml version="1.0" encoding="iso-8859-1"?>
   </joint>
 </robot>
 """
-
-
-def ascii_stl(triangles: list[list[tuple[float, float, float]]]) -> bytes:
-    lines = ["solid body"]
-    for corners in triangles:
-        lines += ["facet normal 0 0 0", "outer loop"]
-        lines += [f"vertex {x} {y} {z}" for x, y, z in corners]
-        lines += ["endloop", "endfacet"]
-    return "\n".join([*lines, "endsolid body", ""]).encode()
 
 
 @pytest.fixture

@@ -5,10 +5,8 @@ from typing import Any
 
 import pytest
 
+from tests.documents import model
 from urdfkit.output.comparison.differences import KINDS, Tolerances, differences
-from urdfkit.robot.model import RobotModel
-from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
 
 ROBOT = """\
 <robot name="r">
@@ -31,12 +29,6 @@ ROBOT = """\
   </joint>
 </robot>
 """
-
-
-def model(text: str) -> RobotModel:
-    document, _ = read_xml(Source("r.urdf", text.encode()))
-    assert document is not None
-    return RobotModel(document)
 
 
 def found(old: str, new: str, **allowed: Any) -> list[str]:

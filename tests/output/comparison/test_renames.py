@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
-from tests.output.comparison.test_differences import model
+from tests.documents import model
 from urdfkit import load
 from urdfkit.output.comparison.differences import Tolerances, differences
 from urdfkit.output.comparison.renames import renames

@@ -9,9 +9,9 @@ from xml.etree import ElementTree
 import pytest
 
 from tests.conftest import MODELS
+from tests.documents import tree
 from tests.growth import executed_lines
 from tests.jointed import joint, limit, mimic, robot
-from tests.robot.test_kinematics import tree
 from urdfkit.lint.loading import load
 from urdfkit.output.diagrams import FORMATS, dot, mermaid, svg, text
 from urdfkit.output.diagrams import json as json_diagram

@@ -9,9 +9,9 @@ np = pytest.importorskip("numpy")
 pin = pytest.importorskip("pinocchio")
 
 from tests.conftest import MODELS
+from tests.documents import tree
 from tests.jointed import limit, mimic
 from tests.massive import inertial, joint, link
-from tests.robot.test_kinematics import tree
 from urdfkit.lint.loading import read
 from urdfkit.physics.dynamics.robot import MAX_JOINTS, Dynamics, Unsuitable
 from urdfkit.robot import inertia

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import CORPUS, needs_corpus
+from tests.documents import document
 from tests.srdfs import ROBOT
 from urdfkit import check
 from urdfkit.core import disk
@@ -12,7 +13,6 @@ from urdfkit.core.file_log import FileLog
 from urdfkit.lint.context import Context
 from urdfkit.ros.moveit.srdf import Srdf, find
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.srdf_files import srdf_files
 
@@ -84,9 +84,7 @@ def test_of_several_of_one_name_the_one_called_like_the_file_is_meant(tmp_path: 
 
 def srdf(text: str) -> Srdf:
     context = Context(Source("r.urdf", ROBOT.encode()), Resolver(environment={}))
-    document, _ = read_xml(Source("r.srdf", text.encode()))
-    assert document is not None
-    return Srdf("r.srdf", document.root, context.tree)
+    return Srdf("r.srdf", document(text).root, context.tree)
 
 
 def test_of_very_many_only_those_with_the_name_of_the_robot_are_read(tmp_path: Path) -> None:

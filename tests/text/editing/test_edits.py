@@ -2,21 +2,17 @@ from pathlib import Path
 
 import pytest
 
+from tests.documents import document
 from tests.xacros import xacro
 from urdfkit.lint import loading
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing import edits
 from urdfkit.text.editing.apply import apply_edits
-from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
 
 
 def read(text: str) -> Element:
-    document, problems = read_xml(Source("a.urdf", text.encode()))
-    assert document is not None
-    assert problems == []
-    return document.root
+    return document(text).root
 
 
 def after(element: Element, made: tuple[Edit, ...] | None) -> str:
