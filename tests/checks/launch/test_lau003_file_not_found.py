@@ -175,3 +175,28 @@ def test_maps_in_a_parameter_file(tmp_path: Path, text: str, count: int) -> None
     program = "Node(package='p', executable='e', parameters=['../a.yaml'])\n"
     found = reported(tmp_path, "LAU003", "a.launch.py", program, {"a.yaml": text})
     assert [one.span.source.path.endswith("a.yaml") for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("node", "message"),
+    [
+        ('pkg="arm" exec="listener"', "CMakeLists.txt of 'arm' has no executable 'listener'"),
+        ('pkg="arm" exec="talker"', ""),
+        ('pkg="tf" exec="static_transform_publisher"', "ROS 2 has no package 'tf'"),
+        ('pkg="tf2_ros" exec="static_transform_publisher"', ""),
+    ],
+)
+def test_executables_of_nodes(tmp_path: Path, node: str, message: str) -> None:
+    files = {
+        "CMakeLists.txt": "project(arm)\nfind_package(ament_cmake REQUIRED)\n"
+        "add_executable(talker a.cpp)\ninstall(TARGETS talker DESTINATION lib/arm)\n",
+    }
+    directory = tmp_path / "arm"
+    directory.mkdir()
+    text = f"<node {node}/>"
+    reported(directory, "LAU003", "a.launch.xml", text, files)
+    manifest = directory / "package.xml"
+    kind = "<export><build_type>ament_cmake</build_type></export></package>"
+    manifest.write_text(manifest.read_text().replace("</package>", kind))
+    found = check(directory / "launch" / "a.launch.xml", select=["LAU003"]).diagnostics
+    assert [one.message for one in found] == ([message] if message else [])

@@ -211,3 +211,95 @@ def test_ament_package_is_called(tmp_path: Path, last: str, count: int) -> None:
     text = f"project(arm)\nfind_package(ament_cmake REQUIRED)\n{last}\n"
     (tmp_path / "CMakeLists.txt").write_text(text)
     assert len(reported(tmp_path, MANIFEST)) == count
+
+
+OF_PYTHON = MANIFEST.replace(
+    "</package>", "<export><build_type>ament_python</build_type></export></package>"
+)
+RUNNING = """\
+from setuptools import setup
+package_name = "arm"
+setup(
+    data_files=[("share/ament_index/resource_index/packages", ["resource/arm"])],
+    entry_points={"console_scripts": ["talk = arm.talker:main"]},
+)
+"""
+CONFIG = "[develop]\nscript_dir=$base/lib/arm\n[install]\ninstall_scripts=$base/lib/arm\n"
+
+
+def of_python(directory: Path, setup: str, config: str | None, module: str) -> list[Diagnostic]:
+    for name in ("resource", "arm"):
+        (directory / name).mkdir()
+    (directory / "resource" / "arm").write_text("")
+    (directory / "arm" / "talker.py").write_text(module)
+    (directory / "setup.py").write_text(setup)
+    if config is not None:
+        (directory / "setup.cfg").write_text(config)
+    return reported(directory, OF_PYTHON)
+
+
+@pytest.mark.parametrize(
+    ("setup", "config", "module", "message", "line"),
+    [
+        (RUNNING, None, "def main(): ...", "setup.cfg does not set install_scripts", 5),
+        (RUNNING, "[develop]\n", "def main(): ...", "setup.cfg does not set install_scripts", 5),
+        (
+            RUNNING,
+            CONFIG.replace("lib/arm", "lib/leg"),
+            "def main(): ...",
+            "the executables are",
+            4,
+        ),
+        (
+            RUNNING.replace("arm.talker", "arm.talk"),
+            CONFIG,
+            "def main(): ...",
+            "executable 'talk': there is no module arm.talk; did you mean 'talker'?",
+            5,
+        ),
+        (RUNNING, CONFIG, "def run(): ...", "executable 'talk': arm.talker has no main", 5),
+    ],
+)
+def test_executables_that_do_not_start(
+    tmp_path: Path, setup: str, config: str | None, module: str, message: str, line: int
+) -> None:
+    (found,) = of_python(tmp_path, setup, config, module)
+    assert found.message.startswith(message)
+    assert found.span.line == line
+
+
+@pytest.mark.parametrize(
+    ("setup", "config"),
+    [
+        (RUNNING, CONFIG),
+        (RUNNING, CONFIG.replace("_s", "-s")),
+        (RUNNING.replace("talk = arm.talker:main", "talk = other.talker:main"), CONFIG),
+        (RUNNING.replace('["talk = arm.talker:main"]', "[]"), None),
+    ],
+)
+def test_executables_that_start(tmp_path: Path, setup: str, config: str | None) -> None:
+    assert of_python(tmp_path, setup, config, "def main(): ...") == []
+
+
+@pytest.mark.parametrize(
+    ("tag", "message", "help"),
+    [
+        ("<depend>rospy</depend>", "<depend> rospy: ROS 2 has no package of", "write rclpy"),
+        (
+            "<exec_depend>ros-gz-sim</exec_depend>",
+            "<exec_depend> ros-gz-sim: the name of the package has underscores",
+            "write ros_gz_sim",
+        ),
+        ('<depend condition="$ROS_VERSION == 1">rospy</depend>', "", ""),
+        ("<exec_depend>python3-numpy</exec_depend>", "", ""),
+    ],
+)
+def test_dependencies_that_ros_2_does_not_have(
+    tmp_path: Path, tag: str, message: str, help: str
+) -> None:
+    manifest = MANIFEST.replace(
+        "</package>", f"{tag}<export><build_type>ament_cmake</build_type></export></package>"
+    )
+    found = reported(tmp_path, manifest)
+    assert len(found) == bool(message)
+    assert all(one.message.startswith(message) and one.help == help for one in found)

@@ -3,7 +3,8 @@
 RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
 file stops the launch, and Gazebo does not start without its world. Also reported:
 
-- An executable or launch file that a ROS package does not have.
+- An executable or launch file that a ROS package does not have, or an executable that a package of
+  the workspace does not install, if its build file names all of them. A package of ROS 1.
 - A Nav2 map whose image is missing, or whose image is given instead of its YAML file. slam_toolbox
   adds `.posegraph` to the name of a map itself.
 - `xacro.py`, and the `state_publisher` of `robot_state_publisher`, which were removed in Noetic

@@ -5,9 +5,11 @@ import re
 
 from urdfkit.core import disk
 from urdfkit.core.paths import upwards
+from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
+from urdfkit.workspace.executables import EntryPoint, entry_points
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.install_rules import InstallRules, build_file
 from urdfkit.workspace.installs import read_rules
@@ -27,6 +29,9 @@ _BUILT_BY = {
 }
 #: Files that exclude a directory from a build.
 _IGNORED = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
+#: The directory of executables in a setup.cfg, and where a setup.py may set it itself.
+_DIRECTORY = re.compile(rb"(?m)^\s*install[_-]scripts\s*=\s*\$base/lib/([\w.-]+)")
+_OPTIONS = re.compile(rb"install[_-]scripts|lib/|\"lib\"|'lib'")
 _INDEX = "share/ament_index/resource_index/packages"
 
 
@@ -183,3 +188,53 @@ def _unregistered(setup: Source, directory: str, name: str) -> Findings:
     if marker and not disk.exists(os.path.join(directory, "resource", name)):
         message = f"file not found: resource/{name}, which setup.py installs"
         yield Finding(Span(setup, *marker.span()), message, "create it; it may be empty")
+
+
+def not_runnable(name: str, directory: str) -> Findings:
+    """Executables of a Python package that ROS does not find, or that cannot start."""
+    setup = _read(directory, "setup.py") if build_file(directory).endswith(".py") else None
+    manifest = _read(directory, "package.xml")
+    if setup is None or manifest is None or b">ament_python<" not in manifest.data:
+        return
+    text = setup.data.decode("utf-8", "replace")
+    entries = entry_points(text) or []
+    config = _read(directory, "setup.cfg")
+    written = config.data if config else b""
+    if entries and not _OPTIONS.search(setup.data) and not _DIRECTORY.search(written):
+        yield Finding(
+            _span_of(setup, entries[0]),
+            "setup.cfg does not set install_scripts, so that ROS does not find the executables",
+            f"write setup.cfg with [install] install_scripts=$base/lib/{name}, and [develop] "
+            f"script_dir=$base/lib/{name}",
+        )
+    for match in _DIRECTORY.finditer(written) if config and entries else ():
+        if match.group(1).decode() != name and config is not None:
+            message = f"the executables are installed to lib/{match.group(1).decode()}"
+            yield Finding(Span(config, *match.span(1)), message, f"write {name}")
+    if b"package_dir" not in setup.data:
+        yield from _missing_modules(setup, entries, directory)
+
+
+def _missing_modules(setup: Source, entries: list[EntryPoint], directory: str) -> Findings:
+    """Executables whose module or function does not exist."""
+    for entry in entries:
+        package, _, rest = entry.module.partition(".")
+        if not disk.is_directory(os.path.join(directory, package)):
+            continue  # of another package
+        path = os.path.join(directory, *entry.module.split("."))
+        source = _read(directory, os.path.relpath(f"{path}.py", directory))
+        if source is None and not disk.exists(path) and not disk.exists(f"{path}.py"):
+            names = [file.removesuffix(".py") for file in disk.names(os.path.dirname(path))]
+            message = f"executable '{entry.name}': there is no module {entry.module}"
+            message += did_you_mean(rest, names)
+            help = "fix the name, or create the module"
+            yield Finding(_span_of(setup, entry), message, help, severity=Severity.WARNING)
+        elif source and entry.function.encode() not in source.data:
+            message = f"executable '{entry.name}': {entry.module} has no {entry.function}"
+            help = "fix the name, or define the function"
+            yield Finding(_span_of(setup, entry), message, help, severity=Severity.WARNING)
+
+
+def _span_of(setup: Source, entry: EntryPoint) -> Span:
+    start = setup.offset(entry.line, 1) + entry.column
+    return Span(setup, start, start + entry.length)

@@ -14,6 +14,11 @@ resolve.
   catkin's devel space installs nothing.
 - CMakeLists.txt finds catkin in a package of type ament_cmake: ROS 2 does not have catkin.
 - The `<build_type>` needs another build file than the package has: colcon does not build it.
+- A package of ROS 2 depends on one that only ROS 1 has, such as rospy, or writes hyphens in the
+  name of a ROS package (warning).
+- The executables of a Python package of ROS 2 are installed where `ros2 run` does not find them:
+  setup.cfg does not set `install_scripts` to `$base/lib/NAME`. Or their module or function does not
+  exist (warning).
 - A Python package of ROS 2 is not registered. `ros2 launch`, `package://` and `$(find ...)` find it
   only if setup.py installs an existing file of its name into
   `share/ament_index/resource_index/packages`. If setup.py does not mention that directory, colcon
@@ -37,6 +42,7 @@ from urdfkit.checks.package.build_files import (
     missing_directories,
     not_finished,
     not_registered,
+    not_runnable,
     other_build_type,
     other_name,
 )
@@ -46,12 +52,14 @@ from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
+from urdfkit.ros.catalog import data
 from urdfkit.text.document import Element
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import REQUIRED, known_tags, nearest_manifest
 from urdfkit.workspace.package_references import have_references
+from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "urdf/bot.urdf"
 BAD = robot_of_package("bot_description")
@@ -85,6 +93,7 @@ def check(context: Context) -> Findings:
         yield from finds_catkin(home[1])
         yield from not_finished(home[1])
         yield from other_build_type(home[1])
+        yield from not_runnable(*home)
     file = nearest_manifest(path)
     if file is None or disk.is_link(file):  # a link may refer to any file
         return
@@ -104,6 +113,7 @@ def check(context: Context) -> Findings:
     yield from _missing(document.root)
     yield from _tags(document.root)
     yield from _values(document.root)
+    yield from _of_ros_1(document.root)
 
 
 def _missing(package: Element) -> Findings:
@@ -127,6 +137,28 @@ def _tags(package: Element) -> Findings:
         help = f"write <{suggested}>" if suggested in known else "remove it"
         number = package.get("format") or "1"
         yield Finding(child.span, f"<{child.tag}> is not a tag of format {number}", help)
+
+
+def _of_ros_1(package: Element) -> Findings:
+    """Dependencies of a package of ROS 2 that it does not have, or under another name."""
+    kinds = [kind for export in package.all("export") for kind in export.all("build_type")]
+    is_ament = [kind.text.strip() for kind in kinds] in (["ament_cmake"], ["ament_python"])
+    if not is_ament or any(kind.attributes for kind in kinds):
+        return
+    former: dict[str, str] = data("packages")["former"]
+    for child in package.children:
+        name = child.text.strip()
+        if not child.tag.endswith("depend") or "condition" in child.attributes:
+            continue
+        if name in former:
+            successor = former[name]
+            help = f"write {successor}" if successor else "remove it"
+            message = f"<{child.tag}> {name}: ROS 2 has no package of this name"
+            yield Finding(child.span, message, help, severity=Severity.WARNING)
+        elif comes_with_ros(name.replace("-", "_")) and not comes_with_ros(name):
+            message = f"<{child.tag}> {name}: the name of the package has underscores"
+            help = f"write {name.replace('-', '_')}"
+            yield Finding(child.span, message, help, severity=Severity.WARNING)
 
 
 def _values(package: Element) -> Findings:

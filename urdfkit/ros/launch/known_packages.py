@@ -8,6 +8,9 @@ from urdfkit.errors import PackageNotFound
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import GivenParameters, IncludedFile, StartedProgram, Word
 from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.workspace.executables import absence
+from urdfkit.workspace.install_rules import build_file
+from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
 
 #: Names of the world argument in other launch files, which gz sim's launch file does not read.
@@ -27,8 +30,12 @@ def mistakes(
     for program in programs:
         if program.frame is not None:
             continue
+        if _is_own(program.package, program, resolver):
+            yield from _own_executable(program, resolver)
+            continue
         problem = unknown_executable(program) if program.is_ros_2 else _former_executable(program)
-        if problem and not _is_own(program.package, program, resolver):
+        problem = problem or _former_package(program)
+        if problem:
             yield problem
     for file in included:
         if file.frame is None and not _is_own(_name(file)[0], file, resolver):
@@ -74,6 +81,39 @@ def _is_own(package: str, by: StartedProgram | IncludedFile, resolver: Resolver)
     except PackageNotFound:
         return False
     return directory.startswith(resolver.packages.workspace(near))
+
+
+def _own_executable(program: StartedProgram, resolver: Resolver) -> Iterator[Problem]:
+    """An executable that a package of the workspace does not install."""
+    name, near = program.executable, program.span.source.path
+    directory = resolver.package(program.package, near)
+    manifest = manifest_of(resolver, os.path.join(directory, "package.xml"))
+    if not name or manifest is None or manifest.ros != 2 or not program.is_ros_2:
+        return
+    missing = absence(directory, program.package, name)
+    if missing is None:
+        return
+    file = os.path.basename(build_file(directory))
+    if missing.is_built:
+        message = f"{file} of '{program.package}' builds '{name}', but does not install it"
+        help = f"write install(TARGETS {name} DESTINATION lib/${{PROJECT_NAME}})"
+    else:
+        message = f"{file} of '{program.package}' has no executable '{name}'"
+        message += did_you_mean(name, missing.others)
+        command = "console_scripts" if file.endswith(".py") else "install(PROGRAMS ...)"
+        help = f"fix the name, or add it to {command}"
+    yield Problem("LAU003", program.span, message, help, program.frame)
+
+
+def _former_package(program: StartedProgram) -> Problem | None:
+    """A package of ROS 1 in a launch file of ROS 2."""
+    former: dict[str, str] = data("packages")["former"]
+    if program.package not in former or not program.is_ros_2:
+        return None
+    successor = former[program.package]
+    help = f"write {successor}, and check its arguments" if successor else "remove the node"
+    message = f"ROS 2 has no package '{program.package}'"
+    return Problem("LAU003", program.span, message, help, program.frame)
 
 
 def unknown_executable(program: StartedProgram) -> Problem | None:

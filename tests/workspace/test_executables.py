@@ -1,0 +1,69 @@
+"""Executables of a package of ROS 2, as its build file names them."""
+
+from pathlib import Path
+
+import pytest
+
+from urdfkit.workspace.executables import Absence, absence, entry_points
+
+PYTHON = "<package><name>arm</name><export><build_type>ament_python</build_type></export></package>"
+CMAKE = "project(arm)\nfind_package(ament_cmake REQUIRED)\n"
+INSTALL = "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"
+BUILT = "add_executable(talker src/talker.cpp)\n"
+SETUP = "from setuptools import setup\nsetup(name='arm', entry_points={})\n"
+TALKER = "{'console_scripts': ['talker = arm.talker:main']}"
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "expected"),
+    [
+        (BUILT + INSTALL, "talker", None),
+        (BUILT, "talker", Absence(True, ("talker",))),
+        (BUILT + INSTALL.replace("talker", "${ALL}"), "talker", None),
+        (BUILT + "ament_auto_package()\n", "talker", None),
+        (BUILT + INSTALL, "listener", Absence(False, ("talker",))),
+        (BUILT + INSTALL + "# listener\n", "listener", Absence(False, ("talker",))),
+        (BUILT + INSTALL + "include(more.cmake)\n", "listener", None),
+        (BUILT + INSTALL + "foreach(n a b)\nendforeach()\n", "listener", None),
+        (
+            "install(PROGRAMS scripts/a.py DESTINATION lib/${PROJECT_NAME})\n",
+            "b.py",
+            Absence(False, ("a.py",)),
+        ),
+        ("install(PROGRAMS scripts/a.py DESTINATION lib/${PROJECT_NAME})\n", "a.py", None),
+        ("install(DIRECTORY scripts DESTINATION lib/${PROJECT_NAME})\n", "a.py", None),
+        ("add_executable(${PROJECT_NAME} a.cpp)\n" + INSTALL, "arm", Absence(True, ("arm",))),
+        ('rclcpp_components_register_node(a PLUGIN "b" EXECUTABLE c)\n', "c", None),
+    ],
+)
+def test_cmake(tmp_path: Path, text: str, name: str, expected: Absence | None) -> None:
+    (tmp_path / "CMakeLists.txt").write_text(CMAKE + text)
+    assert absence(str(tmp_path), "arm", name) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "expected"),
+    [
+        (SETUP.format(TALKER), "talker", None),
+        (SETUP.format(TALKER), "listener", Absence(False, ("talker",))),
+        (SETUP.format("{}"), "listener", Absence(False, ())),
+        (SETUP.format("{'console_scripts': names()}"), "listener", None),
+        (SETUP.format("{}").replace("name=", "scripts=all(), name="), "listener", None),
+        ("setup(", "listener", None),
+    ],
+)
+def test_setup_py(tmp_path: Path, text: str, name: str, expected: Absence | None) -> None:
+    (tmp_path / "package.xml").write_text(PYTHON)
+    (tmp_path / "setup.py").write_text(text)
+    assert absence(str(tmp_path), "arm", name) == expected
+
+
+def test_a_package_without_a_build_file(tmp_path: Path) -> None:
+    assert absence(str(tmp_path), "arm", "talker") is None
+
+
+def test_entry_points_have_places() -> None:
+    (entry,) = entry_points(SETUP.format(TALKER)) or []
+    assert (entry.name, entry.module, entry.function) == ("talker", "arm.talker", "main")
+    text = SETUP.format(TALKER).split("\n")[entry.line - 1]
+    assert text[entry.column : entry.column + entry.length] == "'talker = arm.talker:main'"

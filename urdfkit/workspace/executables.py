@@ -1,0 +1,107 @@
+"""Executables of a package of ROS 2, as far as its build file names them literally."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterator
+
+from urdfkit.core.record import Record
+from urdfkit.text import python_source
+from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.install_rules import build_file
+from urdfkit.workspace.installs import MAX_BYTES
+
+#: Commands of CMake that may make or install executables under names that are not written there.
+_UNCLEAR = re.compile(
+    r"(?i)\b(add_subdirectory|include|foreach|function|macro|GLOB\w*|ExternalProject\w*|execute_process"
+    r"|ament_python_install_package)\b|install\s*\(\s*DIRECTORY[^)]*\bDESTINATION\s+\S*\blib\b"
+)
+_EXECUTABLE = r"(?i)\badd_executable\s*\(\s*([\w.-]+)"
+_PROGRAM = r"(?i)\binstall\s*\(\s*PROGRAMS\b([^)]*?)\bDESTINATION\b"
+_TARGETS = r"(?i)\binstall\s*\(\s*TARGETS\b([^)]*)\)"
+_COMPONENT = r"(?i)\bEXECUTABLE\s+\"?([\w.-]+)"
+
+
+class EntryPoint(Record):
+    """An executable of a setup.py."""
+
+    name: str
+    module: str  # with dots
+    function: str
+    line: int
+    column: int  # of the text of the entry, in bytes
+    length: int
+
+
+class Absence(Record):
+    """An executable that the build of a package does not install."""
+
+    is_built: bool  # True if it is built all the same
+    others: tuple[str, ...]  # the executables that it has
+
+
+def absence(directory: str, package: str, name: str) -> Absence | None:
+    """Why a package does not have an executable; None if it has, or may have it."""
+    file = build_file(directory)
+    text = read_head(file, MAX_BYTES).decode("utf-8", "replace") if file else ""
+    if file.endswith(".py"):
+        return _of_python(text, name)
+    return _of_cmake(re.sub(r"#[^\n]*", "", text), package, name) if file else None
+
+
+def _of_cmake(text: str, package: str, name: str) -> Absence | None:
+    text = text.replace("${PROJECT_NAME}", package)
+    if _UNCLEAR.search(text):
+        return None
+    built = re.findall(_EXECUTABLE, text)
+    scripts = [path for group in re.findall(_PROGRAM, text) for path in group.split()]
+    others = [*built, *map(os.path.basename, scripts), *re.findall(_COMPONENT, text)]
+    if name in built and "ament_auto_package" not in text:
+        installed = " ".join(re.findall(_TARGETS, text))
+        is_installed = "${" in installed or name in re.split(r"[\s\"]+", installed)
+        return None if is_installed else Absence(True, tuple(others))
+    stem = re.escape(name.removesuffix(".py"))
+    is_named = re.search(rf"(?<![\w-]){stem}(?![\w-])", text.replace(package, " ", 1))
+    return None if is_named or ("${" in text and not others) else Absence(False, tuple(others))
+
+
+def _of_python(text: str, name: str) -> Absence | None:
+    entries = entry_points(text)
+    if entries is None or re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", text):
+        return None
+    return Absence(False, tuple(entry.name for entry in entries))
+
+
+def entry_points(text: str) -> list[EntryPoint] | None:
+    """The console scripts of a setup.py; None if some are not literals, or in another way."""
+    try:
+        tree = python_source.parse(text)
+    except SyntaxError:
+        return None
+    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    setups = [call for call in calls if getattr(call.func, "id", "") == "setup"]
+    keywords = {keyword.arg: keyword.value for call in setups for keyword in call.keywords}
+    if len(setups) != 1 or None in keywords or not {"scripts", "cmdclass"}.isdisjoint(keywords):
+        return None
+    groups = keywords.get("entry_points", ast.Dict([], []))
+    if not isinstance(groups, ast.Dict):
+        return None
+    named = zip(map(python_source.string, groups.keys), groups.values, strict=True)
+    lists = [value for key, value in named if key in ("console_scripts", None)]
+    entries = [entry for value in lists for entry in _entries(value)]
+    known = [entry for entry in entries if entry is not None]
+    return known if len(known) == len(entries) else None
+
+
+def _entries(node: ast.expr) -> Iterator[EntryPoint | None]:
+    for item in node.elts if isinstance(node, (ast.List, ast.Tuple)) else (node,):
+        text = python_source.string(item) or ""
+        match = re.fullmatch(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*", text)
+        if match is None:
+            yield None
+        else:
+            name, module, function = match.groups()
+            length = len(text.encode()) + 2  # with quotation marks
+            yield EntryPoint(name, module, function, item.lineno, item.col_offset, length)
