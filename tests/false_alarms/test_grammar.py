@@ -16,6 +16,8 @@ JOINT = (
     [
         '<link name="a"><collision_checking><capsule name="a_0"/></collision_checking></link>',
         '<link name="a"><self_filter><shape><sphere radius="1"/></shape></self_filter></link>',
+        # Isaac Gym: a soft body
+        '<link name="a"><fem><youngs value="1e5"/><tetmesh filename="a.tet"/></fem></link>',
         '<link name="a"><contact><inertia_scaling value="3"/></contact></link>',
         '<link name="a"><audio_source><filename value="a.wav"/></audio_source></link>',
         f'<link name="a"><collision concave="yes">{BOX}<verbose value="0"/></collision></link>',

@@ -21,6 +21,21 @@ def test_a_moving_link() -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("mass", "size", "in_mm"),
+    [
+        (6.0, "200 300 100", True),
+        # a link that closes a loop: a density of 6000 kg/m³ in mm, but of 0.3 mm
+        (1e-9, "0.2 0.3 0.1", False),
+    ],
+)
+def test_a_shape_in_mm_is_large(mass: float, size: str, in_mm: bool) -> None:
+    arm = part("arm", mass, ZERO, f'<box size="{size}"/>')
+    (found,) = reported("INE005", BASE + arm + joint("base", "arm", "revolute"))
+    assert ("if it is in mm" in found.help) is in_mm
+    assert found.help.startswith("the shape has" if in_mm else "write the mass of the link")
+
+
 def test_without_a_shape_the_help_is_the_rule_s() -> None:
     robot = BASE + link("arm", shape("visual", MESH), inertial(0.5, ZERO))
     (found,) = reported("INE005", robot + joint("base", "arm", "revolute"))

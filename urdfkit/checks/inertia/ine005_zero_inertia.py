@@ -33,7 +33,7 @@ from urdfkit.robot.inertials.diagnosis import (
     is_possible,
     replacement,
 )
-from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.inertials.link_comparison import LARGEST_PART, LinkInertia
 from urdfkit.robot.inertials.masses import PAIR_MOMENTS
 from urdfkit.robot.inertials.mirroring import along_inertial, center_edits, mirror_image
 from urdfkit.robot.joint import Joint
@@ -137,7 +137,8 @@ def _from_shape(inertia: LinkInertia) -> tuple[str, Fix | None]:
         size = f"{inertia.solid.volume:.3g} m³"
         help = f"write the mass of the link, which has {size}, and its tensor"
         density_in_mm = inertia.mass / (inertia.solid.volume * MILLIMETRE**3)
-        if MIN_PART_DENSITY < density_in_mm < MAX_PART_DENSITY:
+        is_large = max(inertia.solid.bounds.edges) > LARGEST_PART
+        if is_large and MIN_PART_DENSITY < density_in_mm < MAX_PART_DENSITY:
             help = f"the shape has {size}: scale it if it is in mm, and write the tensor"
         return help, None
     if inertia.mass > MAX_DENSITY * inertia.solid.volume:  # a placeholder shape
