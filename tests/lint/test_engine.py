@@ -244,6 +244,31 @@ def test_of_a_robot_that_was_checked_nothing_heavy_stays(
     assert len(set(alive)) == 1
 
 
+def test_of_an_argument_set_that_was_checked_nothing_heavy_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """robotis_hand: each set has the same 40 dense meshes."""
+    pytest.importorskip("numpy")
+    arm = "<xacro:arg name='tool' default='a'/><link name='$(arg tool)'/>"
+    path = write(tmp_path, "arm.xacro", arm)
+    (tmp_path / "package.xml").write_text("<package format='2'><name>arm</name></package>")
+    for tool in ("b", "c"):
+        command = f"$(command 'xacro $(find-pkg-share arm)/arm.xacro tool:={tool}')"
+        node = f'<node pkg="p" exec="e"><param name="robot_description" value="{command}"/></node>'
+        (tmp_path / f"{tool}.launch.xml").write_text(f"<launch>{node}</launch>")
+    alive: list[int] = []
+
+    def count(*arguments: object, run=check_job.check_context) -> FileResult:
+        alive.append(sum(isinstance(one, Context) for one in gc.get_objects()))
+        return run(*arguments)
+
+    monkeypatch.setattr(check_job, "check_context", count)
+    gc.collect()
+    engine.check(path)
+    first = alive[0]
+    assert alive == [first, first - 1, first - 2]
+
+
 def test_what_launch_files_have_in_common_is_read_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
