@@ -155,6 +155,21 @@ def test_wheel_names_are_required_in_ros_1(tmp_path: Path) -> None:
     assert found.message.endswith(": right_wheel")
 
 
+@pytest.mark.parametrize(
+    ("joint", "help"),
+    [
+        ("joints: [left_joint, right_joint]", "use position_controllers/JointGroupPosition"),
+        ("gains: {}", "add joint: ..."),
+    ],
+)
+def test_several_joints_for_a_controller_of_one(tmp_path: Path, joint: str, help: str) -> None:
+    """Arctos: `joints` for the controller of a single joint."""
+    text = f"arm:\n  type: position_controllers/JointPositionController\n  {joint}\n"
+    (found,) = reported(tmp_path, "RCT034", text)
+    assert found.message.endswith("required parameters are missing: joint")
+    assert found.help.startswith(help)
+
+
 def test_a_joint_twice_in_ros_1(tmp_path: Path) -> None:
     text = "arm:\n  type: effort_controllers/JointTrajectoryController\n  joints: [{}]\n"
     assert reported(tmp_path, "RCT034", text.format("left_joint, right_joint")) == []

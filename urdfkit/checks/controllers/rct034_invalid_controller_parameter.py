@@ -186,12 +186,21 @@ def _missing(
     ]
     message = f"required parameters are missing: {', '.join(missing)}"
     if missing and own.at:
-        yield own.at, message, "add " + " and ".join(f"{name}: ..." for name in missing)
+        help = "add " + " and ".join(f"{name}: ..." for name in missing)
+        if missing[0] == "joint" and "joints" in own.places and (group := _group(controller)):
+            help = f"use {group}, which reads joints, or name one joint"
+        yield own.at, message, help
     elif missing:  # no parameters at all: they may be in another file, or under another name
         unowned = [n for n, section in others.items() if section.places.keys() >= set(required)]
         if len(unowned) == 1 and (at := others[unowned[0]].at):
             message += f"; '{unowned[0]}' has them, but is not a controller"
             yield at, message, f"rename '{unowned[0]}' to '{controller.name}', or the reverse"
+
+
+def _group(controller: Controller) -> str:
+    """The class for several joints, in place of one for a single joint; empty if there is none."""
+    group = controller.type.replace("/Joint", "/JointGroup")
+    return group if parameters_of(group, controller.ros) else ""
 
 
 def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_Problem]:

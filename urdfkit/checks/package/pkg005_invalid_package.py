@@ -164,7 +164,9 @@ def _of_ros_1(package: Element) -> Findings:
 def _values(package: Element) -> Findings:
     name, version = package.child("name"), package.child("version")
     if name and not _is_name(name.text.strip()):
-        yield Finding(name.span, f"'{name.text.strip()}' is not a valid package name")
+        message = f"'{name.text.strip()}' is not a valid package name"
+        help = "write lower-case letters, digits and underscores, also in CMakeLists.txt"
+        yield Finding(name.span, message, help)
     if version and not _is_version(version.text.strip()):
         message = f"version '{version.text.strip()}' does not have three numbers"
         yield Finding(version.span, message, "write it as 1.0.0")
