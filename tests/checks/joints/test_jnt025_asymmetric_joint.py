@@ -222,6 +222,14 @@ def test_one_pair_of_several(rights: tuple[str, ...], found: list[str]) -> None:
     assert reported == [f"joint 'right_{one}" for one in found]
 
 
+@pytest.mark.parametrize(("right", "count"), [("0 0.2 0.01", 0), ("0 0.2 0.015", 1)])
+def test_an_arm_that_is_mounted_turned_is_no_mirror_image(right: str, count: int) -> None:
+    """Atlas: both arms are the same product, and their wrists 9 mm aside of the elbows."""
+    text = legs(HIP, "RIGHT", ARM).replace('"0.3 -0.1 0"', '"0.3 -0.1 0" rpy="3.14159265 0 0"')
+    text = text.replace('"0 0.05 -0.2"', '"0 0.2 0.01"').replace("RIGHT", right)
+    assert len(messages("JNT025", text)) == count
+
+
 PLACES = ("0.1 0.2 0", "0.1 -0.2 0")
 
 

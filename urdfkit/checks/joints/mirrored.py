@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Rotation, Vector, minus
+from urdfkit.core.spatial import Rotation, Vector, dot, minus
 from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
 from urdfkit.robot.joint import Joint
@@ -19,6 +19,9 @@ _AXES = "xyz"
 
 #: In m: tolerance, as robots are not quite symmetric.
 _ASYMMETRY = 0.004
+
+#: Cosine of the angle below which two axes are different, not rounded.
+_MAX_COSINE = 0.5
 
 #: Least number of symmetric pairs next to one that is not symmetric.
 _SYMMETRIC_PAIRS = 2
@@ -153,7 +156,7 @@ def _asymmetric(
     exact = sum(pair.distance <= _TOLERANCE for pair in counterparts)
     if len(odd) == 1 and exact >= _SYMMETRIC_PAIRS and exact + inherited + 1 == len(counterparts):
         x, _, z = odd[0].off
-        if max(abs(x), abs(z)) > _ASYMMETRY:
+        if max(abs(x), abs(z)) > _ASYMMETRY and not _is_turned_copy(odd[0], context):
             return odd  # else the plane of symmetry may be another one
     return [
         pair
@@ -184,6 +187,17 @@ def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[
     # Another link has the place of the mirror image: only the names are not mirrored.
     image = _mirror_image(place)
     return not any(frame and _is_equal(frame.position, image) for frame in siblings)
+
+
+def _is_turned_copy(pair: _Pair, context: Context) -> bool:
+    """True for the same origin in frames that are turned: both arms are the same product."""
+    left, right = pair.left, pair.right
+    frames = [context.tree.frames.get(joint.parent_name) for joint in (left, right)]
+    if None in frames or left.origin.rotation != right.origin.rotation:
+        return False
+    first, second = (frame.rotation for frame in frames if frame)
+    is_turned = any(dot(a, b) < _MAX_COSINE for a, b in zip(first, second, strict=True))
+    return is_turned and _is_equal(left.origin.position, right.origin.position)
 
 
 def _mirror_image(place: Vector) -> Vector:
