@@ -16,7 +16,7 @@ from urdfkit.robot.values import number
 from urdfkit.text.document import Element, Tag
 
 #: Links with masses up to this ratio may share the tensor of a macro.
-SAME_MASS = 1.05
+SAME_MASS = 1.2
 
 #: Ratio of the masses of links with the same tensor above which it cannot fit all of them.
 MAX_MASS_RATIO = 1.5
