@@ -35,7 +35,7 @@ def test_a_joint_that_is_free_in_pybullet_is_not_turned_into_one_that_is_not(
     for kind, remedy in (("revolute", "make it continuous"), ("prismatic", "set them far apart")):
         (found,) = reported("JNT003", robot(joint("j", kind, limit(lower, upper))))
         assert found.fix is None
-        assert found.help == f"swap them; if the joint is to be free, {remedy}"
+        assert found.help == f"if the joint is to be free, {remedy}; else swap them"
 
 
 @pytest.mark.parametrize(

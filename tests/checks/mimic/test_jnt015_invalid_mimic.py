@@ -103,8 +103,13 @@ def test_drake_rejects_a_fixed_joint_that_follows() -> None:
     ],
 )
 def test_multiplier_zero(rest: str, count: int) -> None:
+    """A fixed joint, as in the qb hand of Halodi's EVE, stays where it is with any multiplier."""
     found = reported(
         "JNT015", robot(joint("j", "continuous"), joint("f", "continuous", mimic("j", rest)))
     )
     assert [one.severity for one in found] == [Severity.WARNING] * count
     assert [one.span.text for one in found] == [rest[12:-1]] * count
+    assert (
+        messages("JNT015", robot(joint("j", "continuous"), joint("f", "fixed", mimic("j", rest))))
+        == []
+    )

@@ -34,6 +34,23 @@ def test_a_sensor_that_gazebo_does_not_have(hardware: str) -> None:
     assert '<sensor name="base_imu"><state' in fixed("RCT032", text)
 
 
+@pytest.mark.parametrize(
+    ("interface", "severity", "help"),
+    [
+        ("orientation.x", Severity.WARNING, "add a <sensor>"),
+        ("torque.z", Severity.WARNING, "add a <sensor>"),
+        ("Present Pressure 1", Severity.INFO, "leave it out"),  # robotis_hand
+    ],
+)
+def test_a_sensor_that_gazebo_has_under_no_name(
+    interface: str, severity: Severity, help: str
+) -> None:
+    sensor = f'<sensor name="finger"><state_interface name="{interface}"/></sensor>'
+    (found,) = reported("RCT032", ROBOT + control(sensor, plugin=GZ) + GAZEBO)
+    assert found.severity is severity
+    assert found.help.startswith(help)
+
+
 def test_other_sensors_are_accepted() -> None:
     assert reported("RCT032", ROBOT + control(IMU.format("base_imu"), plugin=GZ) + GAZEBO) == []
     assert reported("RCT032", ROBOT + control(IMU.format("own"), plugin=MOCK) + GAZEBO) == []

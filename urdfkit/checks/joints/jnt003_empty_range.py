@@ -59,7 +59,8 @@ def _inverted(joint: Joint, limit: Limit, ends: tuple[float, float]) -> Finding:
             message += f" ({key} is not written, so it is 0)"
     if ends in _FREE_IN_PYBULLET:
         free = "make it continuous" if joint.kind == "revolute" else "set them far apart"
-        return Finding(limit.at, message, f"swap them; if the joint is to be free, {free}")
+        message += " (no limits for MuJoCo and PyBullet)"
+        return Finding(limit.at, message, f"if the joint is to be free, {free}; else swap them")
     return Finding(limit.at, message, "swap them", _swapped(limit))
 
 

@@ -7,7 +7,7 @@
 - The leader is fixed, floating or planar: only revolute, continuous and prismatic joints have one
   position to follow. Drake rejects the robot; MuJoCo and MoveIt drop the coupling, so that the
   follower moves freely. A fixed joint with a `<mimic>` is reported for Drake only.
-- The multiplier is 0: the follower stays at its offset. Omit the attribute for 1.
+- The multiplier of a joint that moves is 0: it stays at its offset. Omit the attribute for 1.
 
 Sources:
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
@@ -42,7 +42,7 @@ def check(context: Context) -> Findings:
     yield from _immobile(context)
     for joint in context.model.joints:
         mimic = joint.mimic
-        if mimic and mimic.joint and mimic.multiplier == 0:
+        if mimic and mimic.joint and mimic.multiplier == 0 and joint.is_single_dof:
             yield Finding(
                 mimic.at.attributes.get("multiplier", mimic.at),
                 f"joint '{joint.name}' mimics '{mimic.joint.value}' with multiplier 0: it stays at "

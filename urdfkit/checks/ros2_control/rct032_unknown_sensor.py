@@ -1,8 +1,10 @@
 """A sensor of `<ros2_control>` has no counterpart in Gazebo, or a broadcaster names an unknown one.
 
 Sensors are matched by name. A `<sensor>` in `<ros2_control>` without a `<sensor>` of the same name
-in `<gazebo>` has no data in the simulator. A broadcaster whose `sensor_name` is not a `<sensor>` in
-`<ros2_control>` cannot be activated, unless the hardware driver exports unlisted sensors.
+in `<gazebo>` has no data in the simulator: an info if its interfaces are not those of an IMU or a
+force-torque sensor, the only sensors that Gazebo's hardware reads. A broadcaster whose
+`sensor_name` is not a `<sensor>` in `<ros2_control>` cannot be activated, unless the hardware
+driver exports unlisted sensors.
 
 Sources:
     gazebo_ros2_control, gazebo_system.cpp: https://github.com/ros-controls/gazebo_ros2_control/blob/master/gazebo_ros2_control/src/gazebo_system.cpp
@@ -10,6 +12,8 @@ Sources:
     imu_sensor_broadcaster.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/imu_sensor_broadcaster/src/imu_sensor_broadcaster.cpp
     force_torque_sensor_broadcaster.cpp: https://github.com/ros-controls/ros2_controllers/blob/master/force_torque_sensor_broadcaster/src/force_torque_sensor_broadcaster.cpp
 """
+
+import re
 
 from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
@@ -31,6 +35,8 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace("base_immu", "base_imu")
 
+#: State interfaces of the sensors that Gazebo's hardware reads.
+_SIMULATED = re.compile(r"(orientation|angular_velocity|linear_acceleration|force|torque)\.[xyzw]")
 _BROADCASTERS = (
     "imu_sensor_broadcaster/IMUSensorBroadcaster",
     "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster",
@@ -57,9 +63,12 @@ def _not_in_gazebo(context: Context, blocks: list[Component]) -> Findings:
                 continue
             suggested, hint = suggester.suggested(name.value), suggester.hint(name.value)
             message = f"sensor '{name.value}' of <ros2_control> does not exist in <gazebo>{hint}"
-            yield Finding(
-                name, message, "use the same name for both sensors", fix_value(name, suggested)
-            )
+            help, severity = "use the same name for both sensors", None
+            if not suggested:
+                help = "add a <sensor> of this name in <gazebo>, or leave it out for Gazebo"
+            if not any(_SIMULATED.fullmatch(one.name) for one in part.of("state")):
+                help, severity = "leave it out for Gazebo, which has no such data", Severity.INFO
+            yield Finding(name, message, help, fix_value(name, suggested), severity=severity)
 
 
 def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
