@@ -13,6 +13,15 @@ def test_typos_are_fixed(wrong: str, right: str) -> None:
     assert f"<{right}>1</{right}>" in fixed("GAZ003", text)
 
 
+@pytest.mark.parametrize(("kind", "count"), [("continuous", 0), ("fixed", 1)])
+def test_a_robot_with_joints_is_not_made_static(kind: str, count: int) -> None:
+    """RealMan's arms have <is_static>true</is_static>, which Gazebo ignores, and controllers."""
+    arm = '<link name="a"/><joint name="j" type="{}"><parent link="base"/><child link="a"/></joint>'
+    text = BASE + arm.format(kind) + "<gazebo><is_static>true</is_static></gazebo>"
+    (found,) = reported("GAZ003", text)
+    assert (found.fix is not None, found.help == "did you mean <static>?") == (count, count)
+
+
 def test_one_finding_for_a_name_that_nothing_is_like() -> None:
     assert messages("GAZ003", BASE + block("<stopKp>1</stopKp>")) == [
         "unknown element <stopKp> in <gazebo> (ignored)"

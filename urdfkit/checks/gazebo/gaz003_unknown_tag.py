@@ -16,6 +16,7 @@ from collections.abc import Iterable
 from urdfkit.core.grouping import by_key
 from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
+from urdfkit.robot.joint_limits import can_move
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import copied, extensions, suggested
@@ -53,7 +54,10 @@ def check(context: Context) -> Findings:
     suggester = Suggester(known)
     for tag, elements in unknown.items():
         right = suggested().get(tag) or suggester.suggested(tag)
-        if right:
+        if right == "static" and any(map(can_move, context.model.joints)):
+            help = "remove it: with <static> no joint moves"
+            yield _unknown(tag, elements)._replace(help=help)
+        elif right:
             yield from (_misspelt(element, right) for element in elements)
         else:
             yield _unknown(tag, elements)
