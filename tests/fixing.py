@@ -3,6 +3,7 @@
 from functools import partial
 from pathlib import Path
 
+from tests.workspaces import add_file
 from urdfkit.lint.config import Config
 from urdfkit.lint.fix import fix as fix_as_configured
 from urdfkit.text.diagnostic import Severity
@@ -24,7 +25,5 @@ FIXED_JOINT = """\
 
 def write(directory: Path, name: str, body: str, attributes: str = "") -> Path:
     """A description with a body, written to a directory."""
-    path = directory / name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(f'<?xml version="1.0"?>\n<robot name="r" {attributes}>\n{body}</robot>\n')
-    return path
+    head = f'<?xml version="1.0"?>\n<robot name="r" {attributes}>'
+    return add_file(directory / name, f"{head}\n{body}</robot>\n")

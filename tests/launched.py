@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from pathlib import Path
 
+from tests.workspaces import add_files
 from urdfkit import Diagnostic, check
 
 MANIFEST = """<?xml version="1.0"?>
@@ -31,10 +32,7 @@ def reported(
     directory.mkdir(exist_ok=True)
     (directory / "package.xml").write_text(MANIFEST)
     (directory / "launch").mkdir(exist_ok=True)
-    for path, content in (files or {}).items():
-        file = directory / path
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(content)
+    add_files(directory, files or {})
     (directory / "launch" / name).write_text(text if name.endswith(".py") else launch(text))
     report = check(directory / "launch" / name, select=[code])
     assert report.crashed == ()

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from tests import reported as one_text
-from tests.workspaces import add_file, mesh_link
+from tests.workspaces import add_file, add_files, mesh_link
 from urdfkit.lint import engine
 from urdfkit.lint.options import Options
 from urdfkit.lint.rule_examples import whole_robot
@@ -33,10 +33,7 @@ def reported(
     targets: tuple[str, ...] = (),
 ) -> list[Diagnostic]:
     """What a rule says about the inside of a robot that lies in a directory with some files."""
-    for name, data in files.items():
-        path = directory / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(data)
+    add_files(directory, files)
     (directory / "robot.urdf").write_text(whole_robot(robot), encoding="utf-8")
     options = Options(select=[code], targets=tuple(targets), cache=False)
     report = engine.check(directory / "robot.urdf", options=options)

@@ -7,10 +7,8 @@ import os
 import shutil
 import subprocess
 import sys
-import threading
 from collections.abc import Callable, Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from http.server import SimpleHTTPRequestHandler
 from io import BytesIO
 from pathlib import Path
 from struct import pack
@@ -21,7 +19,7 @@ import pytest
 
 from docs.playground.build import EXAMPLES, build
 from tests.conftest import CORPUS, MODELS, needs_corpus
-from tests.output.report.browsers import Page, browser, needs_browser
+from tests.output.report.browsers import Page, browser, needs_browser, served
 
 pytestmark = needs_browser
 
@@ -60,11 +58,8 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def address(site: Path) -> Iterator[str]:
     """Where the playground is served."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Recording, directory=str(site)))
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    yield f"http://127.0.0.1:{server.server_port}/"
-    server.shutdown()
-    server.server_close()
+    with served(site, Recording) as top:
+        yield f"{top}/"
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.workspaces import add_files
 from tests.xacros import xacro
 from urdfkit.cli import main
 from urdfkit.lint.engine import check
@@ -40,10 +41,7 @@ SPELLINGS = (
 def directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A workspace that is the current directory."""
     top = tmp_path.resolve() / "ws"
-    for name, text in PARTS.items():
-        path = top / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+    add_files(top, PARTS)
     (top / ".git").mkdir()
     monkeypatch.chdir(top)
     return top

@@ -6,12 +6,8 @@ import re
 import shutil
 import subprocess
 import sys
-import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
-from functools import partial
 from html.parser import HTMLParser
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
@@ -19,7 +15,7 @@ import yaml
 
 import urdfkit
 from tests.conftest import ROOT
-from tests.output.report.browsers import Page, browser, needs_browser
+from tests.output.report.browsers import Page, browser, needs_browser, served
 from urdfkit.cli.group import COMMANDS
 from urdfkit.lint import rule_index
 
@@ -110,22 +106,6 @@ def test_llms_txt_lists_every_page_as_it_is_written(site: Path) -> None:
     assert set(listed) == {str(page.relative_to(ROOT / "docs")) for page in pages}
     assert all((site / page).read_bytes() == (ROOT / "docs" / page).read_bytes() for page in listed)
     assert "- [urdfkit fix](commands/fix.md): Applies auto-fixes to source files" in text
-
-
-class Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, *_: object) -> None:
-        pass
-
-
-@contextmanager
-def served(directory: Path) -> Iterator[str]:
-    """The address of a directory."""
-    handler = partial(Quiet, directory=str(directory))
-    server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    yield f"http://127.0.0.1:{server.server_port}"
-    server.shutdown()
-    server.server_close()
 
 
 # --- the filter of the rules

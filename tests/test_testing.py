@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.workspaces import add_file
 from urdfkit.errors import UnknownRule, UrdfkitError
 from urdfkit.lint.config import ConfigError
 from urdfkit.testing import (
@@ -195,9 +196,7 @@ class Repository:
         ).stdout
 
     def write(self, name: str, text: str) -> None:
-        path = self.directory / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+        add_file(self.directory / name, text)
 
     def commit(self, tag: str) -> None:
         self.git("add", "-A")

@@ -1,6 +1,7 @@
 """Packages and files on disk, for tests of what is found where."""
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +16,17 @@ def add_package(directory: Path, name: str) -> Path:
     return directory
 
 
-def add_file(path: Path, data: bytes = b"") -> Path:
+def add_file(path: Path, data: bytes | str = b"") -> Path:
     """Make a file, with the directories around it."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(data)
+    path.write_bytes(data if isinstance(data, bytes) else data.encode())
     return path
+
+
+def add_files(directory: Path, files: Mapping[str, bytes] | Mapping[str, str]) -> None:
+    """Make files, by their paths in a directory."""
+    for name, data in files.items():
+        add_file(directory / name, data)
 
 
 def record_listings(monkeypatch: pytest.MonkeyPatch) -> list[str]:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.workspaces import add_files
 from urdfkit.cli import main
 from urdfkit.core.cache_directory import VARIABLE, cache_directory
 
@@ -13,9 +14,8 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A cache of two entries, next to which somebody else keeps a file."""
     directory = tmp_path / "cache"
     monkeypatch.setenv(VARIABLE, str(directory))
-    for name in ("results/0", "meshes/v9/ab/cd.json", "notes.txt"):
-        (directory / name).parent.mkdir(parents=True, exist_ok=True)
-        (directory / name).write_bytes(bytes(300_000))
+    names = ("results/0", "meshes/v9/ab/cd.json", "notes.txt")
+    add_files(directory, dict.fromkeys(names, bytes(300_000)))
     return directory
 
 

@@ -6,6 +6,7 @@ from typing import NoReturn
 
 import pytest
 
+from tests.workspaces import add_file
 from urdfkit.cli import main
 
 LOOP = '<joint name="{}" type="fixed"><parent link="a"/><child link="a"/></joint>\n'
@@ -23,9 +24,7 @@ class Project:
         self.robot("bad.urdf", "one")
 
     def write(self, name: str, text: str) -> None:
-        path = self.directory / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+        add_file(self.directory / name, text)
 
     def robot(self, name: str, *joints: str) -> None:
         body = "".join(map(LOOP.format, joints))

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import ROOT
+from tests.workspaces import add_files
 from urdfkit.checks.gazebo.gaz001_unknown_reference import BAD
 from urdfkit.cli import result_cache, result_entry, result_recording
 from urdfkit.cli.result_entry import ResultEntry, decode, encode
@@ -146,9 +147,7 @@ def is_repeated(done: subprocess.CompletedProcess[bytes]) -> bool:
 def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A workspace whose robots have been checked; each test leaves its result behind."""
     directory = tmp_path_factory.mktemp("cached") / "ws"
-    for name, text in FILES.items():
-        (directory / name).parent.mkdir(parents=True, exist_ok=True)
-        (directory / name).write_text(text)
+    add_files(directory, FILES)
     (directory / "arm/meshes/deep").mkdir()
     assert not is_repeated(run(directory, *CHECK))
     return directory

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.meshed import SOUND
+from tests.workspaces import add_file, add_files, add_package
 from urdfkit import check
 from urdfkit.lint.grouping import grouped
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -16,20 +17,15 @@ URDF = """\
 
 
 def package(directory: Path, name: str, *meshes: str) -> None:
-    directory.mkdir(parents=True, exist_ok=True)
-    (directory / "package.xml").write_text(f"<package><name>{name}</name></package>")
-    put(directory, *meshes)
+    put(add_package(directory, name), *meshes)
 
 
 def put(directory: Path, *meshes: str) -> None:
-    for mesh in meshes:
-        (directory / mesh).parent.mkdir(parents=True, exist_ok=True)
-        (directory / mesh).write_bytes(SOUND)
+    add_files(directory, dict.fromkeys(meshes, SOUND))
 
 
 def robot(path: Path, file: str) -> tuple[Diagnostic, ...]:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(URDF.format(file=file))
+    add_file(path, URDF.format(file=file))
     return tuple(check(path, select=["MSH001"]).diagnostics)
 
 

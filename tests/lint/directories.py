@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from tests.workspaces import add_file
 from urdfkit.lint.entry_points import DirectoryContents
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -12,10 +13,7 @@ CART = """<link name="base"/><link name="wheel"/>
 
 def write(directory: Path, name: str, body: str) -> str:
     """Write a description and give its path."""
-    path = directory / name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(f"{HEAD}\n{body}\n</robot>\n")
-    return str(path)
+    return str(add_file(directory / name, f"{HEAD}\n{body}\n</robot>\n"))
 
 
 def include(name: str) -> str:

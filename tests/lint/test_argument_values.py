@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.workspaces import add_file, add_package
 from urdfkit import check
 from urdfkit.lint.argument_sets import MAX_GIVEN
 from urdfkit.lint.fix import fix
@@ -32,19 +33,7 @@ LAUNCH = """\
 def package(tmp_path: Path) -> Path:
     """The package of a robot, in a workspace."""
     (tmp_path / ".git").mkdir()
-    return make_package(tmp_path / "arms")
-
-
-def make_package(directory: Path) -> Path:
-    directory.mkdir()
-    (directory / "package.xml").write_text(f"<package><name>{directory.name}</name></package>")
-    return directory
-
-
-def write(path: Path, text: str) -> Path:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text)
-    return path
+    return add_package(tmp_path / "arms", "arms")
 
 
 def taken(report: Report) -> list[tuple[dict[str, str], str]]:
@@ -57,13 +46,13 @@ def codes(report: Report) -> list[str]:
 
 def kinds(package: Path, **masses: float) -> Path:
     for kind, mass in masses.items():
-        write(package / "config" / kind / "data.yaml", f"mass: {mass}\n")
-    return write(package / "arm.xacro", BY_DIRECTORY)
+        add_file(package / "config" / kind / "data.yaml", f"mass: {mass}\n")
+    return add_file(package / "arm.xacro", BY_DIRECTORY)
 
 
 def test_the_directories_that_a_path_may_lead_to(package: Path) -> None:
     robot = kinds(package, big=2, small=-1)
-    write(package / "config" / "common" / "limits.yaml", "")  # which lacks the file
+    add_file(package / "config" / "common" / "limits.yaml", "")  # which lacks the file
     for what in (package, robot):
         report = check(what)
         assert taken(report) == [({"kind": "big"}, "config"), ({"kind": "small"}, "config")]
@@ -73,14 +62,14 @@ def test_the_directories_that_a_path_may_lead_to(package: Path) -> None:
 
 def test_a_directory_with_which_the_robot_does_not_expand_is_no_value(package: Path) -> None:
     kinds(package, big=2)
-    write(package / "config" / "odd" / "data.yaml", "weight: 1\n")
+    add_file(package / "config" / "odd" / "data.yaml", "weight: 1\n")
     report = check(package)
     assert taken(report) == [({"kind": "big"}, "config")]
     (found,) = (one for one in report.diagnostics if one.code.startswith(("XAC", "CFG")))
     assert (found.code, found.severity.value) == ("CFG003", "warning")
     assert found.message.startswith("robot not checked with 1 of 2 values of 'kind': odd; ")
     assert "'mass'" in found.message
-    write(package / "config" / "big" / "data.yaml", "weight: 1\n")
+    add_file(package / "config" / "big" / "data.yaml", "weight: 1\n")
     report = check(package)
     assert codes(report) == ["CFG003"]
     (found,) = report.diagnostics
@@ -89,14 +78,14 @@ def test_a_directory_with_which_the_robot_does_not_expand_is_no_value(package: P
 
 
 def test_a_parameter_of_a_macro_that_is_called_like_the_argument(package: Path) -> None:
-    write(
+    add_file(
         package / "arm.xacro",
         f'{HEAD}<xacro:arg name="arm" default="NO_ARM"/>\n<xacro:macro name="load" params="arm">'
         '<xacro:include filename="$(find arms)/arms/${arm}/${arm}.xacro"/></xacro:macro>\n'
         '<xacro:load arm="$(arg arm)"/></robot>',
     )
     for arm in ("one", "two"):
-        write(package / "arms" / arm / f"{arm}.xacro", f'{HEAD}<link name="{arm}"/></robot>')
+        add_file(package / "arms" / arm / f"{arm}.xacro", f'{HEAD}<link name="{arm}"/></robot>')
     assert taken(check(package / "arm.xacro")) == [
         ({"arm": "one"}, "arms"),
         ({"arm": "two"}, "arms"),
@@ -112,31 +101,31 @@ def test_no_more_directories_than_a_bound(package: Path) -> None:
 
 
 def test_no_more_launch_files_than_a_bound(package: Path) -> None:
-    write(package / "arm.xacro", WANTING)
+    add_file(package / "arm.xacro", WANTING)
     for number in range(MAX_GIVEN + 1):
-        write(package / "launch" / f"{number:02}.launch", LAUNCH.format(f"side{number:02}"))
+        add_file(package / "launch" / f"{number:02}.launch", LAUNCH.format(f"side{number:02}"))
     report = check(package / "arm.xacro", select=["XAC"])
     assert len(report.launched) == MAX_GIVEN
     assert "with 1 of 17 values of 'side': side16; " in report.diagnostics[0].message
 
 
 def test_launch_files_of_other_packages(package: Path) -> None:
-    robot = write(package / "arm.xacro", WANTING)
-    bringup = make_package(package.parent / "bringup")
-    write(bringup / "launch" / "arm.launch", LAUNCH.format("left"))
+    robot = add_file(package / "arm.xacro", WANTING)
+    bringup = add_package(package.parent / "bringup", "bringup")
+    add_file(bringup / "launch" / "arm.launch", LAUNCH.format("left"))
     assert taken(check(package)) == [({"side": "left"}, "arm.launch")]
     assert taken(check(robot)) == taken(check(package))
-    write(package / "launch" / "own.launch", LAUNCH.format("right"))
+    add_file(package / "launch" / "own.launch", LAUNCH.format("right"))
     sets = [({"side": "right"}, "own.launch"), ({"side": "left"}, "arm.launch")]
     assert taken(check(robot)) == taken(check(package)) == sets
 
 
 def test_launch_files_about_other_packages_say_nothing(package: Path) -> None:
-    write(package / "arm.xacro", WANTING)
-    other = make_package(package.parent / "legs")
-    write(other / "leg.xacro", WANTING)
+    add_file(package / "arm.xacro", WANTING)
+    other = add_package(package.parent / "legs", "legs")
+    add_file(other / "leg.xacro", WANTING)
     launch = LAUNCH.format("left").replace("arms", "legs").replace("arm.xacro", "leg.xacro")
-    write(other / "leg.launch", launch)
+    add_file(other / "leg.launch", launch)
     assert codes(check(package)) == ["CFG003"]
 
 
@@ -158,17 +147,17 @@ def test_arguments_that_a_launch_file_declares(
     package: Path, declaration: str, values: list[str]
 ) -> None:
     """What it does with them is known only by running it."""
-    write(package / "arm.xacro", WANTING)
+    add_file(package / "arm.xacro", WANTING)
     text = f"def generate_launch_description():\n    return run({declaration}, setup)\n"
-    write(package / "arm.launch.py", text)
+    add_file(package / "arm.launch.py", text)
     report = check(package)
     assert taken(report) == [({"side": value}, "arm.launch.py") for value in values]
     assert ("CFG003" in codes(report)) is not bool(values)
 
 
 def test_the_default_of_an_include_that_is_not_reached(package: Path) -> None:
-    write(package / "defaults.xacro", f'{HEAD}<xacro:arg name="side" default="left"/></robot>')
-    write(
+    add_file(package / "defaults.xacro", f'{HEAD}<xacro:arg name="side" default="left"/></robot>')
+    add_file(
         package / "arm.xacro",
         f'{HEAD}<link name="$(arg side)_base"/><xacro:macro name="late">'
         '<xacro:include filename="$(find arms)/defaults.xacro"/></xacro:macro></robot>',
@@ -177,9 +166,9 @@ def test_the_default_of_an_include_that_is_not_reached(package: Path) -> None:
 
 
 def test_the_default_of_an_include_below_the_use(package: Path) -> None:
-    write(package / "defaults.xacro", f'{HEAD}<xacro:arg name="side" default="left"/></robot>')
+    add_file(package / "defaults.xacro", f'{HEAD}<xacro:arg name="side" default="left"/></robot>')
     include = '<xacro:include filename="defaults.xacro"/>'
-    write(package / "arm.xacro", f'{HEAD}<link name="$(arg side)_base"/>{include}</robot>')
+    add_file(package / "arm.xacro", f'{HEAD}<link name="$(arg side)_base"/>{include}</robot>')
     assert taken(check(package)) == [({"side": "left"}, "defaults.xacro")]
 
 
@@ -187,7 +176,7 @@ def test_arguments_from_different_places(package: Path) -> None:
     kinds(package, big=2, small=3)
     robot = package / "arm.xacro"
     robot.write_text(BY_DIRECTORY.replace('"base"', '"$(arg side)_base"'))
-    write(package / "arm.launch", '<launch><arg name="side" default="left"/></launch>')
+    add_file(package / "arm.launch", '<launch><arg name="side" default="left"/></launch>')
     assert taken(check(robot)) == [
         ({"side": "left"}, "arm.launch"),
         ({"kind": "big"}, "config"),

@@ -7,6 +7,7 @@ from types import ModuleType
 
 import pytest
 
+from tests.workspaces import add_file
 from urdfkit import Source, check
 from urdfkit.errors import UnknownRule, UnreadableFile
 from urdfkit.lint import check_job, engine
@@ -25,10 +26,7 @@ LOOP = '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>
 
 
 def write(directory: Path, name: str, body: str) -> Path:
-    path = directory / name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(f"{HEAD}\n{body}\n</robot>\n")
-    return path
+    return add_file(directory / name, f"{HEAD}\n{body}\n</robot>\n")
 
 
 def found(report: Report) -> list[tuple[str, str, int]]:

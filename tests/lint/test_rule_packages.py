@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import ROOT
+from tests.workspaces import add_file
 from urdfkit.errors import RuleError
 from urdfkit.lint import rule_index, rule_packages
 
@@ -40,9 +41,7 @@ class Place:
         self.write("r.urdf", ROBOT)
 
     def write(self, name: str, text: str) -> None:
-        path = self.project / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+        add_file(self.project / name, text)
 
     def install(self, name: str = "acme", code: str = "") -> None:
         """What pip leaves behind of the example package."""

@@ -4,6 +4,8 @@ from importlib.metadata import entry_points
 
 import pytest
 
+from tests.workspaces import add_file
+
 #: An installed urdfkit brings its plugin along; a checkout has to name it.
 PLUGIN = (
     []
@@ -56,9 +58,7 @@ class Project:
         self.write("urdf/broken.urdf", BROKEN)
 
     def write(self, name: str, text: str) -> None:
-        path = self.directory / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
+        add_file(self.directory / name, text)
 
     def run(self, *words: str) -> pytest.RunResult:
         """A run in this process, which has imported what it needs already."""

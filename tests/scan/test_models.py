@@ -10,16 +10,15 @@ from types import SimpleNamespace
 
 import pytest
 
+from tests.workspaces import add_files
 from urdfkit.errors import UnreadableFile, UnwritableFile
 from urdfkit.scan.models import Extraction, models, require_sources
 
 
 @pytest.fixture
 def zoo(tmp_path: Path) -> Path:
-    for name in ("b/x.urdf", "a/y.URDF", "a/z.urdf.xacro", "a/mesh.stl", ".git/old.urdf"):
-        file = tmp_path / "zoo" / name
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text("<robot/>")
+    names = ("b/x.urdf", "a/y.URDF", "a/z.urdf.xacro", "a/mesh.stl", ".git/old.urdf")
+    add_files(tmp_path / "zoo", dict.fromkeys(names, "<robot/>"))
     return tmp_path / "zoo"
 
 

@@ -108,8 +108,7 @@ def test_a_walk_lists_what_os_walk_lists_and_each_directory_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name in ("b/x", "b/a/y", "a/z", "top", "build/made", "lib/site-packages/x", ".git/config"):
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).touch()
+        add_file(tmp_path / name)
     (tmp_path / "dead").symlink_to("nowhere")
     (tmp_path / "round").symlink_to(tmp_path)
     expected = [*walk(str(tmp_path))]

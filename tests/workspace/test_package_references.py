@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.workspaces import add_package
 from urdfkit.text.source import Source
 from urdfkit.workspace.package_references import package_references, references_of_package
 from urdfkit.workspace.resolve import Resolver
@@ -39,14 +40,8 @@ def test_what_is_mentioned(text: str, expected: tuple[str, str, str] | None) -> 
         assert result[0][2].startswith(expected[2])
 
 
-def package(directory: Path, name: str) -> Path:
-    directory.mkdir(parents=True, exist_ok=True)
-    (directory / "package.xml").write_text(f"<package><name>{name}</name></package>")
-    return directory
-
-
 def test_only_the_texts_of_the_own_package_count(tmp_path: Path) -> None:
-    arm, hand = package(tmp_path / "arm", "arm"), package(tmp_path / "hand", "hand")
+    arm, hand = add_package(tmp_path / "arm", "arm"), add_package(tmp_path / "hand", "hand")
     sources = (
         Source(str(arm / "a.xacro"), b"$(find hand)/h.xacro"),
         Source(str(hand / "h.xacro"), b"$(find motors)/m.xacro"),

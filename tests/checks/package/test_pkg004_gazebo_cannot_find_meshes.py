@@ -71,8 +71,7 @@ def test_others_resolve_packages_by_themselves(tmp_path: Path, target: str) -> N
     ],
 )
 def test_something_tells_it(tmp_path: Path, file: str, text: str) -> None:
-    (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
-    (tmp_path / file).write_text(text)
+    add_file(tmp_path / file, text)
     assert reported(tmp_path) == []
 
 

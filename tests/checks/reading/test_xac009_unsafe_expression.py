@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.workspaces import add_package
 from tests.xacros import reported, told_of, write, xacro
 from urdfkit.lint import engine
 from urdfkit.text.source import Source
@@ -66,12 +67,6 @@ def test_what_models_do(expression: str) -> None:
     assert reported("XAC009", f'<link name="l${{{expression}}}"/>') == []
 
 
-def package(directory: Path, name: str) -> Path:
-    directory.mkdir(parents=True)
-    (directory / "package.xml").write_text(f"<package><name>{name}</name></package>")
-    return directory
-
-
 @pytest.mark.parametrize(
     "body",
     [
@@ -91,7 +86,7 @@ def test_a_device() -> None:
 
 
 def test_a_link_that_leads_outside(tmp_path: Path) -> None:
-    directory = package(tmp_path / "ws" / "arm", "arm")
+    directory = add_package(tmp_path / "ws" / "arm", "arm")
     (directory / "inner.xacro").symlink_to("/etc/hostname")
     write(directory, robot='<xacro:include filename="inner.xacro"/><link name="a"/>')
     (found,) = told_of("XAC009", directory / "robot.xacro")
@@ -107,14 +102,14 @@ def test_a_file_that_does_not_exist_is_missing_wherever_it_is() -> None:
 def test_a_trusted_model_includes_any_file(tmp_path: Path) -> None:
     outside = tmp_path / "outside.xacro"
     write(tmp_path, outside='<link name="a"/>')
-    directory = package(tmp_path / "a" / "b" / "c" / "d" / "arm", "arm")
+    directory = add_package(tmp_path / "a" / "b" / "c" / "d" / "arm", "arm")
     write(directory, robot=f'<xacro:include filename="{outside}"/>')
     assert len(told_of("XAC009", directory / "robot.xacro")) == 1
     assert engine.check(directory / "robot.xacro", select=["XAC"], trust=True).diagnostics == ()
 
 
 def test_a_neighbour_of_the_package(tmp_path: Path) -> None:
-    directory = package(tmp_path / "ws" / "arm", "arm")
-    write(package(tmp_path / "ws" / "common", "common"), part='<link name="a"/>')
+    directory = add_package(tmp_path / "ws" / "arm", "arm")
+    write(add_package(tmp_path / "ws" / "common", "common"), part='<link name="a"/>')
     write(directory, robot='<xacro:include filename="../common/part.xacro"/>')
     assert told_of("XAC009", directory / "robot.xacro") == []
