@@ -74,8 +74,9 @@ def _failure(run: ExpansionRun, error: BaseException, node: Node | None) -> _Fai
     code, message, help = diagnosis.classify(run.defined, error)
     if node is None:
         return _Failure([Problem(code, Span(run.request.source, 0, 0), message, help)], None)
-    if text := relative_to_caller(root_cause(error), node.tag_at.source.path):
-        message, help = text
+    if node.frame and node.frame.kind == "macro":
+        text = relative_to_caller(root_cause(error), node.tag_at.source.path)
+        message, help = text or (message, help)
     is_removed = node.parentNode is None and node.tagName != "xacro:property"
     if code == "XAC013" or is_removed:
         return _Failure([Problem(code, node.tag_at.span, message, help, node.frame)], None)
