@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+import pytest
+
 from tests.xacros import told_of, write
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Severity
@@ -34,6 +36,20 @@ def test_what_hangs_on_another_file_is_a_part_though_none_includes_it(tmp_path: 
     write(tmp_path, part='<link name="arm"/>' + hand.format('<origin xyz="${length} 0 0"/>'))
     (error,) = engine.check(tmp_path / "part.xacro", select=["XAC"]).diagnostics
     assert error.code == "XAC001"
+
+
+@pytest.mark.parametrize(
+    ("more", "severity"),
+    [("", Severity.WARNING), ('<xacro:include filename="macros.xacro"/>', Severity.ERROR)],
+)
+def test_a_named_file_whose_links_hang_on_another_is_less_surely_a_part(
+    tmp_path: Path, more: str, severity: Severity
+) -> None:
+    """utiasDSL/mobile_manipulation: the robot is in another repository, with its macros."""
+    joint = '<joint name="j" type="fixed"><xacro:frame/><parent link="arm"/><child link="eye"/>'
+    write(tmp_path, robot=f'{more}<link name="eye"/>{joint}</joint>')
+    (found,) = engine.check(tmp_path / "robot.xacro", select=["XAC001"]).diagnostics
+    assert found.severity is severity
 
 
 def test_other_errors_of_a_part_stay(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from functools import cached_property
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import NotApplicable, Unavailable
-from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.file_kinds import is_launch, is_xacro
 from urdfkit.text.source import Source
@@ -58,10 +58,9 @@ class Reading(Record):
 
     @property
     def is_fragment(self) -> bool:
-        """True for a part of a robot that cannot be expanded alone: XAC001 is an info for it."""
+        """True for a part of a robot that cannot be expanded alone: XAC001 is no error for it."""
         return any(
-            problem.code == "XAC001" and problem.severity is Severity.INFO
-            for problem in self.problems
+            problem.code == "XAC001" and problem.severity is not None for problem in self.problems
         )
 
 

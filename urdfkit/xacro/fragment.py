@@ -24,7 +24,8 @@ def merge_missing_names(
     """The problems of a file; all missing names become one hint if another file includes it.
 
     The same applies if no file includes it, but its parent links are not in the file, or it has no
-    name and lacks many names: a program may write the including file.
+    name and lacks many names: a program may write the including file, or another repository have
+    it. It is a warning if the file has the name of a robot.
 
     The including file defines these names before the include. They are not an error of the part,
     and the robot is checked by checking the including file.
@@ -34,26 +35,29 @@ def merge_missing_names(
         return problems
     distinct = dict.fromkeys(missing.values())
     top = top_includer(source.path, packages)
+    severity = Severity.INFO
     if top is None:
-        if document is None or not _is_fragment(document.documentElement, len(distinct)):
+        root = document.documentElement if document else None
+        if root is None or not _is_fragment(root, len(distinct)):
             return problems
-        top = ""
+        top, severity = "", Severity.WARNING if root.hasAttribute("name") else Severity.INFO
     names = few([f"'{name}'" for name in distinct], _MAX_NAMED)
     robot = os.path.relpath(top, os.path.dirname(os.path.abspath(source.path))) if top else ""
     message = f"a part of {robot or 'another file'}, which must define {names}"
-    help = f"check the robot instead: urdfkit check {shown(top)}" if top else ""
+    help = "include it in the robot that defines what is missing"
+    if top:
+        help = f"check the robot instead: urdfkit check {shown(top)}"
     at, frame = Span(source, 0, 0), problems[next(iter(missing))].frame
-    hint = Problem("XAC001", at, message, help, frame, severity=Severity.INFO)
+    hint = Problem("XAC001", at, message, help, frame, severity=severity)
     return [hint, *(item for number, item in enumerate(problems) if number not in missing)]
 
 
 def _is_fragment(root: Node, missing: int) -> bool:
-    """True for a ``<robot>`` without a name that lacks many names, or whose links have a parent."""
-    if root.hasAttribute("name"):
-        return False
+    """True if all links have a parent; for a ``<robot>`` without a name, if it lacks many names."""
     links = {link.getAttribute("name") for link in root.getElementsByTagName("link")}
     children = {child.getAttribute("link") for child in root.getElementsByTagName("child")}
-    return bool(links) and (missing >= _MIN_MISSING or links <= children)
+    is_unnamed = not root.hasAttribute("name")
+    return bool(links) and (links <= children or (is_unnamed and missing >= _MIN_MISSING))
 
 
 def _missing(problem: Problem) -> str:

@@ -10,7 +10,8 @@ An included file that only xacrodoc finds, from the directory where it is run, i
 
 A file that another file includes, and that uses macros, properties or arguments of that file, is
 not a complete robot: an info. Check the top file; findings in included files are reported at their
-lines.
+lines. If all links of a file have a parent, which it does not define, and no file includes it, a
+robot elsewhere may: a warning.
 
 Sources:
     xacro: https://wiki.ros.org/xacro
