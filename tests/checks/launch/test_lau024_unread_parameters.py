@@ -475,6 +475,7 @@ def rows(row: int) -> str:
         (MPPI.format("30.0", ", model_dt: 0.033"), "below the period of 0.03333 s"),
         (MPPI.format("30.0", ""), ""),
         (MPPI.format("10.0", ""), "below the period of 0.1 s"),
+        ("slam_toolbox: {ros__parameters: {transform_publish_period: 0.0}}\n", "no transform"),
         (AMCL.format("min_particles: 900, max_particles: 500"), "min_particles is 900, above"),
         (AMCL.format("laser_min_range: 0.1, laser_max_range: -1.0"), ""),
         (AMCL.format("initial_pose: {x: 0.0, y: 0.0}"), "initial_pose is not read"),
@@ -673,3 +674,34 @@ def test_a_filter_that_reads_its_output(tmp_path: Path, to: str, count: int) -> 
     files = {"ekf.yaml": EKF.format(f"odom0: odom, odom0_config: {rows(2)}")}
     found = reported(tmp_path / "arm", "LAU024", "a.launch.xml", text, files)
     assert ["reads its own output" in one.message for one in found] == [True] * count
+
+
+LIDAR = """<robot name="r"><link name="base"/><link name="mast"/>
+<joint name="j" type="fixed"><parent link="base"/><child link="mast"/>
+<origin xyz="0 0 0.4"/></joint>
+<gazebo reference="mast"><sensor name="scanner" type="gpu_lidar"><lidar><scan><horizontal>
+<samples>90</samples><min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan>
+<range><min>0.1</min><max>9</max></range></lidar></sensor></gazebo></robot>"""
+
+
+@pytest.mark.parametrize(
+    ("bound", "count"),
+    [
+        ("max_obstacle_height: 2.0", 0),
+        ("max_obstacle_height: 0.5", 0),
+        ("max_obstacle_height: 0.3", 1),
+        ("min_obstacle_height: 0.3", 0),
+        ("min_obstacle_height: 0.5", 1),
+    ],
+)
+def test_heights_of_obstacles(tmp_path: Path, bound: str, count: int) -> None:
+    text = (
+        "from launch_ros.actions import Node\n\n"
+        "state = Node(package='robot_state_publisher', executable='robot_state_publisher', "
+        f"parameters=[{{'robot_description': open('{tmp_path}/r.urdf').read()}}])\n"
+        "server = Node(package='nav2_controller', executable='controller_server', "
+        f"parameters=['{tmp_path}/a.yaml'])\n"
+    )
+    files = {"r.urdf": LIDAR, "a.yaml": COSTMAP_OF.format(OBSTACLES.format(SOURCE.format(bound)))}
+    found = reported(tmp_path, "LAU024", "a.launch.py", text, files)
+    assert ["scans at a height of 0.4 m" in one.message for one in found] == [True] * count

@@ -17,8 +17,9 @@
 - Values contradict one another: the step of MPPI is below the period of the controller, which stops
   it; an inflation radius is within the robot, rays that clear obstacles are shorter than the range
   of obstacles, or no source clears them; a minimum is above its maximum; an initial pose is given
-  without `set_initial_pose`; a row of `imu0_config` is of values that an IMU does not have (all
-  warnings but the first).
+  without `set_initial_pose`; the heights of obstacles exclude all lidars of the robot; a row of
+  `imu0_config` is of values that an IMU does not have (all warnings but the first). With a
+  `transform_publish_period` of 0 slam_toolbox publishes no transform (info).
 - A name is that of an earlier release, while other files are for Jazzy: `recoveries_server`,
   `progress_checker_plugin`, Nav2's own libraries in `plugin_lib_names`, a twist_mux without
   `use_stamped` (warnings). Nodes of Nav2 differ in `enable_stamped_cmd_vel` (warning).
@@ -69,6 +70,7 @@ from urdfkit.checks.launch import costmap_parameters, parameter_names, parameter
 from urdfkit.checks.launch.invalid_maps import invalid_maps
 from urdfkit.checks.launch.lifecycle import inactive_mapping, not_activated, not_started
 from urdfkit.checks.launch.navigation_commands import mixed_stamps
+from urdfkit.checks.launch.obstacle_heights import discarded_scans
 from urdfkit.checks.launch.parameter_relations import contradictions
 from urdfkit.checks.launch.parameter_sections import misnamed_sections
 from urdfkit.checks.launch.renamed_parameters import outdated
@@ -145,6 +147,7 @@ def check(context: Context) -> Findings:
         yield from costmap_parameters.mixed_names(own)
     yield from outdated(context, sections)
     yield from mixed_stamps(sections)
+    yield from discarded_scans(context, sections)
     yield from _lists(context)
     yield from misnamed_sections(context, files)
     yield from invalid_maps(context)

@@ -37,6 +37,7 @@ def contradictions(node: NodeParameters) -> Findings:
     yield from _reversed_bounds(node)
     yield from _unread_pose(node)
     yield from _long_period(node)
+    yield from _no_transform(node)
     yield from _missing_rows(node)
     for layer in map(mapping, node.values.values()):
         yield from _never_cleared(node, layer)
@@ -87,6 +88,15 @@ def _long_period(node: NodeParameters) -> Findings:
                 f"write model_dt: {_rounded_up(1 / frequency)}, or a controller_frequency of "
                 f"{1 / seconds:g} or more",
             )
+
+
+def _no_transform(node: NodeParameters) -> Findings:
+    """A period of slam_toolbox that stands for no transform at all."""
+    period = node.values.get("transform_publish_period")
+    if node.name == "slam_toolbox" and isinstance(period, Value) and _number(period) == 0:
+        message = "'slam_toolbox' publishes no transform from map to odom: "
+        message += "transform_publish_period is 0"
+        yield Finding(period.span, message, "write 0.02", severity=Severity.INFO)
 
 
 def _rounded_up(seconds: float) -> str:
