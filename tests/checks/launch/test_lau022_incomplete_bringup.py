@@ -452,3 +452,65 @@ def test_commands_of_the_collision_monitor(tmp_path: Path, topic: str, count: in
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
     words = "'velocity_smoother' publishes '/cmd_vel_smoothed'"
     assert [words in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("stated", "count"), [("true", 0), ("false", 1), (None, 1)])
+def test_simulation_time_in_a_file(tmp_path: Path, stated: str | None, count: int) -> None:
+    values = "frequency: 30.0" + (f", use_sim_time: {stated}" if stated else "")
+    text = NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]") + NODE.format(
+        "robot_localization", "ekf_node", f"name='ekf', parameters=['{tmp_path}/ekf.yaml']"
+    )
+    files = {"ekf.yaml": f"ekf: {{ros__parameters: {{{values}}}}}\n"}
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    assert sum("ekf_node" in one.message for one in found) == count
+
+
+COSTMAP = (
+    "local_costmap: {{local_costmap: {{ros__parameters: {{layer: {{observation_sources: cloud, "
+    "cloud: {{topic: /points, data_type: {}}}}}}}}}}}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("message", "words"),
+    [
+        ("PointCloud2", ""),
+        ("LaserScan", "reads LaserScan from '/points', where PointCloud2 is published"),
+    ],
+)
+def test_message_of_an_input(tmp_path: Path, message: str, words: str) -> None:
+    topics = [
+        "/points@sensor_msgs/msg/PointCloud2[gz.msgs.PointCloudPacked",
+        "/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan",
+    ]
+    text = NODE.format("ros_gz_bridge", "parameter_bridge", f"arguments={topics}")
+    text += NODE.format(
+        "nav2_controller", "controller_server", f"parameters=['{tmp_path}/nav2.yaml']"
+    )
+    files = {"nav2.yaml": COSTMAP.format(message)}
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    assert [words in one.message for one in found] == [True] * bool(words)
+
+
+DRIVE = """
+controller_manager: {ros__parameters: {base: {type: diff_drive_controller/DiffDriveController}}}
+base: {ros__parameters: {left_wheel_names: [l], right_wheel_names: [r]}}
+"""
+
+
+@pytest.mark.parametrize(("topic", "count"), [("base/odom", 0), ("wheel/odom", 1)])
+def test_odometry_of_another_launch_file(tmp_path: Path, topic: str, count: int) -> None:
+    control = NODE.format(
+        "controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']"
+    ) + SPAWNER.format(["base"])
+    files = {
+        "launch/control.launch.py": control,
+        "c.yaml": DRIVE,
+        "ekf.yaml": f"ekf: {{ros__parameters: {{odom0: {topic}, odom0_config: [true]}}}}\n",
+    }
+    text = NODE.format(
+        "robot_localization", "ekf_node", f"name='ekf', parameters=['{tmp_path}/ekf.yaml']"
+    )
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    words = "Odometry messages are on '/base/odom'"
+    assert [words in one.message for one in found] == [True] * count

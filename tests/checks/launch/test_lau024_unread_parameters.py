@@ -444,7 +444,7 @@ def test_a_map_in_rviz(tmp_path: Path, server: str, durability: str, count: int)
         "executable='rviz2', arguments=['-d', get_package_share_directory('arm') + '/a.rviz'])]\n"
     )
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, {"a.rviz": rviz})
-    assert ["Map of RViz misses" in one.message for one in found] == [True] * count
+    assert sum("Map of RViz misses" in one.message for one in found) == count
 
 
 OBSTACLES = "obstacles: {{plugin: 'nav2_costmap_2d::ObstacleLayer', {}}}"
@@ -705,3 +705,44 @@ def test_heights_of_obstacles(tmp_path: Path, bound: str, count: int) -> None:
     files = {"r.urdf": LIDAR, "a.yaml": COSTMAP_OF.format(OBSTACLES.format(SOURCE.format(bound)))}
     found = reported(tmp_path, "LAU024", "a.launch.py", text, files)
     assert ["scans at a height of 0.4 m" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("package", "topic", "count"),
+    [
+        ("nav2_controller", "/move_base_simple/goal", 1),
+        ("nav2_controller", "/goal_pose", 0),
+        ("other", "/move_base_simple/goal", 0),
+    ],
+)
+def test_goals_of_rviz(tmp_path: Path, package: str, topic: str, count: int) -> None:
+    rviz = (
+        "Visualization Manager:\n  Tools:\n  - Class: rviz_default_plugins/SetGoal\n"
+        f"    Topic: {{Value: {topic}}}\n"
+    )
+    text = (
+        "from launch_ros.actions import Node\n"
+        f"nodes = [Node(package='{package}', executable='n'), Node(package='rviz2', "
+        "executable='rviz2', arguments=['-d', get_package_share_directory('arm') + '/a.rviz'])]\n"
+    )
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, {"a.rviz": rviz})
+    assert ["which Nav2 does not read" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("given", "count"),
+    [
+        ("", 1),
+        ('<param name="yaml_filename" value="$(var map)"/>', 0),
+        ('<param from="$(dirname)/../server.yaml"/>', 0),
+        ('<param from="$(dirname)/../other.yaml"/>', 1),
+    ],
+)
+def test_a_server_without_a_map(tmp_path: Path, given: str, count: int) -> None:
+    text = f'<node pkg="nav2_map_server" exec="map_server">{given}</node>'
+    files = {
+        "server.yaml": "map_server: {ros__parameters: {yaml_filename: ''}}\n",
+        "other.yaml": "map_server: {ros__parameters: {topic_name: map}}\n",
+    }
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.xml", text, files)
+    assert ["'yaml_filename' is not given" in one.message for one in found] == [True] * count

@@ -1,7 +1,13 @@
-"""Controllers that are defined for a launch file."""
+"""Controllers that are defined for a launch file, or for all of its workspace."""
+
+from collections.abc import Iterator
 
 from urdfkit.lint.rules import Context
 from urdfkit.ros.controllers import Controller, read
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+
+#: Most robots of a workspace that are expanded.
+_MAX_ROBOTS = 8
 
 
 def defined_controllers(context: Context) -> dict[str, Controller]:
@@ -13,3 +19,29 @@ def defined_controllers(context: Context) -> dict[str, Controller]:
     for _, robot in context.described_robots:
         controllers |= {controller.name: controller for _, controller in robot.controllers}
     return controllers
+
+
+def controllers_of_workspace(context: Context) -> dict[str, Controller]:
+    """The controllers of all launch files of the workspace, by name."""
+    controllers: dict[str, Controller] = {}
+    launches = launches_of_workspace(context.source.path, context.resolver)
+    paths = dict.fromkeys(file.path for launch in launches for file in launch.parameters)
+    for source in filter(None, map(context.resolver.readable, paths)):
+        controllers |= {controller.name: controller for controller in read(source)}
+    for robot in robots_of_workspace(context):
+        controllers |= {controller.name: controller for _, controller in robot.controllers}
+    return controllers | defined_controllers(context)
+
+
+def robots_of_workspace(context: Context) -> Iterator[Context]:
+    """The robots that launch files of the workspace describe; none if they are many."""
+    launches = launches_of_workspace(context.source.path, context.resolver)
+    descriptions = {
+        (description.path, *sorted(description.arguments.items())): description
+        for launch in launches
+        for description in launch.descriptions
+    }
+    for description in descriptions.values() if len(descriptions) <= _MAX_ROBOTS else ():
+        robot = context.other_robot(description.path, description.arguments)
+        if robot.reading.document is not None:
+            yield robot

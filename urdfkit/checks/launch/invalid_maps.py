@@ -10,10 +10,11 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.robot.values import number
-from urdfkit.ros.launch.contents import MAP
+from urdfkit.ros.launch.contents import MAP, StartedProgram
 from urdfkit.text.located_yaml import Node, Value, load, mapping, scalars
 from urdfkit.text.source import Source, Span
 
+_MAP = "yaml_filename"
 _REQUIRED = ("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh")
 _NUMBERS = ("resolution", "occupied_thresh", "free_thresh")
 _MODES = ("trinary", "scale", "raw")
@@ -30,6 +31,28 @@ def invalid_maps(context: Context) -> Findings:
             for at, message, help in _problems(source, values):
                 yield Finding(at, f"map_server stops: {message}", help)
             yield from _thresholds(values)
+
+
+def missing_maps(context: Context) -> Findings:
+    """A map_server that gets no map."""
+    for node in context.launch.started if not context.launch.has_scopes else ():
+        is_server = (node.package, node.executable) == ("nav2_map_server", "map_server")
+        if is_server and node.is_sure and not _may_have_map(node, context):
+            yield Finding(
+                node.at,
+                f"map_server stops: parameter '{_MAP}' is not given",
+                f"set {_MAP} to the YAML file of a map",
+                severity=Severity.WARNING,
+            )
+
+
+def _may_have_map(node: StartedProgram, context: Context) -> bool:
+    """True if a parameter names the map, or is unknown."""
+    given = node.parameters
+    if not given.is_whole or _MAP in given.values or node.words:
+        return True
+    sources = [context.resolver.readable(path) for path in given.files]
+    return any(source is None or _MAP.encode() in source.data for source in sources)
 
 
 def _problems(source: Source, values: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:

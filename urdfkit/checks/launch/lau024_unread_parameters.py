@@ -23,7 +23,7 @@
 - A name is that of an earlier release, while other files are for Jazzy: `recoveries_server`,
   `progress_checker_plugin`, Nav2's own libraries in `plugin_lib_names`, a twist_mux without
   `use_stamped` (warnings). Nodes of Nav2 differ in `enable_stamped_cmd_vel` (warning).
-- A map lacks a value or has an invalid one, at which map_server stops.
+- A map lacks a value or has an invalid one, at which map_server stops. Or it gets no map (warning).
 - A costmap layer has an unknown class or an unsupported `data_type`. Or an obstacle layer stands
   behind the last inflation layer, which does not inflate its obstacles (warning).
 - The parameters of a costmap are not below its name twice: `local_costmap: local_costmap:`.
@@ -38,7 +38,8 @@
 - An RViz configuration has a display of a class that RViz 2 does not have, such as `rviz/LaserScan`
   of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes have paths, such as
   `$(find PACKAGE)/mesh.stl`, or Gazebo's `model://`: "Could not load resource" (warning). Or its
-  display of the map is volatile, and misses what map_server published before (warning).
+  display of the map is volatile, and misses what map_server published before (warning). Or its tool
+  for goals has the topic of ROS 1 (warning).
 - A planning pipeline of MoveIt has no plugin (warning), neither in the file of MoveItConfigsBuilder
   nor in the dictionaries that the launch file passes to move_group ("Planning plugin name is empty
   or not defined in namespace 'ompl'"). Or `default_planning_pipeline` is not in
@@ -67,14 +68,19 @@ import os
 from itertools import chain
 
 from urdfkit.checks.launch import costmap_parameters, parameter_names, parameter_types
-from urdfkit.checks.launch.invalid_maps import invalid_maps
+from urdfkit.checks.launch.invalid_maps import invalid_maps, missing_maps
 from urdfkit.checks.launch.lifecycle import inactive_mapping, not_activated, not_started
 from urdfkit.checks.launch.navigation_commands import mixed_stamps
 from urdfkit.checks.launch.obstacle_heights import discarded_scans
 from urdfkit.checks.launch.parameter_relations import contradictions
 from urdfkit.checks.launch.parameter_sections import misnamed_sections
 from urdfkit.checks.launch.renamed_parameters import outdated
-from urdfkit.checks.launch.rviz_displays import meshes_without_uri, unknown_classes, volatile_maps
+from urdfkit.checks.launch.rviz_displays import (
+    meshes_without_uri,
+    unknown_classes,
+    unread_goals,
+    volatile_maps,
+)
 from urdfkit.checks.launch.unread_remappings import (
     read_own_output,
     reversed_remappings,
@@ -151,12 +157,14 @@ def check(context: Context) -> Findings:
     yield from _lists(context)
     yield from misnamed_sections(context, files)
     yield from invalid_maps(context)
+    yield from missing_maps(context)
     yield from not_activated(context)
     yield from not_started(context)
     yield from inactive_mapping(context)
     yield from unknown_classes(context)
     yield from meshes_without_uri(context)
     yield from volatile_maps(context)
+    yield from unread_goals(context)
     yield from unread_remappings(context)
     yield from reversed_remappings(context)
     yield from read_own_output(context)

@@ -11,12 +11,14 @@ from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.ros.launch.contents import FileUse
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
-from urdfkit.ros.launch.rviz import DISPLAYS, displays, topic_of
+from urdfkit.ros.launch.rviz import DISPLAYS, displays, tools, topic_of
 from urdfkit.ros.launch.spawned_controllers import resolve_name
 from urdfkit.text.located_yaml import Node, Value, mapping
 from urdfkit.text.source import Span
 
 _PLUGINS = "rviz_default_plugins"
+#: The topic of goals in ROS 1.
+_OLD_GOAL = "move_base_simple/goal"
 
 
 def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], str]]:
@@ -70,6 +72,22 @@ def volatile_maps(context: Context) -> Findings:
         if is_map and isinstance(durability, Value) and durability.text == "Volatile":
             message = "Map of RViz misses a map that was published before it started"
             yield _finding(durability.span, message, "write Transient Local", file)
+
+
+def unread_goals(context: Context) -> Findings:
+    """Tools of RViz that publish on the topics of ROS 1, while Nav2 is started."""
+    if not any(node.package.startswith("nav2_") for node in context.launch.programs):
+        return
+    if has_other_topics(context):
+        return
+    for file in context.launch.files:
+        source = context.resolver.readable(file.path) if file.path.endswith(".rviz") else None
+        for tool in tools(source) if source else ():
+            kind, topic = tool.get("Class"), topic_of(tool)
+            is_goal = isinstance(kind, Value) and kind.text.endswith("/SetGoal")
+            if is_goal and topic is not None and topic.text.strip("/") == _OLD_GOAL:
+                message = f"SetGoal of RViz publishes '{topic.text}', which Nav2 does not read"
+                yield _finding(topic.span, message, "write /goal_pose", file)
 
 
 def unpublished_models(context: Context, published: dict[str, Span]) -> Findings:

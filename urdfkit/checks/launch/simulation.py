@@ -1,7 +1,6 @@
 """Nodes and hardware that do not match the simulation: clock, pause, ros2_control, joint states."""
 
 import re
-from collections.abc import Iterable
 
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
@@ -14,8 +13,10 @@ from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
 from urdfkit.ros.launch.spawning import model_spawner
 from urdfkit.ros.launch.worlds import GZ, worlds
+from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.ros.ros_control import Component, components, control_plugins
 from urdfkit.text.comments import blank_comments
+from urdfkit.text.located_yaml import Value
 from urdfkit.workspace.resolve import Resolver
 
 _CLOCK = "clock"
@@ -82,6 +83,9 @@ def wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) -> 
             continue
         if is_simulated and own is False and (other is not None or node.package == _PUBLISHER):
             message = f"{_SIM_TIME} of {node.executable} is false, but Gazebo is started"
+        elif other is not None and own is False and severity == Severity.WARNING.value:
+            message = f"{_SIM_TIME} of {node.executable} is false, unlike that of "
+            message += f"'{other.executable}'"
         elif other is not None and (is_simulated or severity == Severity.WARNING.value):
             message = f"{node.executable} lacks {_SIM_TIME}, which '{other.executable}' sets"
         else:
@@ -223,11 +227,23 @@ def _sim_time(node: StartedProgram, resolver: Resolver) -> bool | str | None:
         return {"true": True, "false": False}.get((value or "").lower())
     is_argument = any(_SIM_TIME in (word.text or _SIM_TIME) for word in node.words)
     is_whole = node.parameters.is_whole or node.parameters.is_of_moveit
-    if is_argument or not is_whole or _is_in_file(node.parameters.files, resolver):
+    if is_argument or not is_whole:
         return None
-    return ""
+    return _sim_time_in_files(node, resolver)
 
 
-def _is_in_file(paths: Iterable[str], resolver: Resolver) -> bool:
-    sources = map(resolver.readable, paths)
-    return any(source is None or _SIM_TIME.encode() in source.data for source in sources)
+def _sim_time_in_files(node: StartedProgram, resolver: Resolver) -> bool | str | None:
+    """As above, by the parameter files of a node."""
+    sources = [resolver.readable(path) for path in node.parameters.files]
+    if not any(source is None or _SIM_TIME.encode() in source.data for source in sources):
+        return ""
+    if None in sources or node.namespace != "":
+        return None
+    sections = (section for source in sources if source for section in node_parameters(source))
+    values = [
+        section.values.get(_SIM_TIME)
+        for section in sections
+        if section.path == (node.title,) and _SIM_TIME in section.values
+    ]
+    texts = {value.text.lower() if isinstance(value, Value) else "" for value in values}
+    return {"true": True, "false": False}.get(texts.pop()) if len(texts) == 1 else None

@@ -11,8 +11,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.checks.launch.defined_controllers import controllers_of_workspace
 from urdfkit.checks.launch.rviz_displays import has_other_topics, read_by_rviz
+from urdfkit.checks.launch.unread_remappings import renamed_topics
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
@@ -23,7 +24,7 @@ from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import topic_of
-from urdfkit.ros.launch.spawned_controllers import spawned_controllers
+from urdfkit.ros.launch.spawned_controllers import spawned_controllers, topic_name
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import Node, Value, mapping
 from urdfkit.text.source import Span
@@ -36,7 +37,7 @@ _SILENT = re.compile(
 )
 _CONTROLLERS = "controller_manager"
 #: robot_localization, and the topic that it publishes.
-_FILTER, _FILTERED = "robot_localization", "/odometry/filtered"
+_FILTER, _FILTERED = "robot_localization", "odometry/filtered"
 _OUTPUTS = {"odometry/filtered", "accel/filtered"}
 _PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge")
 _SCAN_TOPIC = "scan_topic"
@@ -66,14 +67,23 @@ def unpublished_inputs(context: Context) -> Findings:
     if not inputs or is_included(context.source.path, context.resolver):
         return
     of_workspace = launches_of_workspace(context.source.path, context.resolver)
-    is_filtered = any(node.package == _FILTER for launch in of_workspace for node in launch.started)
+    filtered = {
+        topic_name(_FILTERED, node)
+        for launch in of_workspace
+        for node in launch.programs
+        if node.package == _FILTER
+    }
+    types = _bridged_types(context, of_workspace)
     for read in inputs:
         published = _publishers(context, of_workspace, read.message)
         name = "/" + read.topic.strip("/")
         names = {name, *(f"/{topic.strip('/')}" for topic in read.others)}
-        if is_filtered:
-            names.discard(_FILTERED)
-        if not published or not names or names & published.keys():
+        if not published or names & published.keys() or names & filtered:
+            continue
+        if None in filtered and read.message == _READ["odom"]:
+            continue
+        if len(names) == 1 and name in types:
+            yield _other_type(read, name, *types[name])
             continue
         other = nearest(name, published, 0) or next(iter(published))
         yield Finding(
@@ -83,6 +93,27 @@ def unpublished_inputs(context: Context) -> Findings:
             f"set {read.key}: {other}" if read.key else f"write {other}",
             related=(Related(published[other].span, "the publisher is started here"),),
         )
+
+
+def _other_type(read: _ReadTopic, name: str, message: str, at: Span) -> Finding:
+    """A topic that is published with another message."""
+    return Finding(
+        read.at,
+        f"'{read.who}' reads {read.message} from '{name}', where {message} is published",
+        f"write {message} as its type, or name a topic of {read.message}",
+        related=(Related(at, "it is published here"),),
+    )
+
+
+def _bridged_types(context: Context, launches: tuple[Launch, ...]) -> dict[str, tuple[str, Span]]:
+    """The messages of the topics that bridges publish, and their places."""
+    return {
+        "/" + topic.ros_topic.strip("/"): (topic.ros_type.rpartition("/")[2], topic.span)
+        for launch in launches
+        for node in launch.programs
+        for topic in bridged_topics(node, context.resolver)
+        if topic.direction != TO_GAZEBO and not node.is_remapped
+    }
 
 
 def _publishers(
@@ -108,7 +139,7 @@ def _is_known(program: StartedProgram, message: str) -> bool:
     if is_other or _SILENT.fullmatch(package):
         return True
     is_remapped = program.is_remapped
-    if package == _FILTER and message != "Odometry" and program.remappings is not None:
+    if package == _FILTER and program.remappings is not None:
         is_remapped = not {name.strip("/") for name in program.remappings} <= _OUTPUTS
     is_plain = program.is_sure and not is_remapped and program.namespace == ""
     return is_plain and package in _PUBLISHERS
@@ -168,13 +199,17 @@ def _published(
     context: Context, programs: list[StartedProgram], message: str
 ) -> Iterator[tuple[str, StartedProgram]]:
     """Topics on which a message is published, and their publishers."""
-    types = {name: controller.type for name, controller in defined_controllers(context).items()}
     for node in programs:
         for topic in bridged_topics(node, context.resolver):
             if topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}"):
                 yield "/" + topic.ros_topic.strip("/"), node
-    for controller in spawned_controllers(programs):
-        kind = types.get(controller.name, "").rpartition("/")[2]
-        published, topic_name = data("nodes")["outputs"].get(kind, ("", ""))
+    spawned = list(spawned_controllers(programs))
+    defined = controllers_of_workspace(context) if spawned else {}
+    renamed = renamed_topics(context) if spawned else {}
+    for controller in spawned:
+        known = defined.get(controller.name)
+        kind = known.type.rpartition("/")[2] if known else ""
+        published, topic = data("nodes")["outputs"].get(kind, ("", ""))
         if published == message:
-            yield f"/{controller.name}/{topic_name}", controller.program
+            name = f"/{controller.name}/{topic}"
+            yield renamed.get(name, name), controller.program

@@ -13,8 +13,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.checks.launch.unread_remappings import remappings_of_plugins
+from urdfkit.checks.launch.defined_controllers import (
+    controllers_of_workspace,
+    robots_of_workspace,
+)
+from urdfkit.checks.launch.unread_remappings import renamed_topics
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
@@ -71,11 +74,11 @@ def unread_commands(context: Context) -> Findings:
     programs = [node for launch in launches for node in launch.programs]
     if not all(map(_is_whole, launches)) or not all(map(is_known_reader, programs)):
         return
-    defined = defined_controllers(context)
+    defined = controllers_of_workspace(context)
     controllers = [defined.get(spawned.name) for spawned in spawned_controllers(programs)]
     if not all(controller and controller.kind for controller in controllers):
         return  # unknown controllers may read any topic
-    if not all(are_all_known(robot.model) for _, robot in context.described_robots):
+    if not all(are_all_known(robot.model) for robot in robots_of_workspace(context)):
         return
     readers = {reader.topic: reader.at for reader in command_readers(context, programs)}
     read = {topic.removesuffix(_PLAIN) for topic in readers}
@@ -154,11 +157,9 @@ def is_known_reader(program: StartedProgram) -> bool:
 
 def command_readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[Reader]:
     """Topics on which the bridge and wheel controllers read velocity commands."""
-    defined = defined_controllers(context)
-    renamed = {
-        resolve_name(old, ""): resolve_name(new, "")
-        for old, new, _ in remappings_of_plugins(context)
-    }
+    spawned_programs = list(spawned_controllers(programs))
+    defined = controllers_of_workspace(context) if spawned_programs else {}
+    renamed = renamed_topics(context) if spawned_programs else {}
     for node in programs:
         for topic in bridged_topics(node, context.resolver):
             message = topic.ros_type.rpartition("/")[2]
@@ -167,7 +168,7 @@ def command_readers(context: Context, programs: Iterable[StartedProgram]) -> Ite
             if is_twist and topic.direction != FROM_GAZEBO and name:
                 yield Reader(name, message, topic.span)
         yield from _read_by_mux(node, context)
-    for spawned in spawned_controllers(programs):
+    for spawned in spawned_programs:
         controller = defined.get(spawned.name)
         kind = controller.type.rpartition("/")[2] if controller and controller.ros == 2 else ""
         if controller and DRIVE.fullmatch(kind):

@@ -7,9 +7,9 @@ Sources: ros-controls/ros2_controllers#262 and #1246, ros-controls/ros2_control_
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.checks.launch.defined_controllers import defined_controllers, robots_of_workspace
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
@@ -57,9 +57,9 @@ def unread_remappings(context: Context) -> Findings:
                 )
 
 
-def remappings_of_plugins(context: Context) -> Iterator[tuple[str, str, Element]]:
-    """The remappings in ``<ros>`` of the control plugins of the robots in Gazebo."""
-    for _, robot in context.described_robots:
+def remappings_of_plugins(robots: Iterable[Context]) -> Iterator[tuple[str, str, Element]]:
+    """The remappings in ``<ros>`` of the control plugins of robots in Gazebo."""
+    for robot in robots:
         for plugin in control_plugins(robot.model):
             for ros in plugin.at.all("ros"):
                 for element in ros.all("remapping"):
@@ -67,11 +67,20 @@ def remappings_of_plugins(context: Context) -> Iterator[tuple[str, str, Element]
                     yield old, new, element
 
 
+def renamed_topics(context: Context) -> dict[str, str]:
+    """The new full names of topics that control plugins of the workspace remap."""
+    return {
+        resolve_name(old, ""): resolve_name(new, "")
+        for old, new, _ in remappings_of_plugins(robots_of_workspace(context))
+    }
+
+
 def unstamped_commands(context: Context) -> Findings:
     """Remappings of a topic that a drive has only without stamps, up to Iron."""
     defined = defined_controllers(context)
+    robots = (robot for _, robot in context.described_robots)
     renamed: list[tuple[str, Location | Element]] = [
-        (old, element) for old, _, element in remappings_of_plugins(context)
+        (old, element) for old, _, element in remappings_of_plugins(robots)
     ]
     for node in context.launch.started:
         if node.package == MANAGER and node.executable not in _SPAWNERS:

@@ -90,7 +90,7 @@ def check(context: Context) -> Findings:
                 at,
                 f"the robot is spawned at z = {z:g} m, where link '{lowest[1]}' is {depth:.3g} m "
                 "below the ground",
-                f"spawn it at z = {z + depth:.3g} or higher",
+                f"spawn it at z = {round(z + depth, 4) + 0:.3g} or higher",
                 related=(Related(robot.model.links_by_name[lowest[1]].at.span, "the link"),),
                 severity=None if depth > EJECTION_DEPTH else Severity.INFO,
             )

@@ -34,6 +34,12 @@ def displays(source: Source) -> Iterator[dict[str, Node]]:
         stack += inner if isinstance(inner, list) else []
 
 
+def tools(source: Source) -> list[dict[str, Node]]:
+    """The tools of a configuration."""
+    listed = manager_of(source).get("Tools")
+    return [mapping(tool) for tool in listed] if isinstance(listed, list) else []
+
+
 def topic_of(display: dict[str, Node], name: str = "Topic") -> Value | None:
     """The topic of a display; None if it is missing, or a plain text as in ROS 1."""
     value = mapping(display, name).get("Value")
