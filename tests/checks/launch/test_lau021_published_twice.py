@@ -54,6 +54,24 @@ def test_static_transforms(tmp_path: Path, words: str, count: int) -> None:
     assert all("'lidar' is published twice" in one and "'mast'" in one for one in found)
 
 
+NAMED_FILTER = (
+    "Node(package='robot_localization', executable='{}', name='{}', "
+    "remappings=[('odometry/filtered', '{}')])\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("executable", "topic", "count"),
+    [("ekf_node", "a", 1), ("ekf_node", "b", 0), ("ukf_node", "/a", 1)],
+)
+def test_two_filters(tmp_path: Path, executable: str, topic: str, count: int) -> None:
+    text = NAMED_FILTER.format("ekf_node", "first", "a") + NAMED_FILTER.format(
+        executable, "second", topic
+    )
+    found = messages(tmp_path, text)
+    assert ["both publish on '/a'" in one for one in found] == [True] * count
+
+
 LOCALIZER = "Node(package='nav2_amcl', executable='amcl', parameters=[{}])\n"
 TO_ODOM = "['--frame-id', 'map', '--child-frame-id', '{}']"
 

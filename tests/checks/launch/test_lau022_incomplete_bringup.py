@@ -514,3 +514,30 @@ def test_odometry_of_another_launch_file(tmp_path: Path, topic: str, count: int)
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
     words = "Odometry messages are on '/base/odom'"
     assert [words in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("topic", "count"), [("/map", 0), ("/hall/map", 1)])
+def test_the_map_of_a_costmap(tmp_path: Path, topic: str, count: int) -> None:
+    yaml = (
+        "global_costmap: {global_costmap: {ros__parameters: {plugins: [fixed], fixed: "
+        f"{{plugin: 'nav2_costmap_2d::StaticLayer', map_topic: {topic}}}}}}}}}\n"
+    )
+    text = NODE.format("nav2_map_server", "map_server", "name='map_server'") + NODE.format(
+        "nav2_planner", "planner_server", f"parameters=['{tmp_path}/nav2.yaml']"
+    )
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, {"nav2.yaml": yaml})
+    assert ["OccupancyGrid messages are on '/map'" in one.message for one in found] == [
+        True
+    ] * count
+
+
+@pytest.mark.parametrize(("topic", "count"), [("/robot_description", 0), ("/robot", 1)])
+def test_the_robot_of_another_launch_file(tmp_path: Path, topic: str, count: int) -> None:
+    rviz = (
+        "Visualization Manager:\n  Displays:\n  - Class: rviz_default_plugins/RobotModel\n"
+        f"    Description Topic: {{Value: {topic}}}\n"
+    )
+    text = NODE.format("rviz2", "rviz2", f"arguments=['-d', '{tmp_path}/a.rviz']")
+    files = {"a.rviz": rviz, "launch/robot.launch.py": STATE.format("")}
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    assert ["nothing publishes a robot there" in one.message for one in found] == [True] * count

@@ -746,3 +746,55 @@ def test_a_server_without_a_map(tmp_path: Path, given: str, count: int) -> None:
     }
     found = reported(tmp_path / "arm", "LAU024", "a.launch.xml", text, files)
     assert ["'yaml_filename' is not given" in one.message for one in found] == [True] * count
+
+
+SERVER = "controller_server: {{ros__parameters: {{FollowPath: {{plugin: {}}}}}}}\n"
+DWB, PLAIN_MPPI = "'dwb_core::DWBLocalPlanner'", "'nav2_mppi_controller::MPPIController'"
+SHIM = "'nav2_rotation_shim_controller::RotationShimController'"
+TRIES = "waypoint_follower: {{ros__parameters: {{waypoint_task_executor_plugin: {}}}}}\n"
+NAVIGATOR = "bt_navigator: {{ros__parameters: {{default_nav_to_pose_bt_xml: {}}}}}\n"
+WATCH = (
+    "collision_monitor: {{ros__parameters: {{polygons: [{}], near: {{type: {}}}, "
+    "observation_sources: [scan], scan: {{type: scan}}}}}}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("yaml", "words"),
+    [
+        (SERVER.format(DWB), "DWBLocalPlanner requires critics"),
+        (SERVER.format(f"{DWB}, critics: [GoalDist, BaseObstacleCritic]"), ""),
+        (SERVER.format(f"{DWB}, critics: [GoalDists]"), "did you mean 'GoalDist'?"),
+        (SERVER.format(f"{DWB}, critics: [Goals], Goals: {{class: a::B}}"), ""),
+        (SERVER.format(f"{PLAIN_MPPI}, critics: [ObstacleCritic]"), "mean 'ObstaclesCritic'?"),
+        (SERVER.format(f"{PLAIN_MPPI}, critics: [OwnCritic]"), ""),
+        (SERVER.format(f"{PLAIN_MPPI}, motion_model: Diff"), "unknown motion_model 'Diff'"),
+        (SERVER.format(SHIM), "requires primary_controller"),
+        (SERVER.format(f"{SHIM}, primary_controller: a::B"), ""),
+        (SERVER.format(f"{SHIM}, primary_controller: {{plugin: a::B}}"), ""),
+        (TRIES.format("wait_at_waypoint"), ""),
+        (TRIES.format("take_photo"), "no parameters for 'take_photo'"),
+        (TRIES.format("take_photo, take_photo: {plugin: a::B}"), ""),
+        (WATCH.format("near", "circle"), ""),
+        (WATCH.format("far", "circle"), "no parameters for 'far' of polygons"),
+        (WATCH.format("near", "cirle"), "unknown type 'cirle'"),
+        (NAVIGATOR.format("tree.xml"), "does not find 'tree.xml'"),
+        (NAVIGATOR.format("/opt/tree.xml"), ""),
+        (NAVIGATOR.format("$(find-pkg-share a)/tree.xml"), ""),
+        (NAVIGATOR.format("REPLACED"), ""),
+        (AMCL.format("global_frame_id: odom"), "global_frame_id is 'odom'"),
+        (AMCL.format("global_frame_id: map, odom_frame_id: odom"), ""),
+    ],
+)
+def test_plugins_of_nav2(tmp_path: Path, yaml: str, words: str) -> None:
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    found = [one for one in found if "model_dt" not in one]
+    assert [words in one for one in found] == [True] * bool(words)
+
+
+def test_points_of_a_polygon(tmp_path: Path) -> None:
+    yaml = WATCH.format("near", "polygon, points: [0.1, 0.2, -0.1, 0.2]")
+    assert messages(tmp_path, CONTROLLER, '"controller_server"', yaml) == []
+    (tmp_path / "jazzy").mkdir()
+    (found,) = messages(tmp_path / "jazzy", CONTROLLER, '"controller_server"', yaml + JAZZY)
+    assert "points is a list, must be a string" in found

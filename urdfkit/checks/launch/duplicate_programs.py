@@ -8,6 +8,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.bridges import is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
+from urdfkit.ros.launch.spawned_controllers import topic_name
 from urdfkit.ros.launch.spawning import model_spawner
 from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import node_parameters
@@ -15,6 +16,8 @@ from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.located_yaml import Value
 
 _PUBLISHER = "robot_state_publisher"
+#: The nodes of robot_localization that estimate a state, and their topic.
+_FILTERS, _FILTERED = ("ekf_node", "ukf_node"), "odometry/filtered"
 #: Root links that are global frames.
 _WORLDS = ("world", "map", "odom")
 #: Packages of programs that publish the transform from map to odom, and the parameter for it.
@@ -86,6 +89,22 @@ def _twice(
         help,
         related=(Related(filter.at.span, "the filter is started here"),),
     )
+
+
+def second_filter(context: Context, programs: list[StartedProgram]) -> Findings:
+    """A second filter of robot_localization that publishes on the topic of the first."""
+    first: dict[str, StartedProgram] = {}
+    for node in programs if not context.launch.has_scopes else ():
+        is_filter = node.package == "robot_localization" and node.executable in _FILTERS
+        output = topic_name(_FILTERED, node) if is_filter else None
+        other = first.setdefault(output, node) if output else node
+        if other is not node:
+            yield Finding(
+                node.at,
+                f"'{other.title}' and '{node.title}' both publish on '{output}'",
+                f"remap {_FILTERED} of one of them",
+                related=(Related(other.span, f"'{other.title}' is started here"),),
+            )
 
 
 def static_odometry(context: Context, programs: list[StartedProgram]) -> Findings:

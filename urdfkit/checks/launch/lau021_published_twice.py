@@ -13,6 +13,7 @@
   which jumps between the two: write `enable_odom_tf: false`. Or the `base_link_frame` of
   robot_localization is the child of a joint, which gives the link two parents. The same holds for
   the transforms of gz-sim's drives and OdometryPublisher if they are bridged.
+- Two filters of robot_localization publish on the same topic: remap `odometry/filtered`.
 - AMCL and slam_toolbox both publish the transform from map to odom.
 - `ros2_control_node` runs next to Gazebo's plugin, which runs its own controller manager: a spawner
   may reach either. Or there are two robot_state_publishers of one robot.
@@ -71,6 +72,7 @@ def check(context: Context) -> Findings:
     yield from duplicate_programs.second_publisher(context, programs)
     yield from duplicate_programs.second_manager(context, programs)
     yield from duplicate_programs.second_odometry(context, programs)
+    yield from duplicate_programs.second_filter(context, programs)
     yield from duplicate_programs.second_parent(context, programs)
     yield from duplicate_programs.static_odometry(context, programs)
     yield from duplicate_programs.second_map(context, programs)

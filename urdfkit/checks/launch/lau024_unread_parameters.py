@@ -24,6 +24,9 @@
   `progress_checker_plugin`, Nav2's own libraries in `plugin_lib_names`, a twist_mux without
   `use_stamped` (warnings). Nodes of Nav2 differ in `enable_stamped_cmd_vel` (warning).
 - A map lacks a value or has an invalid one, at which map_server stops. Or it gets no map (warning).
+- A controller lacks its critics or its primary controller, or has an unknown critic. A polygon, a
+  source or a dock has no parameters. A behaviour tree has no full path, or the frames of the map
+  and of odometry are swapped (warnings).
 - A costmap layer has an unknown class or an unsupported `data_type`. Or an obstacle layer stands
   behind the last inflation layer, which does not inflate its obstacles (warning).
 - The parameters of a costmap are not below its name twice: `local_costmap: local_costmap:`.
@@ -74,6 +77,7 @@ from urdfkit.checks.launch.navigation_commands import mixed_stamps
 from urdfkit.checks.launch.obstacle_heights import discarded_scans
 from urdfkit.checks.launch.parameter_relations import contradictions
 from urdfkit.checks.launch.parameter_sections import misnamed_sections
+from urdfkit.checks.launch.plugin_parameters import unloadable_plugins
 from urdfkit.checks.launch.renamed_parameters import outdated
 from urdfkit.checks.launch.rviz_displays import (
     meshes_without_uri,
@@ -145,6 +149,7 @@ def check(context: Context) -> Findings:
         yield from contradictions(section)
         if names.count(section.name) == 1:  # otherwise another section may complete it
             yield from costmap_parameters.plugins(section)
+            yield from unloadable_plugins(section)
             yield from parameter_names.missing(section)
             yield from parameter_names.unread_inputs(section)
             yield from costmap_parameters.misplaced(section)

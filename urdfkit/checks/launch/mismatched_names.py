@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from urdfkit.checks.launch.rviz_displays import unpublished_models
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import (
     MANAGER,
     manager,
@@ -27,6 +28,8 @@ _OF_NODE = frozenset((_DESCRIPTION, "use_sim_time", "update_rate"))
 def unpublished_description(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Spawners and displays that read the robot from a topic that nothing publishes."""
     publishers = [node for node in programs if node.package == _PUBLISHER]
+    if not publishers and not context.launch.descriptions:
+        publishers = _publishers_elsewhere(context)
     topics = [topic_name(_DESCRIPTION, node) for node in publishers]
     published = {topic: node for topic, node in zip(topics, publishers, strict=True) if topic}
     if not published or None in topics:
@@ -43,6 +46,14 @@ def unpublished_description(context: Context, programs: tuple[StartedProgram, ..
                 f"write {known}",
                 related=(Related(published[known].span, f"{_PUBLISHER} is started here"),),
             )
+
+
+def _publishers_elsewhere(context: Context) -> list[StartedProgram]:
+    """The publishers of the other launch files, next to which a file for navigation runs."""
+    launches = launches_of_workspace(context.source.path, context.resolver)
+    if any(launch.has_scopes for launch in launches):
+        return []
+    return [node for launch in launches for node in launch.programs if node.package == _PUBLISHER]
 
 
 def manager_in_another_namespace(

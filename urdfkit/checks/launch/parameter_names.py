@@ -69,7 +69,7 @@ def invalid_values(node: NodeParameters) -> Findings:
     most: dict[str, int] = data("node_parameters")["most"]
     for given in given_values(node):
         value, expected = given.value, lengths.get(given.at)
-        modes = choices.get(f"{node.name}.{given.at}", "").split()
+        modes = choices.get(f"{given.owner}.{given.at}", "").split()
         if isinstance(value, Value) and modes and value.text not in modes:
             if value.text and value.text[0].isalpha():
                 message = f"'{node.name}': unknown {given.at} '{value.text}'"

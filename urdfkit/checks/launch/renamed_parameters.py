@@ -20,6 +20,7 @@ _LIBRARIES = "plugin_lib_names"
 _LIBRARY = re.compile(r"nav2_\w+_bt_node")
 #: Releases before Jazzy in the path of a parameter file that is for one of them.
 _OLDER = re.compile(r"humble|iron|galactic|foxy")
+_MONITOR = "collision_monitor"
 _MUX, _STAMPED = "twist_mux", "use_stamped"
 #: Of each input and each lock of twist_mux its parameters, all of them required.
 _OF_INPUT = {"topic": "string", "timeout": "double", "priority": "int"}
@@ -38,6 +39,7 @@ def outdated(context: Context, sections: list[NodeParameters]) -> Findings:
             of_older += _renamed_node(node, names)
             of_older += _own_libraries(node)
             of_older += _unstamped(node)
+            of_older += _listed_points(node)
     paths = [section.at.source.path for section in sections]
     if of_older and is_for_jazzy(context.source.path, context.resolver, paths):
         yield from of_older
@@ -106,6 +108,20 @@ def _unstamped(node: NodeParameters) -> Findings:
         message = f"'{_MUX}' of Jazzy and later stops: parameter '{_STAMPED}' is not given"
         help = f"add {_STAMPED}: true, or false for Twist"
         yield Finding(node.at, message, help, severity=Severity.WARNING)
+
+
+def _listed_points(node: NodeParameters) -> Findings:
+    """Points of polygons as numbers, which are a text since Iron."""
+    for polygon in map(mapping, node.values.values()) if node.name == _MONITOR else ():
+        points = scalars(polygon.get("points"))
+        if points and len(points) == len(polygon["points"] or ()):
+            texts = [point.text for point in points]
+            pairs = ", ".join(f"[{x}, {y}]" for x, y in zip(texts[::2], texts[1::2], strict=False))
+            yield _finding(
+                points[0],
+                f"'{node.name}' of Iron and later stops: points is a list, must be a string",
+                f'write "[{pairs}]"',
+            )
 
 
 def _inputs(node: NodeParameters) -> Findings:

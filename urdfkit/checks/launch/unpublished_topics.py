@@ -42,6 +42,7 @@ _OUTPUTS = {"odometry/filtered", "accel/filtered"}
 _PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge")
 _SCAN_TOPIC = "scan_topic"
 _INPUT = re.compile(r"(odom|imu)\d+")
+_GRID = "OccupancyGrid"
 _READ = {"odom": "Odometry", "imu": "Imu"}
 #: A node whose sources are those of a costmap, and its words for messages.
 _MONITOR = "collision_monitor"
@@ -168,10 +169,23 @@ def _read_by_nodes(context: Context) -> Iterator[_ReadTopic]:
             for key, value in node.values.items():
                 if isinstance(value, dict):
                     yield from _read_by_layer(value, node.name)
+                    map_topic = value.get("map_topic")
+                    if isinstance(map_topic, Value) and map_topic.text:
+                        yield _ReadTopic(map_topic.text, map_topic.span, _GRID, node.name)
                 match = _INPUT.fullmatch(key) if f"{key}_config" in node.values else None
                 message = _READ[match[1]] if match else inputs.get(f"{node.name}/{key}")
                 if message and isinstance(value, Value):
                     yield _ReadTopic(value.text, value.span, message, node.name)
+
+
+def _map_topic(program: StartedProgram, context: Context) -> str | None:
+    """The topic on which a program publishes a map; None if it publishes none, or is unknown."""
+    if program.package == "slam_toolbox":
+        return topic_name("map", program)
+    if (program.package, program.executable) != ("nav2_map_server", "map_server"):
+        return None
+    name = given_parameter(program, "topic_name", context.resolver)
+    return None if name is None else topic_name(name or "map", program)
 
 
 def _read_by_defaults(context: Context) -> Iterator[_ReadTopic]:
@@ -200,6 +214,8 @@ def _published(
 ) -> Iterator[tuple[str, StartedProgram]]:
     """Topics on which a message is published, and their publishers."""
     for node in programs:
+        if message == _GRID and (topic_of_map := _map_topic(node, context)):
+            yield topic_of_map, node
         for topic in bridged_topics(node, context.resolver):
             if topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}"):
                 yield "/" + topic.ros_topic.strip("/"), node

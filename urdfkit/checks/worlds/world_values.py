@@ -18,6 +18,7 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.values import leading
 from urdfkit.ros.gazebo.worlds import Models, World
 from urdfkit.text.document import Element
+from urdfkit.workspace.gitignore import is_ignored
 
 #: Elements with other contents than those of SDF.
 FOREIGN = ("plugin", "gui", "state")
@@ -111,7 +112,9 @@ def missing_meshes(opened: OpenedWorld, world: World, models: Models, context: C
         else:
             is_own, directories, rest = True, [os.path.dirname(opened.path)], text
             exists = False
-        if is_own and not exists and not any(disk.is_file(f"{x}/{rest}") for x in directories):
+        paths = [f"{directory}/{rest}" for directory in directories]
+        exists = exists or any(disk.is_file(path) or is_ignored(path) for path in paths)
+        if is_own and not exists:
             yield Finding(
                 uri,
                 f"{opened.title}: mesh '{text}' is not found",

@@ -24,6 +24,7 @@ class GivenValue(Record):
     value: Node
     known: Mapping[str, str]  # the types of the parameters by name; ``any`` if they differ
     siblings: frozenset[str]  # the names next to it
+    owner: str  # the node or the class of the plugin, in the catalogue
 
     @property
     def type(self) -> str | None:
@@ -35,7 +36,7 @@ class GivenValue(Record):
 def given_values(node: NodeParameters) -> Iterator[GivenValue]:
     """The parameters of a node, and those of its plugins."""
     if known := _of_node(node):
-        yield from _in_section(node.values, known, "")
+        yield from _in_section(node.values, known, "", kind_of(node))
 
 
 def has_parameter(node: NodeParameters, name: str) -> bool:
@@ -44,7 +45,7 @@ def has_parameter(node: NodeParameters, name: str) -> bool:
 
 
 def _in_section(
-    section: Mapping[str, Node], known: Mapping[str, str], prefix: str
+    section: Mapping[str, Node], known: Mapping[str, str], prefix: str, owner: str
 ) -> Iterator[GivenValue]:
     siblings = frozenset(section)
     for key, value in section.items():
@@ -53,10 +54,12 @@ def _in_section(
             name = plugin.text.replace("/", "::") if isinstance(plugin, Value) else ""
             # The parameters of an unknown class are not known, but those of a section are: the
             # position of initial_pose, an observation source, a critic.
-            inner = _types("plugins", name) if plugin is not None else known
-            yield from _in_section(value, inner, "" if plugin is not None else f"{prefix}{key}.")
+            if plugin is not None:
+                yield from _in_section(value, _types("plugins", name), "", name)
+            else:
+                yield from _in_section(value, known, f"{prefix}{key}.", owner)
         elif isinstance(key, Key) and known and key != "plugin":
-            yield GivenValue(f"{prefix}{key}", key, value, known, siblings)
+            yield GivenValue(f"{prefix}{key}", key, value, known, siblings, owner)
 
 
 def _of_node(node: NodeParameters) -> dict[str, str]:

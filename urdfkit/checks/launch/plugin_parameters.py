@@ -1,0 +1,110 @@
+"""Plugins, polygons, critics and sources in the parameters of Nav2 that a node cannot load.
+
+Sources: the plugins of ros-navigation/navigation2, humble to rolling: ``dwb_local_planner.cpp``,
+``critic_manager.cpp``, ``nav2_rotation_shim_controller``, ``collision_monitor_node.cpp``,
+``polygon.cpp``, ``waypoint_follower.cpp``, ``dock_database.cpp``; ``bt_action_server_impl.hpp``.
+"""
+
+from __future__ import annotations
+
+import os
+
+from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.lint.rules import Finding, Findings, Severity
+from urdfkit.ros.catalog import data
+from urdfkit.ros.node_parameters import NodeParameters
+from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
+
+_TREES = ("default_nav_to_pose_bt_xml", "default_nav_through_poses_bt_xml")
+_CRITICS = "critics"
+#: Least similarity of a misspelt critic: ObstacleCritic is ObstaclesCritic.
+_MIN_SIMILARITY = 0.8
+#: Frames of localization that have the name of the other one.
+_SWAPPED = {
+    "odom_frame_id": "map",
+    "odom_frame": "map",
+    "global_frame_id": "odom",
+    "map_frame": "odom",
+}
+_LOCALIZING = ("amcl", "slam_toolbox")
+
+
+def unloadable_plugins(node: NodeParameters) -> Findings:
+    """Names without parameters, and plugins without a parameter that they require."""
+    yield from _names_without_section(node)
+    for name, section in node.values.items():
+        plugin = mapping(section).get("plugin")
+        if isinstance(plugin, Value) and isinstance(name, Key):
+            yield from _incomplete(node, name, plugin, mapping(section))
+    yield from _relative_trees(node)
+    yield from _swapped_frames(node)
+
+
+def _names_without_section(node: NodeParameters) -> Findings:
+    """Names in a list of a node that has no section for them."""
+    named: dict[str, str] = data("node_parameters")["sections"].get(node.name, {})
+    sections = {str(key) for key, value in node.values.items() if isinstance(value, dict)}
+    for key, default in named.items():
+        value = node.values.get(key)
+        for name in [value] if isinstance(value, Value) else scalars(value):
+            is_given = name.text in sections or any(
+                parameter.startswith(f"{name.text}.") for parameter in node.values
+            )
+            if name.text and name.text != default and not is_given and "$" not in name.text:
+                yield Finding(
+                    name.span,
+                    f"'{node.name}': no parameters for '{name.text}' of {key}"
+                    f"{did_you_mean(name.text, sections)}",
+                    f"add {name.text} with its parameters, or fix the name",
+                )
+
+
+def _incomplete(
+    node: NodeParameters, name: Key, plugin: Value, section: dict[str, Node]
+) -> Findings:
+    kind = plugin.text.replace("/", "::")
+    for parameter in data("node_parameters")["required_of_plugins"].get(kind, "").split():
+        if not any(key == parameter or key.startswith(f"{parameter}.") for key in section):
+            message = f"'{node.name}' stops: {kind} requires {parameter}, which '{name}' lacks"
+            yield Finding(name.span, message, f"add {parameter}")
+    known = data("node_parameters")["critics"].get(kind, "").split()
+    for critic in scalars(section.get(_CRITICS)) if known else ():
+        own = mapping(section.get(critic.text)).get("class")
+        suggested = nearest(critic.text, known, _MIN_SIMILARITY)
+        if own is None and critic.text not in _with_suffix(known) and suggested:
+            message = f"'{node.name}' stops: unknown critic '{critic.text}'; did you mean "
+            yield Finding(critic.span, f"{message}'{suggested}'?", f"write {suggested}")
+
+
+def _with_suffix(critics: list[str]) -> set[str]:
+    """The critics with and without their suffix: DWB adds it."""
+    return {*critics, *(f"{critic}Critic" for critic in critics)}
+
+
+def _relative_trees(node: NodeParameters) -> Findings:
+    """Behaviour trees without a directory, which the navigator does not find."""
+    for key in _TREES if node.name == "bt_navigator" else ():
+        value = node.values.get(key)
+        text = value.text if isinstance(value, Value) else ""
+        is_file = text.endswith(".xml") and "$" not in text
+        if isinstance(value, Value) and is_file and not os.path.isabs(text):
+            yield Finding(
+                value.span,
+                f"'{node.name}' does not find '{text}': {key} is not the full path of a file",
+                "write $(find-pkg-share PACKAGE)/PATH, or omit it for the default tree",
+                severity=Severity.WARNING,
+            )
+
+
+def _swapped_frames(node: NodeParameters) -> Findings:
+    for key, wrong in _SWAPPED.items() if node.name in _LOCALIZING else ():
+        value = node.values.get(key)
+        if isinstance(value, Value) and value.text.strip("/") == wrong:
+            right = "odom" if wrong == "map" else "map"
+            yield Finding(
+                value.span,
+                f"'{node.name}': {key} is '{wrong}', the frame of "
+                f"{'the map' if wrong == 'map' else 'odometry'}",
+                f"write {right}",
+                severity=Severity.WARNING,
+            )
