@@ -18,6 +18,9 @@ NOT_BUILT = "the build has not created the file"
 #: Start of the message about a file that xacrodoc finds from the directory where it is run.
 ONLY_XACRODOC = "xacro looks next to the including file: not found"
 
+#: In the help for a name whose definition is in a condition that is false.
+IN_CONDITION = "whose condition is false here"
+
 #: The only instance; its text is enclosed in private characters of Unicode.
 FAILED = FailedValue("\ue000failed\ue000")
 

@@ -17,7 +17,7 @@ from urdfkit.text.source import STANDARD_INPUT, Span, shown, why_unreadable
 from urdfkit.workspace.install_rules import is_built, is_expanded
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
-from urdfkit.xacro.errors import NOT_BUILT, ONLY_XACRODOC, BrokenYaml
+from urdfkit.xacro.errors import IN_CONDITION, NOT_BUILT, ONLY_XACRODOC, BrokenYaml
 
 #: Most directories in a help text.
 _MAX_DIRECTORIES = 10
@@ -225,8 +225,8 @@ def _defined_elsewhere(defined: Definitions, kind: str, name: str) -> str:
         return f"'{name}' is defined at {place}, but only inside that macro"
     if parent:
         return (
-            f"'{name}' is defined at {place}, but the enclosing <xacro:{parent}> is not expanded, "
-            "or comes after the use"
+            f"'{name}' is defined at {place} in an <xacro:{parent}> {IN_CONDITION}, or which comes "
+            "after the use"
         )
     if include := _include_of(defined, span.source.path):
         if _innermost(include.string[: include.start()]) == "macro":

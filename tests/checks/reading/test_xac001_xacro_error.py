@@ -128,7 +128,7 @@ def test_what_is_wrong_where_and_what_to_do(body: str, place: str, message: str,
         (
             '<xacro:if value="0"><xacro:property name="a" value="1"/></xacro:if>',
             '<link name="${a}"/>',
-            "'a' is defined at robot.xacro:2:21, but the enclosing <xacro:if> is not expanded",
+            "'a' is defined at robot.xacro:2:21 in an <xacro:if> whose condition is false here",
         ),
         (
             '<xacro:macro name="m"><xacro:property name="a" value="1"/></xacro:macro><xacro:m/>',
@@ -146,6 +146,28 @@ def test_what_is_wrong_where_and_what_to_do(body: str, place: str, message: str,
 def test_a_name_that_is_defined_elsewhere(before: str, use: str, help: str) -> None:
     (found,) = reported("XAC001", f"{before}\n{use}")
     assert found.help.startswith(help)
+
+
+@pytest.mark.parametrize(
+    ("side", "found"),
+    [
+        ({}, ("warning", "guessed")),
+        ({"side": "up"}, ("error", "measured")),
+        ({"side": "left"}, None),
+    ],
+)
+def test_a_name_that_is_defined_for_other_values_of_an_argument(
+    side: dict[str, str], found: tuple[str, str] | None
+) -> None:
+    """franka_description's fr3_duo_arm: an arm for left and for right, and none for the default."""
+    corner = '<xacro:if value="${side == \'left\'}"><xacro:property name="a" value="1"/></xacro:if>'
+    argument = (
+        '<xacro:arg name="side" default=""/><xacro:property name="side" value="$(arg side)"/>'
+    )
+    all_found = reported("XAC001", f'{argument}{corner}\n<link name="${{a}}"/>', **side)
+    assert [(one.severity.value, one.confidence.value) for one in all_found] == (
+        [found] if found else []
+    )
 
 
 def test_a_macro_of_a_file_that_another_macro_includes(tmp_path: Path) -> None:

@@ -6,6 +6,9 @@ without a line number; urdfkit reports all errors, each at its expression. An er
 reported at the property's definition, with its use as a note. All `<property>` elements of a file
 without the prefix are one finding, at the first.
 
+A name that is defined in a condition is a warning if an argument has its default: the file may be
+for other values.
+
 An included file that only xacrodoc finds, from the directory where it is run, is a warning.
 
 A file that another file includes, and that uses macros, properties or arguments of that file, is
@@ -22,9 +25,18 @@ Sources:
 import re
 
 from urdfkit.core.words import more_like_this
-from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, reported, rule
+from urdfkit.lint.rules import (
+    Confidence,
+    Context,
+    Finding,
+    Findings,
+    Related,
+    Severity,
+    reported,
+    rule,
+)
 from urdfkit.robot.samples import xacro_xml
-from urdfkit.xacro.errors import NOT_BUILT, ONLY_XACRODOC
+from urdfkit.xacro.errors import IN_CONDITION, NOT_BUILT, ONLY_XACRODOC
 
 BAD = xacro_xml('<link name="${prefix}base"/>')
 GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="${prefix}base"/>')
@@ -45,7 +57,7 @@ _NO_KEY = "The yaml dictionary has no key '[^']*'"
 )
 def check(context: Context) -> Findings:
     unprefixed: dict[str, list[Finding]] = {}
-    for finding in reported(context, "XAC001"):
+    for finding in _reported(context):
         if start := next(filter(finding.message.startswith, (NOT_BUILT, ONLY_XACRODOC)), ""):
             yield finding._replace(severity=Severity.WARNING, group_key=start)
             continue
@@ -60,6 +72,19 @@ def check(context: Context) -> Findings:
         else:
             yield finding._replace(group_key=lacking[0]) if lacking else finding
     yield from map(_as_one, unprefixed.values())
+
+
+def _reported(context: Context) -> Findings:
+    """What reading met; a name that is defined for other values of an argument is a warning."""
+    xacro = context.reading.xacro
+    has_default = xacro is not None and not xacro.defaults.keys() <= context.arguments.keys()
+    for finding in reported(context, "XAC001"):
+        if has_default and IN_CONDITION in finding.help:
+            help = f"{finding.help}; pass the argument that it depends on"
+            severity, confidence = Severity.WARNING, Confidence.GUESSED
+            yield finding._replace(help=help, severity=severity, confidence=confidence)
+        else:
+            yield finding
 
 
 def _as_one(findings: list[Finding]) -> Finding:
