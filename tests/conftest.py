@@ -38,6 +38,11 @@ settings.load_profile("default")
 
 ROOT = Path(__file__).resolve().parents[1]
 MODELS = ROOT / "models"
+#: Robots of the project: that of the mission, which has defects, and three that are sound.
+MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
+GRIPPER = MODELS / "good" / "gripper.urdf"
+MOBILE_BASE = MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
 
 #: Reference material beside the checkout; not part of the project.
 SHARED = ROOT.parent / "shared"

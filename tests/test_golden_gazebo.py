@@ -4,12 +4,11 @@ from collections import Counter
 
 import pytest
 
-from tests.conftest import MODELS, SHARED, manifest
+from tests.conftest import MISSION, SHARED, manifest
 from urdfkit.lint import engine, rule_index
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import Source
 
-ROBOT = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 FAMILY = [*(code for code in rule_index.codes() if "GAZ001" <= code <= "GAZ034"), "RCT029"]
 
 #: Codes and places whatever the target is.
@@ -32,7 +31,7 @@ OLD_TAGS = (
 
 
 def found(*targets: str) -> list[Diagnostic]:
-    report = engine.check(str(ROBOT), select=FAMILY, targets=targets)
+    report = engine.check(str(MISSION), select=FAMILY, targets=targets)
     assert report.crashed == ()
     return list(report.diagnostics)
 

@@ -7,11 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS, ROOT
-
-PLAIN = MODELS / "good" / "gripper.urdf"
-WITH_MESHES = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
-XACRO = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
+from tests.conftest import ARM, GRIPPER, MISSION, ROOT
 
 #: Of Python's own library, what costs several milliseconds each.
 SLOW = {"asyncio", "dataclasses", "inspect", "multiprocessing", "subprocess", "typing", "urllib"}
@@ -51,17 +47,17 @@ def slow(modules: set[str]) -> set[str]:
 
 
 def test_a_plain_robot_needs_nothing_but_python() -> None:
-    modules = loaded("check", str(PLAIN))
+    modules = loaded("check", str(GRIPPER))
     assert external(modules) == set()
     assert slow(modules) == set()
 
 
-@pytest.mark.parametrize("robot", [PLAIN, WITH_MESHES, XACRO], ids=lambda path: path.stem)
+@pytest.mark.parametrize("robot", [GRIPPER, ARM, MISSION], ids=lambda path: path.stem)
 def test_launch_files_and_yaml_wait_for_a_rule_that_needs_them(robot: Path) -> None:
     modules = loaded("check", str(robot), "--ignore", "COL")
     launch = {name for name in modules if name.startswith("urdfkit.ros.launch.")}
     # The launch file next to the mission's model loads no YAML, and the model has no arguments.
-    assert launch == ({"urdfkit.ros.launch.robot_arguments"} if robot == XACRO else set())
+    assert launch == ({"urdfkit.ros.launch.robot_arguments"} if robot == MISSION else set())
     assert "urdfkit.text.located_yaml" not in modules
 
 
@@ -78,14 +74,14 @@ def test_findings_and_statistics_load_no_more(tmp_path: Path) -> None:
 def test_meshes_that_were_measured_before_need_nothing_but_python(tmp_path: Path) -> None:
     for library in ("numpy", "lxml", "manifold3d"):
         pytest.importorskip(library)
-    assert "numpy" in loaded("check", str(WITH_MESHES), cache=tmp_path)
-    modules = loaded("check", str(WITH_MESHES), cache=tmp_path)
+    assert "numpy" in loaded("check", str(ARM), cache=tmp_path)
+    modules = loaded("check", str(ARM), cache=tmp_path)
     assert external(modules) == set()
     assert slow(modules) == set()
 
 
 def test_a_xacro_loads_a_private_copy_of_xacro_and_nothing_else_foreign() -> None:
-    modules = loaded("check", str(XACRO), "--ignore", "COL")  # which have something to say
+    modules = loaded("check", str(MISSION), "--ignore", "COL")  # which have something to say
     assert external(modules) == {"_urdfkit_xacro"}
     assert slow(modules) == set()
 

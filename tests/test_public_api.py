@@ -8,7 +8,7 @@ import sys
 import pytest
 
 import urdfkit
-from tests.conftest import MODELS, ROOT
+from tests.conftest import GRIPPER, ROOT
 
 #: What other programs rely on. A name that goes, or changes its meaning, breaks them: say so in
 #: CHANGELOG.md, and think twice before adding one.
@@ -81,7 +81,7 @@ def test_importing_it_imports_nothing_else() -> None:
 
 
 def test_the_example_of_the_docstring() -> None:
-    report = urdfkit.check(MODELS / "good" / "gripper.urdf", arguments={"prefix": "left_"})
+    report = urdfkit.check(GRIPPER, arguments={"prefix": "left_"})
     assert isinstance(report, urdfkit.Report)
     assert [d for d in report.diagnostics if d.severity is not urdfkit.Severity.INFO] == []
     assert report.ok

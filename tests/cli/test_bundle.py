@@ -4,11 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import ARM
 from urdfkit.cli import main
 
 pytest.importorskip("trimesh")
-ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
 
 
 def test_the_summary_lists_the_output(

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import GRIPPER, MODELS
 from urdfkit.cli import main
 from urdfkit.core.installation import install_command
 
@@ -121,7 +121,7 @@ def test_missing_coal_is_reported(
 def test_a_urdf_is_not_an_srdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Who names the model itself keeps it as it is."""
     path = tmp_path / "gripper.urdf"
-    text = (MODELS / "good" / "gripper.urdf").read_bytes()
+    text = (GRIPPER).read_bytes()
     path.write_bytes(text)
     for option in ("-o", "--compare"):
         assert main(["collisions", str(path), option, str(path), "--samples", "0"]) == 2

@@ -6,13 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import GRIPPER
 from urdfkit.cli import main
 from urdfkit.core.installation import install_command
 
 for library in ("mujoco", "pinocchio", "trimesh"):
     pytest.importorskip(library)
-GRIPPER = MODELS / "good" / "gripper.urdf"
 
 
 def convert(*words: str) -> int:

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.command_line import GOOD
-from tests.conftest import MODELS, ROOT
+from tests.conftest import MOBILE_BASE, ROOT
 from urdfkit.cli import checking, main
 from urdfkit.lint import rule_index
 
@@ -72,7 +72,7 @@ def is_gone(group: int) -> bool:
 @pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="needs Linux's /proc")
 def test_ctrl_c_ends_all_processes_without_a_word(tmp_path: Path) -> None:
     """In whatever order they hear of it."""
-    robot = (MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro").read_bytes()
+    robot = (MOBILE_BASE).read_bytes()
     for number in range(400):
         (tmp_path / f"{number}.xacro").write_bytes(robot)
     command = [sys.executable, "-m", "urdfkit", "check", str(tmp_path), "--jobs", "2"]

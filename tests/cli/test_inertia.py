@@ -5,10 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from urdfkit.cli import main
-
-MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 
 
 def test_declared_against_computed(capsys: pytest.CaptureFixture[str]) -> None:

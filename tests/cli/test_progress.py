@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS, ROOT
+from tests.conftest import GRIPPER, MODELS, ROOT
 from urdfkit.cli import main, progress
 from urdfkit.cli.progress import ProgressBar, on_terminal
 from urdfkit.mesh.samples import box, stl
@@ -128,7 +128,7 @@ def test_a_directory_on_a_terminal() -> None:
 
 @UNIX
 def test_one_file_without_meshes_has_none() -> None:
-    assert on_a_terminal(MODELS / "good" / "gripper.urdf")[1] == ""
+    assert on_a_terminal(GRIPPER)[1] == ""
 
 
 @UNIX
@@ -201,7 +201,7 @@ def test_commands_that_may_take_long_show_that_they_run(
     words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     robot = tmp_path / "robot.urdf.xacro"
-    robot.write_bytes((MODELS / "good" / "gripper.urdf").read_bytes())
+    robot.write_bytes((GRIPPER).read_bytes())
     monkeypatch.setattr(progress, "DELAY", 0)
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     monkeypatch.setenv("TERM", "xterm")

@@ -6,12 +6,11 @@ from xml.etree import ElementTree
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import ARM
 from urdfkit.cli import main
 
 for library in ("mujoco", "trimesh"):
     pytest.importorskip(library)
-ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
 
 
 SRDF = '<robot name="r"><disable_collisions link1="a" link2="b" reason="Never"/></robot>'

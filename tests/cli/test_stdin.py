@@ -5,16 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import GRIPPER
 from tests.xacros import xacro
 from urdfkit.cli import main
-
-FILE = MODELS / "good" / "gripper.urdf"
 
 
 @pytest.fixture(autouse=True)
 def gripper(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(FILE.read_bytes())))
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(GRIPPER.read_bytes())))
 
 
 @pytest.mark.parametrize(
@@ -35,12 +33,12 @@ def gripper(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_standard_input_gives_the_result_of_the_file(
     words: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.chdir(FILE.parent)
+    monkeypatch.chdir(GRIPPER.parent)
     assert main([*words, "-"]) == 0
     of_stdin = capsys.readouterr()
-    assert main([*words, FILE.name]) == 0
+    assert main([*words, GRIPPER.name]) == 0
     of_file = capsys.readouterr()
-    said = of_stdin.out.replace(r"\<stdin\>", "<stdin>").replace("<stdin>", FILE.name)
+    said = of_stdin.out.replace(r"\<stdin\>", "<stdin>").replace("<stdin>", GRIPPER.name)
     assert (said, of_stdin.err) == (of_file.out, of_file.err)
 
 
@@ -53,7 +51,7 @@ def test_the_element_of_trace_may_be_in_it(capsys: pytest.CaptureFixture[str]) -
     ("words", "reason"),
     [
         (["view", "-"], "standard input cannot be watched; pass a file"),
-        (["diff", str(FILE), "-"], "standard input cannot be compared; pass a file"),
+        (["diff", str(GRIPPER), "-"], "standard input cannot be compared; pass a file"),
         (["fix", "-"], "standard input cannot be fixed in place; pass a file"),
         (["inertia", "-", "--write", "--link", "palm", "--mass", "3"], "file not found"),
     ],

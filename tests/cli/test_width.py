@@ -8,11 +8,11 @@ from collections.abc import Iterator
 import click
 import pytest
 
-from tests.conftest import MODELS, ROOT
+from tests.conftest import MISSION, ROOT
 from urdfkit.cli import main, output
 from urdfkit.cli.group import COMMANDS, group
 
-ROBOT = str((MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro").relative_to(ROOT))
+ROBOT = str((MISSION).relative_to(ROOT))
 
 
 def commands() -> Iterator[list[str]]:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import ARM
 from tests.massive import inertial, joint, link, shape
 from tests.output.test_overview import of
 from tests.reported import messages, reported
@@ -104,9 +104,8 @@ def test_the_report_and_the_command_say_the_same(
 
 
 def test_an_arm_on_the_world_is_fixed_in_its_report(tmp_path: Path) -> None:
-    arm = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
     path = tmp_path / "arm.urdf"
-    path.write_text(arm.read_text(encoding="utf-8").replace('"mount"', '"world"'))
+    path.write_text(ARM.read_text(encoding="utf-8").replace('"mount"', '"world"'))
     assert describe(str(path))[0]["standing"]["verdict"] == "fixed"
 
 

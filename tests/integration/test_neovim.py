@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import urdfkit
-from tests.conftest import MODELS, ROOT
+from tests.conftest import MISSION, MODELS, ROOT
 
 pytest.importorskip("pygls")
 pytestmark = pytest.mark.skipif(shutil.which("nvim") is None, reason="Neovim is not installed")
@@ -106,8 +106,7 @@ def seen(tmp_path_factory: pytest.TempPathFactory) -> Any:
 
 
 def test_it_shows_what_the_command_line_finds(seen: Any) -> None:
-    model = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-    report = urdfkit.check(model)
+    report = urdfkit.check(MISSION)
     assert sorted(seen["opened"]) == sorted(f"{d.code}:{d.span.line}" for d in report.diagnostics)
 
 
@@ -117,7 +116,7 @@ def test_it_answers(seen: Any) -> None:
 
 
 def test_a_link_is_renamed_everywhere(seen: Any) -> None:
-    text = Path(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro").read_text()
+    text = Path(MISSION).read_text()
     assert seen["renamed"] == text.count('"base_link"')
 
 

@@ -4,13 +4,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from urdfkit.cli import main
 from urdfkit.lint.ignore_comments import CommentPlaces
 from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.source import Source
 
-MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 TWICE = '<robot name="r">\n  <link name="a"/>\n  <link name="a"/>\n</robot>\n'
 
 

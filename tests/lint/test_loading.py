@@ -8,12 +8,9 @@ from pathlib import Path
 import pytest
 
 import urdfkit
-from tests.conftest import MODELS, ROOT
+from tests.conftest import GRIPPER, MOBILE_BASE, ROOT
 from urdfkit import Source, UnreadableRobot, UrdfkitError, expand, load
 from urdfkit.errors import UnreadableFile
-
-PLAIN = MODELS / "good" / "gripper.urdf"
-XACRO = MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
 
 ARGUED = b"""\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -24,7 +21,7 @@ ARGUED = b"""\
 
 
 @pytest.mark.parametrize("form", [str, Path, Source.read])
-@pytest.mark.parametrize("file", [PLAIN, XACRO], ids=lambda path: path.name)
+@pytest.mark.parametrize("file", [GRIPPER, MOBILE_BASE], ids=lambda path: path.name)
 def test_a_file_in_every_form(file: Path, form: Callable[[Path], str | Path | Source]) -> None:
     model = load(form(file))
     assert model.name == file.name.split(".")[0]
@@ -51,9 +48,9 @@ def test_arguments_and_packages(tmp_path: Path) -> None:
 
 
 def test_expand_gives_what_the_xacro_command_gives() -> None:
-    command = [sys.executable, "-m", "urdfkit", "expand", str(XACRO)]
+    command = [sys.executable, "-m", "urdfkit", "expand", str(MOBILE_BASE)]
     printed = subprocess.run(command, check=True, cwd=ROOT, capture_output=True, text=True).stdout
-    assert expand(XACRO).text() == printed
+    assert expand(MOBILE_BASE).text() == printed
 
 
 def test_trust_lifts_the_fence(tmp_path: Path) -> None:

@@ -6,17 +6,15 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from urdfkit.cli import main
 from urdfkit.lint.migrate import migrate
 from urdfkit.ros.targets import UnknownTarget
 from urdfkit.text.source import Source
 
-MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-
 
 def test_renames_are_made_in_the_text_and_nothing_else_changes() -> None:
-    migration = migrate(MODEL, "classic-ros2")
+    migration = migrate(MISSION, "classic-ros2")
     ((source, text),) = migration.texts.items()
     before, after = source.data.decode().splitlines(), text.decode().splitlines()
     changed = [
@@ -35,21 +33,21 @@ def test_renames_are_made_in_the_text_and_nothing_else_changes() -> None:
 
 def test_the_diff_of_a_file_without_a_last_line_end(tmp_path: Path) -> None:
     path = tmp_path / "r.xacro"
-    head, tag, tail = MODEL.read_bytes().rpartition(b"</frameName>")
+    head, tag, tail = MISSION.read_bytes().rpartition(b"</frameName>")
     path.write_bytes(head + tag + tail.replace(b"\n", b""))
     assert "</robot>\n\\ No newline at end of file\n" in migrate(path, "classic-ros2").diff()
 
 
 def test_the_same_gazebo_needs_nothing() -> None:
-    migration = migrate(MODEL, "classic-ros1")
+    migration = migrate(MISSION, "classic-ros1")
     assert tuple(migration) == ({}, (), (), {})
     assert migration.diff() == ""
 
 
 def test_migrating_twice_leaves_what_a_person_must_do() -> None:
-    first = migrate(MODEL, "classic-ros2")
+    first = migrate(MISSION, "classic-ros2")
     (text,) = first.texts.values()
-    second = migrate(Source(str(MODEL), text), "classic-ros2")
+    second = migrate(Source(str(MISSION), text), "classic-ros2")
     assert second.renamed == ()
     assert len(second.left) == len(first.left)
 
@@ -58,13 +56,13 @@ def test_migrating_twice_leaves_what_a_person_must_do() -> None:
 def test_patch_takes_what_the_command_prints(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    shutil.copy(MODEL, tmp_path / "robot.xacro")
+    shutil.copy(MISSION, tmp_path / "robot.xacro")
     monkeypatch.chdir(tmp_path)
     assert main(["migrate", "robot.xacro", "--to", "classic-ros2"]) == 1
     printed = capsys.readouterr().out
     assert "\n# robot.xacro:" in printed
     subprocess.run(["patch", "-p0"], input=printed, text=True, check=True, capture_output=True)
-    (text,) = migrate(MODEL, "classic-ros2").texts.values()
+    (text,) = migrate(MISSION, "classic-ros2").texts.values()
     assert (tmp_path / "robot.xacro").read_bytes() == text
 
 
@@ -75,7 +73,7 @@ def test_the_diff_of_an_included_file_applies(
     part = tmp_path / "bot" / "part.xacro"
     part.parent.mkdir()
     (tmp_path / "bot" / "package.xml").write_text("<package><name>bot</name></package>")
-    shutil.copy(MODEL, part)
+    shutil.copy(MISSION, part)
     (tmp_path / "bot" / "robot.xacro").write_text(
         '<robot name="bot" xmlns:xacro="http://ros.org/wiki/xacro">'
         '<xacro:include filename="$(find bot)/part.xacro"/></robot>'
@@ -84,11 +82,11 @@ def test_the_diff_of_an_included_file_applies(
     assert main(["migrate", "bot/robot.xacro", "--to", "classic-ros2"]) == 1
     printed = capsys.readouterr().out
     subprocess.run(["patch", "-p0"], input=printed, text=True, check=True, capture_output=True)
-    assert part.read_bytes() != MODEL.read_bytes()
+    assert part.read_bytes() != MISSION.read_bytes()
 
 
 def test_the_command_says_when_there_is_nothing_to_do(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["migrate", str(MODEL), "--to", "classic-ros1"]) == 0
+    assert main(["migrate", str(MISSION), "--to", "classic-ros1"]) == 0
     assert capsys.readouterr().out == "nothing to do for classic-ros1\n"
 
 
@@ -109,8 +107,8 @@ def test_of_macros_that_nothing_calls_it_is_said(
 
 def test_an_unknown_target_is_refused() -> None:
     with pytest.raises(UnknownTarget):
-        migrate(MODEL, "gazebo")
-    assert main(["migrate", str(MODEL), "--to", "gazebo"]) == 2
+        migrate(MISSION, "gazebo")
+    assert main(["migrate", str(MISSION), "--to", "gazebo"]) == 2
 
 
 def test_of_a_file_that_cannot_be_read_nothing_is_claimed(

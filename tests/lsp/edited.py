@@ -3,12 +3,11 @@
 import os
 from pathlib import Path
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from urdfkit.lsp.markup import Page
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.workspace import Workspace
 
-MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 XACRO = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{}\n</robot>\n'
 
 

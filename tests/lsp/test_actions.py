@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.lsp.edited import MISSION, Edited
+from tests.conftest import MISSION
+from tests.lsp.edited import Edited
 from urdfkit.lsp.actions import actions
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.editing.apply import apply_edits

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
-from tests.lsp.edited import MISSION, XACRO, Edited, mission
+from tests.conftest import ARM, GRIPPER, MISSION, MODELS
+from tests.lsp.edited import XACRO, Edited, mission
 from tests.lsp.test_navigation import MACRO, edited
 from urdfkit.lint import rule_index
 from urdfkit.lsp.hover import hover
@@ -34,11 +34,10 @@ def test_a_link_has_mass_and_inertia() -> None:
 
 
 def test_a_joint_has_its_ends_axis_and_limits() -> None:
-    gripper = MODELS / "good" / "gripper.urdf"
-    text = gripper.read_text()
+    text = GRIPPER.read_text()
     name = 'joint name="left_finger_joint"'
     assert name in text
-    shown = reported(Edited(gripper, text.replace(name, name[:14] + "|" + name[14:])))
+    shown = reported(Edited(GRIPPER, text.replace(name, name[:14] + "|" + name[14:])))
     lines = shown.splitlines()
     assert lines[0].startswith("**prismatic joint** `left_finger_joint`: `palm` to ")
     assert any(line.startswith("- axis ") for line in lines)
@@ -82,11 +81,10 @@ def test_a_macro_and_a_property(tmp_path: Path) -> None:
 
 
 def test_a_mesh_that_is_there_and_one_that_is_not(monkeypatch: pytest.MonkeyPatch) -> None:
-    arm = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
-    text = arm.read_text()
+    text = ARM.read_text()
     mesh = text.partition("package://")[2].partition('"')[0]
-    shown = reported(Edited(arm, text.replace(mesh, f"{mesh[:-3]}|{mesh[-3:]}", 1)))
-    path = arm.parents[1] / mesh.partition("/")[2]
+    shown = reported(Edited(ARM, text.replace(mesh, f"{mesh[:-3]}|{mesh[-3:]}", 1)))
+    path = ARM.parents[1] / mesh.partition("/")[2]
     assert f"**mesh** `{path}`" in shown
     assert f", {path.stat().st_size / 1024:.1f} KiB" in shown
     trimesh = pytest.importorskip("trimesh")
@@ -95,7 +93,7 @@ def test_a_mesh_that_is_there_and_one_that_is_not(monkeypatch: pytest.MonkeyPatc
     assert f"- {len(loaded.faces)} triangles, {size} m" in shown
     assert f"- {'a' if loaded.is_watertight else 'not a'} closed solid" in shown
     monkeypatch.setitem(sys.modules, "urdfkit.mesh.io.load_stl", None)  # as without its library
-    lines = reported(Edited(arm, text.replace(mesh, f"{mesh[:-3]}|{mesh[-3:]}", 1))).splitlines()
+    lines = reported(Edited(ARM, text.replace(mesh, f"{mesh[:-3]}|{mesh[-3:]}", 1))).splitlines()
     assert [line for line in lines if "KiB" in line or "triangles" in line] == [
         f"- binary STL, {path.stat().st_size / 1024:.1f} KiB"
     ]

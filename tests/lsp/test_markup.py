@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from tests.lsp.edited import MISSION
+from tests.conftest import MISSION
 from urdfkit.lsp.markup import MAX_DEPTH, Cursor, Page, cursor
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 import urdfkit
-from tests.conftest import MODELS
-from tests.lsp.edited import MISSION, XACRO, Edited, mission
+from tests.conftest import ARM, MISSION
+from tests.lsp.edited import XACRO, Edited, mission
 from urdfkit.lsp.navigation import CannotRename, definitions, references, rename
 from urdfkit.lsp.workspace import Workspace
 from urdfkit.text.editing.apply import apply_edits
@@ -91,16 +91,15 @@ def test_a_name_of_an_included_file(tmp_path: Path) -> None:
 
 
 def test_the_mesh_and_its_package_can_be_opened() -> None:
-    arm = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
-    text = arm.read_text()
+    text = ARM.read_text()
     assert "package://two_link_arm/" in text
-    file = Edited(arm, text.replace("package://two", "package://tw|o", 1))
+    file = Edited(ARM, text.replace("package://two", "package://tw|o", 1))
     (span,) = definitions(file.robot, file.page, file.offset)
-    assert Path(span.source.path) == arm.parents[1] / "package.xml"
+    assert Path(span.source.path) == ARM.parents[1] / "package.xml"
     mesh = text.partition("package://two_link_arm/")[2].partition('"')[0]
     file.type(text.replace(mesh, f"{mesh[:5]}|{mesh[5:]}", 1))
     (span,) = definitions(file.robot, file.page, file.offset)
-    assert Path(span.source.path) == arm.parents[1] / mesh
+    assert Path(span.source.path) == ARM.parents[1] / mesh
 
 
 def test_nothing_is_at_a_place_without_a_name(tmp_path: Path) -> None:

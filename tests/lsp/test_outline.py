@@ -2,7 +2,8 @@
 
 from pathlib import Path
 
-from tests.lsp.edited import MISSION, XACRO, Edited
+from tests.conftest import MISSION
+from tests.lsp.edited import XACRO, Edited
 from tests.lsp.test_navigation import MACRO
 from urdfkit.lsp.outline import MAX_DEPTH, OutlineEntry, outline
 

@@ -15,8 +15,8 @@ pytest.importorskip("pygls")
 from lsprotocol import types as lsp
 
 import urdfkit
-from tests.conftest import ROOT
-from tests.lsp.edited import MISSION, XACRO
+from tests.conftest import MISSION, ROOT
+from tests.lsp.edited import XACRO
 from tests.lsp.editor import PATIENCE, Conversation, Editor, session, talk
 from urdfkit.core.installation import install_command
 from urdfkit.lsp.main_thread import MainThreadExecutor

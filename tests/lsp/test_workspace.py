@@ -9,8 +9,8 @@ from uuid import uuid4
 import pytest
 
 import urdfkit
-from tests.conftest import MODELS
-from tests.lsp.edited import MISSION, XACRO, Edited
+from tests.conftest import MISSION, MODELS
+from tests.lsp.edited import XACRO, Edited
 from urdfkit.errors import Cancelled
 from urdfkit.lsp.workspace import Workspace
 from urdfkit.xacro.recovery import expand_repeatedly

@@ -7,7 +7,16 @@ from typing import Any
 
 import pytest
 
-from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
+from tests.conftest import (
+    ARM,
+    GRIPPER,
+    MOBILE_BASE,
+    MODELS,
+    CorpusRobot,
+    manifest,
+    model_id,
+    needs_corpus,
+)
 from urdfkit import Context, frames, load, read, to_yourdfpy
 from urdfkit.core.installation import install_command
 from urdfkit.errors import MissingLibrary, UnreadableRobot
@@ -92,7 +101,7 @@ def test_a_mesh_that_only_urdfkit_finds_is_loaded(tmp_path: Path) -> None:
 
 def test_without_yourdfpy_it_is_said_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "yourdfpy", None)
-    robot = read(MODELS / "good" / "gripper.urdf")
+    robot = read(GRIPPER)
     with pytest.raises(MissingLibrary, match=re.escape(install_command("exchange"))):
         to_yourdfpy(robot)
 
@@ -109,9 +118,8 @@ def test_what_yourdfpy_makes_of_a_defect_is_one_clear_error(tmp_path: Path) -> N
 
 
 def test_a_path_and_a_model_are_robots_too() -> None:
-    path = MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
-    expected = to_yourdfpy(read(path), load_meshes=False)
-    for robot in (path, str(path), load(path)):
+    expected = to_yourdfpy(read(MOBILE_BASE), load_meshes=False)
+    for robot in (MOBILE_BASE, str(MOBILE_BASE), load(MOBILE_BASE)):
         found = to_yourdfpy(robot, load_meshes=False)
         assert found.link_map.keys() == expected.link_map.keys()
         for link in expected.link_map:
@@ -120,7 +128,7 @@ def test_a_path_and_a_model_are_robots_too() -> None:
 
 def test_a_model_finds_its_meshes() -> None:
     pytest.importorskip("trimesh")
-    arm = load(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    arm = load(ARM)
     assert to_yourdfpy(arm).scene.geometry
 
 

@@ -4,7 +4,7 @@ from math import pi
 
 import pytest
 
-from tests.conftest import CORPUS, MODELS, needs_corpus
+from tests.conftest import ARM, CORPUS, MISSION, needs_corpus
 from tests.massive import BALL, inertial, joint, link, part, shape
 from tests.output.test_overview import of
 from urdfkit.lint.loading import read
@@ -42,7 +42,7 @@ def test_links_without_mass_or_shape_are_no_rows() -> None:
 
 
 def test_the_mission_s_model() -> None:
-    found = mass_properties(read(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"))
+    found = mass_properties(read(MISSION))
     assert found.whole.mass == pytest.approx(10.2301)
     assert found.whole.root == "dummy"
     rows = {row.link: row for row in found.rows}
@@ -55,7 +55,7 @@ def test_the_mission_s_model() -> None:
 
 
 def test_a_pose_moves_the_whole_and_no_link() -> None:
-    arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    arm = read(ARM)
     zero, moved = mass_properties(arm), mass_properties(arm, {"shoulder": 1.0})
     assert zero.rows == moved.rows
     assert zero.whole.mass == moved.whole.mass

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.conftest import MODELS, CorpusRobot, manifest, model_id
+from tests.conftest import ARM, GRIPPER, MISSION, CorpusRobot, manifest, model_id
 from tests.massive import BALL, inertial, joint, link, shape
 from urdfkit.core.installation import install_command
 from urdfkit.lint.context import Context
@@ -16,15 +16,13 @@ from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.output.overview import summarise
 from urdfkit.text.source import Source
 
-MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-
 
 def of(text: str) -> Context:
     return read(Source("r.urdf", whole_robot(text).encode()))
 
 
 def test_the_mission_s_model() -> None:
-    found = summarise(read(MODEL))
+    found = summarise(read(MISSION))
     structure = found.structure
     assert (structure.links, sum(structure.joints.values())) == (10, 9)
     assert structure.joints == {"fixed": 5, "continuous": 4}
@@ -38,7 +36,7 @@ def test_the_mission_s_model() -> None:
 
 
 def test_a_follower_is_no_degree_of_freedom() -> None:
-    structure = summarise(read(MODELS / "good" / "gripper.urdf")).structure
+    structure = summarise(read(GRIPPER)).structure
     assert (structure.nq, structure.nv) == (1, 1)
     assert structure.free == {"left_finger_joint": "prismatic"}
     assert structure.followers == {"right_finger_joint": "left_finger_joint"}
@@ -47,7 +45,7 @@ def test_a_follower_is_no_degree_of_freedom() -> None:
 def test_the_arm_lies_down() -> None:
     """Centre of mass and size at a right angle of the shoulder, by hand."""
     found = summarise(
-        read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"),
+        read(ARM),
         {"shoulder": math.pi / 2},
     )
     x = (1.5 * 0.15 + 0.7 * (0.36 + 0.125)) / 5.2
@@ -72,7 +70,7 @@ def test_the_whole_tensor_of_two_balls_by_the_parallel_axes() -> None:
 
 
 def test_without_the_readers_of_meshes_the_rest_is_there(monkeypatch: pytest.MonkeyPatch) -> None:
-    arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    arm = read(ARM)
     importing = builtins.__import__
 
     def lean(name: str, *rest: Any) -> Any:
@@ -177,4 +175,4 @@ class _NoMeshes:
 def test_it_is_all_json() -> None:
     from urdfkit.cli.info import as_json
 
-    assert json.loads(json.dumps(as_json(summarise(read(MODEL)))))["structure"]["nq"] == 8
+    assert json.loads(json.dumps(as_json(summarise(read(MISSION)))))["structure"]["nq"] == 8

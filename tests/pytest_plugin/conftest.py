@@ -4,7 +4,7 @@ import importlib.util
 
 import pytest
 
-from tests.conftest import MODELS, ROOT
+from tests.conftest import ARM, ROOT
 from tests.pytest_plugin.projects import Project
 from urdfkit.core.libraries import missing_for_meshes
 from urdfkit.testing import Description
@@ -13,7 +13,7 @@ from urdfkit.testing import Description
 @pytest.fixture(scope="session")
 def _imported() -> None:
     """A run in this process forgets the modules that it imports: here, none is left to import."""
-    arm = Description(str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"), {})
+    arm = Description(str(ARM), {})
     assert arm.report.rules
     if importlib.util.find_spec("pinocchio"):
         assert arm.dynamics.columns

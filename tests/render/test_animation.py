@@ -11,7 +11,7 @@ pytest.importorskip("numpy")
 import numpy as np
 from PIL import Image
 
-from tests.conftest import MODELS
+from tests.conftest import ARM, MISSION
 from tests.render.scenes import alone, link, scene
 from urdfkit.lint.loading import read
 from urdfkit.render import (
@@ -26,7 +26,6 @@ from urdfkit.render import (
 )
 from urdfkit.render.animation import AnimationError
 
-ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
 SIZE = (96, 64)
 
 
@@ -65,7 +64,7 @@ def test_a_sweep_goes_from_the_lower_limit_to_the_upper_one_and_back() -> None:
 
 
 def test_a_joint_without_limits_makes_one_turn() -> None:
-    robot = read(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+    robot = read(MISSION)
     way = [at["base_to_wheel1"] for _, at in sweep(build(robot), robot, "base_to_wheel1", frames=4)]
     assert way == pytest.approx([0, pi / 2, pi, 3 * pi / 2])
 

@@ -5,7 +5,7 @@ import pytest
 pytest.importorskip("PIL")
 pytest.importorskip("numpy")
 
-from tests.conftest import MODELS
+from tests.conftest import GRIPPER, MISSION
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
 from urdfkit.render import build, labels, marked
@@ -14,11 +14,9 @@ from urdfkit.render.findings import COLOURS, QUIET, by_link
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import Source
 
-MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-
 
 def test_links_have_the_colour_of_their_worst_finding_and_its_codes() -> None:
-    robot = read(MODEL)
+    robot = read(MISSION)
     report = check(robot.source, select=["INE006", "URD001", "MSH001", "GEO004", "JNT020"])
     scene = marked(build(robot), robot, report.diagnostics)
     colour = {
@@ -38,14 +36,14 @@ def test_links_have_the_colour_of_their_worst_finding_and_its_codes() -> None:
 
 
 def test_an_error_wins_over_a_warning() -> None:
-    robot = read(MODEL)
+    robot = read(MISSION)
     report = check(robot.source, select=["MSH001", "GAZ045"])
     reported = by_link(robot, report.diagnostics)["laser_frame"]
     assert [one.code for one in reported] == ["MSH001"]  # GAZ045 is an info
 
 
 def test_a_sound_robot_is_quiet() -> None:
-    robot = read(MODELS / "good" / "gripper.urdf")
+    robot = read(GRIPPER)
     scene = marked(build(robot), robot, check(robot.source).diagnostics)
     assert {item.material.rgba for item in scene.items} == {QUIET}
     assert scene.labels == ()
@@ -53,7 +51,7 @@ def test_a_sound_robot_is_quiet() -> None:
 
 def test_a_label_stands_where_its_link_is_seen() -> None:
     """From the left, the wheels of the right side cannot be seen, nor a speck in the box."""
-    robot = read(MODEL)
+    robot = read(MISSION)
     scene = marked(build(robot), robot, check(robot.source, select=["INE006"]).diagnostics)
     camera = place_camera(scene.points(), "left", size=(640, 360), orthographic=True)
     seen = labels._links_of_pixels(scene, camera)

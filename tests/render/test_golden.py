@@ -14,22 +14,19 @@ pytest.importorskip("numpy")
 import numpy as np
 from PIL import Image
 
-from tests.conftest import MODELS
+from tests.conftest import ARM, MISSION, MOBILE_BASE
 from urdfkit.lint.loading import read
 from urdfkit.physics.poses import pose
 from urdfkit.render import build, render_image, with_layers
 
 DIRECTORY = Path(__file__).parent / "golden"
 SIZE = (320, 200)
-MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
-BASE = MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro"
 
 PICTURES = {
     "mission": (MISSION, {}, ("visual",), (), ["iso"]),
     "mission_collision": (MISSION, {}, ("visual", "collision"), (), ["iso"]),
     "arm_layers": (ARM, {"elbow": "40deg"}, ("visual",), ("frames", "joints", "inertia"), ["iso"]),
-    "base_sheet": (BASE, {}, ("visual",), (), ["iso", "front", "left", "top"]),
+    "base_sheet": (MOBILE_BASE, {}, ("visual",), (), ["iso", "front", "left", "top"]),
 }
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.conftest import CORPUS, MODELS, needs_corpus
+from tests.conftest import ARM, CORPUS, needs_corpus
 from tests.documents import tree
 from tests.growth import executed_lines
 from tests.massive import BALL, inertial, link, shape
@@ -156,7 +156,7 @@ def test_no_pose_of_a_real_robot_asks_for_more(path: str) -> None:
 
 
 def test_of_a_model_of_our_own() -> None:
-    arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    arm = read(ARM)
     most = 9.81 * (1.5 * 0.15 + 0.7 * (0.36 + 0.125))
     assert maximum_loads(arm.tree)["shoulder"] == pytest.approx(most)
     assert overloadable_joints(arm.tree) == []

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.conftest import MODELS
+from tests.conftest import ARM, GRIPPER
 from tests.documents import tree
 from tests.growth import executed_lines
 from tests.jointed import joint, mimic, robot
@@ -94,7 +94,7 @@ def test_followers_in_a_row_take_linear_time() -> None:
 @pytest.mark.parametrize("q", [(0.0, 0.0), (0.3, -0.7), (pi / 2, pi / 3), (-1.5, 1.9)])
 def test_a_two_link_arm_by_its_closed_form(q: tuple[float, float]) -> None:
     """It swings about y: its links stand at 0.145 m, and 0.36 m along the upper arm."""
-    arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf").tree
+    arm = read(ARM).tree
     found = frames(arm, {"shoulder": q[0], "elbow": q[1]})
     both, position = found["forearm"]
     c, s = cos(q[0] + q[1]), sin(q[0] + q[1])
@@ -119,7 +119,7 @@ def test_a_slide_and_an_axis_that_is_no_unit_vector() -> None:
 
 
 def test_the_gripper_s_fingers_move_together() -> None:
-    model = load(MODELS / "good" / "gripper.urdf")
+    model = load(GRIPPER)
     both = KinematicTree(model)
     (leader,) = (joint.name for joint in model.joints if joint.degrees_of_freedom)
     moved = positions(both, {leader: 0.01})
@@ -128,7 +128,7 @@ def test_the_gripper_s_fingers_move_together() -> None:
 
 def test_a_link_seen_from_another_one() -> None:
     """From the forearm, turned by a right angle, the base is behind and beside it."""
-    arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf").tree
+    arm = read(ARM).tree
     pose = {"shoulder": pi / 2}
     seen = transform(arm, pose, "base", "forearm")
     assert seen.position == pytest.approx((0.145, 0, -0.36), abs=1e-15)

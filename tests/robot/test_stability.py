@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.conftest import CORPUS, MODELS, needs_corpus
+from tests.conftest import ARM, CORPUS, MOBILE_BASE, needs_corpus
 from tests.massive import inertial, joint, link, shape
 from tests.output.test_overview import of
 from urdfkit.lint.loading import read
@@ -134,7 +134,7 @@ def test_what_is_near_the_ground_stands_on_it(height: float, links: tuple[str, .
 
 
 def test_named_contacts() -> None:
-    robot = read(MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro")
+    robot = read(MOBILE_BASE)
     found = stand(robot)
     assert found is not None
     assert found.links == ("left_wheel", "right_wheel", "caster")
@@ -148,7 +148,7 @@ def test_named_contacts() -> None:
 
 def test_the_lowest_vertices_of_a_mesh_are_contacts() -> None:
     pytest.importorskip("numpy")
-    arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    arm = read(ARM)
     found = standing_verdict(arm, {"shoulder": 1.2}).stability
     assert found is not None
     assert found.links == ("base",)

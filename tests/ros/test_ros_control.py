@@ -1,6 +1,6 @@
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.controls import CLASSIC, ROBOT, control, driven, plugin, transmission
 from urdfkit.lint import engine, rule_index
 from urdfkit.lint.context import Context
@@ -113,6 +113,6 @@ def test_without_control_its_rules_do_not_apply() -> None:
 
 
 def test_the_robot_of_the_mission_has_nothing_to_do_with_control() -> None:
-    report = engine.check(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro", select=["RCT"])
+    report = engine.check(MISSION, select=["RCT"])
     assert report.crashed == ()
     assert [found.code for found in report.diagnostics] == ["RCT029"], "its drive plugin"

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.conftest import CORPUS, MODELS, needs_corpus
+from tests.conftest import CORPUS, GRIPPER, needs_corpus
 from urdfkit.text.source import Source
 from urdfkit.text.tag_matching import MAX_ERRORS
 from urdfkit.text.xml_errors import MAX_TAGS, syntax_mistakes
@@ -343,7 +343,7 @@ def test_no_mistake_is_found_where_expat_finds_none() -> None:
     assert [path for path in accepted if syntax_mistakes(path.read_bytes())] == []
 
 
-MODEL = (MODELS / "good" / "gripper.urdf").read_bytes()
+MODEL = (GRIPPER).read_bytes()
 PIECES = [b"<", b">", b'"', b"&", b"/", b"--", b"</link>", b"<link>", b"]]>", b" ", b"=", b"\0"]
 
 

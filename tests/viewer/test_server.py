@@ -16,7 +16,7 @@ from typing import Any
 
 import pytest
 
-from tests.conftest import MODELS, ROOT
+from tests.conftest import GRIPPER, MODELS, ROOT
 from tests.output.report.browsers import browser, needs_browser
 
 for module in ("jinja2", "numpy", "starlette", "trimesh", "uvicorn"):
@@ -302,7 +302,7 @@ def test_a_port_is_free_as_soon_as_its_viewer_has_ended(tmp_path: Path) -> None:
 def test_what_fails_is_reported_once_and_does_not_end_the_viewer(
     error: Exception, reported: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    file = str(MODELS / "good" / "gripper.urdf")
+    file = str(GRIPPER)
 
     async def follow() -> tuple[str, int, str]:
         viewer = server.Viewer(file, Options(), Translator())

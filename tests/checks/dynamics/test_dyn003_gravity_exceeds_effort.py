@@ -3,7 +3,7 @@ from typing import Any
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import ARM
 from tests.massive import inertial, link
 from tests.reported import messages, places, reported
 from tests.robot.test_joint_loads import pendulum, swinging
@@ -81,8 +81,7 @@ def test_masses_that_did_not_change_are_not_computed_again(monkeypatch: pytest.M
 
 
 def test_the_arm_of_our_own_holds_itself() -> None:
-    arm = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
-    assert engine.check(arm, select=["DYN"]).diagnostics == ()
+    assert engine.check(ARM, select=["DYN"]).diagnostics == ()
 
 
 @pytest.mark.parametrize(("names", "severity"), [(["bob_joint", "w"], "warning"), (["w"], "info")])

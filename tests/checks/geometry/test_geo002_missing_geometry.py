@@ -1,6 +1,6 @@
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.massive import BALL, joint, link, shape
 from tests.reported import messages, places, reported
 from urdfkit.lint import engine
@@ -36,8 +36,7 @@ def test_the_severity(target: str, severity: Severity) -> None:
 
 
 def test_the_mission_s_model() -> None:
-    model = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-    (found,) = engine.check(model, select=["GEO002"]).diagnostics
+    (found,) = engine.check(MISSION, select=["GEO002"]).diagnostics
     assert (found.message, found.severity) == (
         "link 'base_footprint' has a visual and no collision",
         Severity.INFO,

@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from tests import meshed
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.massive import BALL, BOX, MESH, link, shape
 from tests.reported import messages, reported
 from urdfkit.lint import engine
@@ -112,8 +112,7 @@ def test_two_different_shapes() -> None:
 
 
 def test_the_mission_s_model() -> None:
-    model = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-    (found,) = engine.check(model, select=["GEO004"]).diagnostics
+    (found,) = engine.check(MISSION, select=["GEO004"]).diagnostics
     assert found.message == (
         f"link 'base_link': {HEAD} 20%{TAIL}; the "
         "visual is the same shape, rotated and moved by 0 0 0.05 m"

@@ -1,6 +1,6 @@
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.massive import BALL, BOX, MESH, WHEEL, link
 from tests.reported import messages, places
 from urdfkit.lint import engine
@@ -89,8 +89,7 @@ def test_a_mesh_has_texture_coordinates() -> None:
 
 
 def test_the_mission_s_model() -> None:
-    model = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-    found = engine.check(model, select=["GEO009"]).diagnostics
+    found = engine.check(MISSION, select=["GEO009"]).diagnostics
     assert [(one.message, one.severity, one.span.text) for one in found] == [
         (f"link '{text} in the URDF", Severity.INFO, "<material>")
         for text in (

@@ -2,7 +2,7 @@ import json
 
 import pytest
 
-from tests.conftest import MODELS, SHARED
+from tests.conftest import MISSION, SHARED
 from tests.reported import places, reported
 from urdfkit.lint import engine
 from urdfkit.text.schema import GAZEBO_TAGS
@@ -38,9 +38,7 @@ def test_the_block_it_belongs_in_is_named(robot: str, block: str) -> None:
 
 
 def test_the_eight_of_the_mission_s_model() -> None:
-    report = engine.check(
-        MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro", select=["URD008"]
-    )
+    report = engine.check(MISSION, select=["URD008"])
     assert [found.span.text for found in report.diagnostics] == ["<mu1>", "<mu2>"] * 4
     assert [found.message.partition(":")[0] for found in report.diagnostics] == [
         f"link 'wheel_{number}'" for number in (1, 1, 2, 2, 3, 3, 4, 4)

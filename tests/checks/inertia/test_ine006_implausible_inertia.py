@@ -1,12 +1,10 @@
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.massive import BALL, MESH, WHEEL, inertial, joint, link, part, shape
 from tests.reported import fixed, messages, places, reported
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Confidence, Severity
-
-MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 
 
 def test_a_wheel() -> None:
@@ -76,7 +74,7 @@ def test_copies_are_one_finding_and_one_fix() -> None:
 
 
 def test_one_macro_of_the_mission_s_model_with_five_calls_the_worst_first() -> None:
-    (found,) = engine.check(MODEL, select=["INE006"]).diagnostics
+    (found,) = engine.check(MISSION, select=["INE006"]).diagnostics
     assert found.span.text.startswith('<inertia ixx="0.1"')
     assert [call.via[-1].name for call in found.calls] == ["default_inertial"] * 5
     assert [call.element.split("/")[1] for call in found.calls] == [

@@ -1,12 +1,10 @@
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
 from tests.reported import fixed, messages, reported
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Severity
-
-MODEL = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 
 
 def test_a_guessed_tensor() -> None:
@@ -46,7 +44,7 @@ def test_a_diameter_for_a_radius_is_reported() -> None:
 
 
 def test_the_mission_s_model() -> None:
-    found = engine.check(MODEL, select=["INE008"]).diagnostics
+    found = engine.check(MISSION, select=["INE008"]).diagnostics
     assert [(one.element.split("/")[1], one.span.line) for one in found] == [
         ("base_link", 15),
         ("imu_link", 215),

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
 from tests.reported import fixed, messages, places, reported
 from urdfkit.lint import engine
@@ -68,8 +68,7 @@ def test_a_tensor_out_of_all_bounds_is_reported_instead() -> None:
 
 
 def test_the_mission_s_model_has_a_footprint_without_collision() -> None:
-    model = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-    assert engine.check(model, select=["INE010"]).diagnostics == ()
+    assert engine.check(MISSION, select=["INE010"]).diagnostics == ()
 
 
 def chain(*masses: float) -> str:

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.massive import BALL, MESH, inertial, joint, link, part, shape
 from tests.reported import messages
 from tests.reported import reported as reported_plain
@@ -68,9 +68,7 @@ def test_the_macro_of_an_included_file(tmp_path: Path) -> None:
 
 
 def test_the_models_mission() -> None:
-    report = engine.check(
-        MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro", select=["XAC014"]
-    )
+    report = engine.check(MISSION, select=["XAC014"])
     (found,) = report.diagnostics
     assert "gives 6 links of 0.0001 to 8.2 kg" in found.message
 

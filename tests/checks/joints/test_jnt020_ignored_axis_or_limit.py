@@ -1,6 +1,6 @@
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.jointed import joint, limit, robot
 from tests.reported import fixed, messages, places, reported
 from urdfkit.lint import engine
@@ -65,9 +65,7 @@ def test_a_macro_whose_other_calls_may_need_it_is_not_edited() -> None:
 
 
 def test_the_three_of_the_mission_s_model() -> None:
-    report = engine.check(
-        MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro", select=["JNT020"]
-    )
+    report = engine.check(MISSION, select=["JNT020"])
     assert [found.message.split("'")[1] for found in report.diagnostics] == [
         "imu_joint",
         "camera_joint",

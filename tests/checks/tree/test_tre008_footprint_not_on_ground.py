@@ -2,7 +2,7 @@ from math import pi
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.reported import messages, places, reported
 from urdfkit.lint import engine
 
@@ -103,9 +103,7 @@ def test_without_a_footprint_or_a_shape_nothing_is_said() -> None:
 
 
 def test_the_mission_s_model() -> None:
-    report = engine.check(
-        MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro", select=["TRE008"]
-    )
+    report = engine.check(MISSION, select=["TRE008"])
     (found,) = report.diagnostics
     assert found.span.text == '<joint name="base_footprint_joint" type="fixed">'
     assert "is 0.06 m below 'base_footprint'" in found.message

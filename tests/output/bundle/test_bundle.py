@@ -11,7 +11,7 @@ from xml.sax.saxutils import quoteattr
 
 import pytest
 
-from tests.conftest import MODELS, CorpusRobot, manifest, model_id, needs_corpus
+from tests.conftest import MISSION, CorpusRobot, manifest, model_id, needs_corpus
 from tests.mesh.made import ascii_stl
 from tests.workspaces import add_file, add_package
 from urdfkit import bundle, check, read
@@ -240,9 +240,8 @@ def test_remaining_outside_references_are_reported(robot: Path, tmp_path: Path, 
 
 
 def test_a_missing_mesh_is_an_error_at_its_location(tmp_path: Path) -> None:
-    mission = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
     with pytest.raises(UrdfkitError, match=r"xacro:266:25: package://gazebo_pkg/meshes/hokuyo.dae"):
-        bundle(mission, tmp_path / "out")
+        bundle(MISSION, tmp_path / "out")
     assert list(tmp_path.iterdir()) == []
 
 

@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import GRIPPER
 from tests.documents import tree
 from tests.growth import executed_lines
 from tests.jointed import joint, limit, mimic, robot
@@ -153,9 +153,7 @@ def test_svg_is_xml_and_nothing_leaves_its_edges() -> None:
 
 
 def test_json_holds_everything_once() -> None:
-    document = json.loads(
-        json_diagram.render(KinematicTree(load(MODELS / "good" / "gripper.urdf")))
-    )
+    document = json.loads(json_diagram.render(KinematicTree(load(GRIPPER))))
     assert document["roots"] == ["mount"]
     assert [link["name"] for link in document["links"]] == [
         "mount", "palm", "left_finger", "right_finger",

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import CORPUS, MODELS, needs_corpus
+from tests.conftest import ARM, CORPUS, GRIPPER, MISSION, needs_corpus
 from tests.output.report.browsers import Page, browser, needs_browser
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.loading import read
@@ -21,10 +21,6 @@ from urdfkit.robot.kinematics import frames
 pytestmark = needs_browser
 for module in ("jinja2", "numpy", "selenium", "trimesh"):
     pytest.importorskip(module)
-
-MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
-GRIPPER = MODELS / "good" / "gripper.urdf"
-ARM = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import ARM, MODELS
 from urdfkit.errors import UnreadableFile, UnreadableRobot, UrdfkitError
 from urdfkit.lint.engine import check
 from urdfkit.lint.options import Options
@@ -213,7 +213,7 @@ def test_every_table_is_a_csv() -> None:
 
 def test_what_gravity_asks_is_a_table() -> None:
     pytest.importorskip("pinocchio")
-    arm = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    arm = str(ARM)
     text, document = report(arm, "csv", table="statics")
     rows = list(csv.DictReader(io.StringIO(text)))
     assert {row["joint"] for row in rows} == {"shoulder", "elbow"}

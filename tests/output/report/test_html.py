@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS, ROOT
+from tests.conftest import ARM, MODELS, ROOT
 from urdfkit.core.installation import install_command
 from urdfkit.errors import Unavailable, UrdfkitError
 from urdfkit.lint import rule_index
@@ -95,7 +95,7 @@ def test_the_policy_names_the_scripts_that_are_there(page: Elements) -> None:
 
 
 def test_the_same_robot_gives_the_same_page() -> None:
-    arm = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    arm = str(ARM)
     assert report(arm)[0] == report(arm)[0]
 
 

@@ -10,7 +10,7 @@ pytest.importorskip("coal")
 
 import itertools
 
-from tests.conftest import MODELS, manifest, model_id, needs_corpus
+from tests.conftest import ARM, manifest, model_id, needs_corpus
 from tests.physics.collision.robots import joint, link, revolute, robot
 from urdfkit.lint.context import Context
 from urdfkit.lint.loading import read
@@ -63,9 +63,8 @@ def test_robots_of_the_corpus(entry: Any) -> None:
 
 def test_against_pinocchio() -> None:
     pin: Any = pytest.importorskip("pinocchio")
-    path = MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf"
-    arrays = tree_arrays(read(path).tree)
-    model = pin.buildModelFromUrdf(str(path))
+    arrays = tree_arrays(read(ARM).tree)
+    model = pin.buildModelFromUrdf(str(ARM))
     data = model.createData()
     rows = arrays.samples(5, 0, 0)
     frames = arrays.frames(rows, range(len(arrays.links)))

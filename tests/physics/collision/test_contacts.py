@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS, CorpusRobot, manifest, model_id
+from tests.conftest import ARM, CorpusRobot, manifest, model_id
 from tests.physics.collision.robots import (
     box,
     cube,
@@ -165,7 +165,7 @@ def test_it_misses_nothing_that_coal_finds(entry: CorpusRobot) -> None:
 
 
 def test_a_robot_whose_parts_keep_apart_has_no_pairs() -> None:
-    arm = read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
+    arm = read(ARM)
     assert contacts(arm).pairs == ()
 
 

@@ -10,7 +10,7 @@ import pytest
 np = pytest.importorskip("numpy")
 pytest.importorskip("coal")
 
-from tests.conftest import MODELS
+from tests.conftest import GRIPPER
 from tests.physics.collision.robots import box, joint, link, revolute, robot, sphere
 from urdfkit.core import child_process
 from urdfkit.lint.context import Context
@@ -313,5 +313,5 @@ def test_modules_are_not_imported_from_where_we_stand(
     (tmp_path / "numpy.py").write_text("raise SystemExit('imported')")
     (tmp_path / "pickle.py").write_text("raise SystemExit('imported')")
     monkeypatch.chdir(tmp_path)
-    found = collisions(read(MODELS / "good" / "gripper.urdf"), samples=10, jobs=1)
+    found = collisions(read(GRIPPER), samples=10, jobs=1)
     assert len(found.pairs) == 3

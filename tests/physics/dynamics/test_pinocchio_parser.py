@@ -4,14 +4,14 @@ import pytest
 
 pytest.importorskip("pinocchio")
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from urdfkit.lint.loading import read
 from urdfkit.physics.dynamics import pinocchio_parser, pinocchio_process
 from urdfkit.physics.dynamics.pinocchio_parser import why_rejected
 
 
 def test_the_mission_s_model() -> None:
-    robot = read(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+    robot = read(MISSION)
     assert why_rejected(robot.text) == ""
 
 

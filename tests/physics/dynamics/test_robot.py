@@ -8,7 +8,7 @@ import pytest
 np = pytest.importorskip("numpy")
 pin = pytest.importorskip("pinocchio")
 
-from tests.conftest import MODELS
+from tests.conftest import ARM, MISSION
 from tests.documents import tree
 from tests.jointed import limit, mimic
 from tests.massive import inertial, joint, link
@@ -83,7 +83,7 @@ def test_solids_turned_about_their_axes(
 @pytest.mark.parametrize("q", [(0.0, 0.0), (0.3, -0.8), (-1.2, 1.7)])
 def test_a_two_link_arm(q: tuple[float, float]) -> None:
     """The textbook's mass matrix and torques of the arm that swings about y, upright at 0."""
-    arm = Dynamics(read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf").tree)
+    arm = Dynamics(read(ARM).tree)
     pose = {"shoulder": q[0], "elbow": q[1]}
     m1, m2, c1, c2, length, i1, i2 = 1.5, 0.7, 0.15, 0.125, 0.36, 0.01185, 0.00380333
     last = i2 + m2 * c2 * c2
@@ -223,7 +223,7 @@ def test_joints_of_several_coordinates_are_those_of_pinocchio_s_reader(kind: str
 
 def test_the_root_s_mass_counts() -> None:
     """A model with a fixed base says 2 kg of the mission's 10.2301 kg."""
-    robot = read(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
+    robot = read(MISSION)
     assert robot.dynamics.mass_properties().mass == pytest.approx(10.2301, rel=1e-12)
     assert (robot.dynamics.nq, robot.dynamics.nv) == (8, 4)
     fixed = pin.buildModelFromXML(robot.text.decode())
@@ -284,7 +284,7 @@ def test_too_many_joints_are_refused_before_pinocchio_has_them(
 
 
 def test_an_unknown_link_is_reported() -> None:
-    arm = Dynamics(read(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf").tree)
+    arm = Dynamics(read(ARM).tree)
     with pytest.raises(UnknownLink, match="no link 'foream'; did you mean 'forearm'"):
         arm.jacobian("foream", {})
     with pytest.raises(UnknownLink, match="no link 'foream'"):

@@ -10,7 +10,7 @@ pytest.importorskip("trimesh")
 import numpy as np
 import trimesh
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from tests.mesh.shapes_made import as_mesh
 from urdfkit.core.installation import install_command
 from urdfkit.lint.loading import read
@@ -20,7 +20,6 @@ from urdfkit.robot.inertials.proposals import InertiaProposal, propose, rewrites
 from urdfkit.robot.model import UnknownLink
 from urdfkit.text.editing import rewriting
 
-MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 INERTIAL = """<inertial>
       <origin xyz="0 0 1" rpy="0 0 0"/>
       <mass value="2"/>

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS, manifest
+from tests.conftest import MISSION, manifest
 from tests.growth import executed_lines
 from tests.libsdformat import Simulated, convert
 from urdfkit.lint.context import Context
@@ -155,7 +155,7 @@ def test_newer_versions_keep_a_tiny_mass():
 
 
 def test_the_mission_model():
-    conversion = context(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro").gazebo
+    conversion = context(MISSION).gazebo
     assert [link.name for link in conversion.links] == [
         "dummy", "wheel_1", "wheel_2", "wheel_3", "wheel_4",
     ]  # fmt: skip

@@ -2,14 +2,13 @@
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.conftest import MISSION
 from urdfkit.lint.engine import check
 from urdfkit.lint.migrate import migrate
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import find
 from urdfkit.text.source import Source
 
-MISSION = MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro"
 GZ = ("gz-fortress", "gz-harmonic", "gz-jetty")
 
 ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
