@@ -1,5 +1,7 @@
 """Files that are there: under another directory, in another one of the repository, or elsewhere."""
 
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -215,3 +217,25 @@ def test_a_mesh_in_a_submodule_that_is_not_checked_out(
     put(tmp_path, "meshes/other.stl")
     (found,) = robot(urdf, f"package://arm/{file}")
     assert found.severity.value == "error"
+
+
+@pytest.mark.parametrize(
+    ("pattern", "others", "severity"),
+    [
+        ("*meshes*", (), Severity.WARNING),  # kscalelabs/sim: a program downloads the meshes
+        ("*.stl", ("meshes/b.obj",), Severity.WARNING),
+        ("*.stl", ("meshes/forearm_left.stl",), Severity.ERROR),  # which git tracks nevertheless
+        ("*.obj", (), Severity.ERROR),
+    ],
+)
+def test_a_mesh_that_git_ignores(
+    tmp_path: Path, pattern: str, others: tuple[str, ...], severity: Severity
+) -> None:
+    if shutil.which("git") is None:
+        pytest.skip("git is not installed")
+    subprocess.run(["git", "init", "-q", str(tmp_path)], check=True)
+    (tmp_path / ".gitignore").write_text(f"{pattern}\n")
+    put(tmp_path, *others)
+    (found,) = robot(tmp_path / "r.urdf", "meshes/wrist_camera.stl")
+    assert found.severity is severity
+    assert found.message.endswith("; git ignores it") == (severity is Severity.WARNING)

@@ -16,6 +16,7 @@ never committed. XAC011 reports packages that are not found. Also reported:
 - A file of an installation of ROS, as in `file:///opt/ros/...`, on a computer without it: urdfkit
   cannot check whether it exists (a warning).
 - A file of a git submodule that is not checked out (a warning): run `git submodule update --init`.
+- A file that git ignores: it is downloaded or generated, or was never committed (a warning).
 - A file that a command in the CMakeLists.txt of its package creates (an info): build the workspace.
 - An absolute path that is found as a relative one: only PyBullet ignores the first slash (a
   warning).
@@ -190,6 +191,11 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
     tried = "" if located.scheme == "absolute" else f"; tried {located.tried_paths}"
     message = f"{mesh.who} does not exist{where}{tried}"
     suggested = files.nearest(mesh)
+    if suggested is None and files.is_ignored(mesh):
+        message += "; git ignores it"
+        help = "download or generate it as the README says, or let git track it: git add -f FILE"
+        key = f"ignored {_missing_directory(located)}"
+        return Finding(mesh.at, message, help, group_key=key, severity=Severity.WARNING)
     if suggested is None:
         return Finding(mesh.at, message, group_key=_missing_directory(located))
     new = suggested.reference

@@ -75,6 +75,7 @@ class MeshFiles:
             lambda base: by_key((stem(path), path) for path in self._below(base) if _is_mesh(path))
         )
         self._stems_in = cache(self._stems_by_numbers)
+        self._is_ignored_kind = cache(_is_ignored_kind)  # git takes time for each file
 
     @cached_property
     def meshes(self) -> tuple[MeshReference, ...]:
@@ -164,6 +165,13 @@ class MeshFiles:
 
         ignored = GitIgnored()
         return [mesh for mesh in self.each_file if mesh.located.path in ignored]
+
+    def is_ignored(self, missing: MeshReference) -> bool:
+        """True if git ignores a missing file, and its directory has no file of its kind."""
+        return any(
+            self._is_ignored_kind(os.path.dirname(path), os.path.splitext(path)[1].lower())
+            for path in missing.located.tried
+        )
 
     @property
     def without_package(self) -> dict[str, list[MeshReference]]:
@@ -359,3 +367,12 @@ def _tag(placed: Placed[str]) -> Tag:
     if isinstance(at, Attribute):
         return at.written_in or at.element.tag_at
     return at.tag_at
+
+
+def _is_ignored_kind(directory: str, suffix: str) -> bool:
+    """True if git ignores the files with a suffix in a directory, and it has none."""
+    from urdfkit.workspace.gitignore import GitIgnored
+
+    names = disk.names(directory) if disk.is_directory(directory) else []
+    is_empty = not any(name.lower().endswith(suffix) for name in names)
+    return is_empty and os.path.join(directory, f"mesh{suffix}") in GitIgnored()
