@@ -19,9 +19,9 @@ ONE_LINK = '<link name="a"/>'
 TWO_LINKS = '<link name="a"/><link name="b"><visual/></link>'
 
 
-def found(code: str, *elements: str) -> Diagnostic:
+def found(code: str, *elements: str, source: Source = SOURCE) -> Diagnostic:
     calls = tuple(Call("", (), element) for element in elements)
-    span = Span(SOURCE, 0, 1)
+    span = Span(source, 0, 1)
     confidence = Confidence.MEASURED
     return Diagnostic(code, "x", Severity.ERROR, confidence, "message", span, calls, (), "", None)
 
@@ -139,6 +139,30 @@ def test_only_robots_with_a_new_error_are_compared() -> None:
 
     one = report(found("ABC001", "link/a"))
     assert regression(one, one, unread, unread) == ""
+
+
+PART = Source("part.xacro", b"<robot/>")
+
+
+@pytest.mark.parametrize(
+    ("errors", "reason"),
+    [
+        ([found("XML001", source=PART), found("XAC001")], ""),  # rov_example_base.xacro
+        ([found("XML001"), found("XAC001")], "skipped: it would add XAC001"),  # still unread
+        ([found("XML001"), found("XML001")], "skipped: it would add XML001"),
+    ],
+)
+def test_a_file_that_is_not_well_formed_hides_what_it_includes(
+    errors: list[Diagnostic], reason: str
+) -> None:
+    assert judged(report(found("XML001")), report(*errors)) == reason
+    assert judged(report(), report(*errors)).startswith("skipped: it would add X")
+
+
+def test_a_file_that_is_not_well_formed_may_be_no_robot() -> None:
+    part = report(skipped=("",))
+    assert judged(report(found("XML001")), part) == ""
+    assert judged(report(found("XML001", source=PART)), part) != ""
 
 
 def test_one_more_error_of_a_code_forbids_a_fix() -> None:

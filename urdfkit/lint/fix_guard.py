@@ -27,6 +27,9 @@ FindingKey = tuple[str, str, str]
 #: Identity of an edit across robots: real path, first and last byte, new text.
 EditKey = tuple[str, int, int, str]
 
+#: Rules for files that cannot be read.
+_READING = ("XML001", "XML002")
+
 #: Reads the robots of a report, in its order.
 Robots = Callable[[], Iterable[Context | None]]
 
@@ -40,7 +43,8 @@ def regression(
     """Why the fixes between two checks of the same robots are dropped; empty if they are kept.
 
     Errors of rules that were skipped before, and of elements that did not exist before, were hidden
-    and do not count as new.
+    and do not count as new. A file that is not well-formed hides the files that it includes, and
+    that it is no robot.
 
     Args:
         before: the check without the fixes.
@@ -48,13 +52,28 @@ def regression(
         old, new: the contexts of these checks, which are read only if an error is new.
         may_reveal: True if the robot was broken before, so that fixes may reveal hidden errors.
     """
-    if lost := _rules(after.skipped) - _rules(before.skipped):
+    readable = _unread(chain(*before.errors)) - _unread(chain(*after.errors))
+    lost = _rules(after.skipped) - _rules(before.skipped)
+    if lost := {rule for rule in lost if not may_reveal or disk.real(rule[0]) not in readable}:
         return f"dropped: with it, {min(lost)[0]} could not be checked any more"
     if added := _added_error(before, after, old, new, may_reveal=may_reveal):
         return f"skipped: it would add {added}"
     if failed := _rules(after.crashed) - _rules(before.crashed):
         return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
     return ""
+
+
+def _unread(errors: Iterable[Diagnostic]) -> frozenset[str]:
+    """The real paths of the files that are not well-formed."""
+    return frozenset(real_path(error.span.source) for error in errors if error.code in _READING)
+
+
+def _shown(now: tuple[Diagnostic, ...], then: tuple[Diagnostic, ...]) -> list[Diagnostic]:
+    """The errors of a robot that were not hidden by a file that is now well-formed."""
+    before = _unread(then)
+    if before <= _unread(now):
+        return list(now)
+    return [e for e in now if e.code in _READING and real_path(e.span.source) in before]
 
 
 def _rules(failures: Iterable[Skipped | Crashed]) -> set[tuple[str, str]]:
@@ -66,9 +85,11 @@ def _added_error(
 ) -> str:
     """The code of a new error that was not hidden before; empty if there is none."""
     hidden = {skipped.code for skipped in before.skipped}
+    pairs = list(zip_longest(after.errors, before.errors, fillvalue=()))
+    shown = [_shown(now, then) if may_reveal else now for now, then in pairs]
     added = [
         {code: count for code, count in (_codes(now) - _codes(then)).items() if code not in hidden}
-        for now, then in zip_longest(after.errors, before.errors, fillvalue=())
+        for now, (_, then) in zip(shown, pairs, strict=True)
     ]
     if not any(added):
         return ""
