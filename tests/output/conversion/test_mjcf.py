@@ -10,6 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
+from tests.output.conversion.converted import assert_whole, of_corpus, results
 from tests.own_robots import ROVER, own_robots
 from urdfkit import convert, read
 from urdfkit.errors import UnwritableFile, UrdfkitError
@@ -58,7 +59,7 @@ def loaded(robot: Source | Path, out: Path, **options: Any) -> tuple[Any, dict[s
     """The model that MuJoCo loads, and what became of each part."""
     found = convert(read(robot), out, **options)
     model = mujoco.MjModel.from_xml_path(str(out / found.file))
-    return model, {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
+    return model, results(found)
 
 
 @own_robots
@@ -73,12 +74,7 @@ def test_robots_of_the_project(path: Path, tmp_path: Path) -> None:
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
 def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
-    try:
-        found = convert(entry.read(), tmp_path / "o")
-    except UrdfkitError as error:
-        pytest.skip(str(error))
-    assert found.proof.holds
-    assert_complete(found)
+    assert_complete(of_corpus(entry, tmp_path / "o", "mjcf"))
 
 
 def assert_complete(found: Any) -> None:
@@ -92,11 +88,7 @@ def assert_complete(found: Any) -> None:
 def test_random_trees(tmp_path_factory: pytest.TempPathFactory, text: str) -> None:
     robot = read(Source("r.urdf", text.encode()))
     found = convert(robot, tmp_path_factory.mktemp("tree") / "out")
-    parts = {one.part for one in found.entries}
-    assert found.proof.holds
-    for element in robot.document.root.walk():
-        assert element.path in parts
-        assert all(f"{element.path}@{name}" in parts for name in element.attributes)
+    assert_whole(robot, found)
 
 
 def test_the_proof_fails_for_a_wrong_model(tmp_path: Path) -> None:

@@ -14,6 +14,8 @@ from hypothesis import strategies as st
 from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
 from tests.gazebos import BASE, block, child, plugin, sensor
 from tests.gz_sdf import program
+from tests.output.conversion.converted import assert_whole, of_corpus
+from tests.output.conversion.converted import results as results_of
 from tests.own_robots import own_robots
 from urdfkit import convert, read
 from urdfkit.core.spatial import from_rpy
@@ -163,14 +165,9 @@ def require_equal(robot: Context, directory: Path) -> None:
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
 def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
     pytest.importorskip("trimesh")
-    try:
-        found = entry.read()
-        converted = convert(found, tmp_path / "proved", to="sdf")
-    except UrdfkitError as error:
-        pytest.skip(str(error))
-    assert converted.proof.holds
+    converted = of_corpus(entry, tmp_path / "proved", "sdf")
     assert all(one.note for one in converted.entries)
-    require_equal(found, tmp_path)
+    require_equal(entry.read(), tmp_path)
 
 
 SHAPES = f"<visual>{BOX}</visual><collision>{BOX}</collision>"
@@ -251,11 +248,7 @@ def test_random_trees(tmp_path_factory: pytest.TempPathFactory, parts: str) -> N
     except UrdfkitError as error:
         assert "rejects the robot" in str(error)  # noqa: PT017
         return
-    assert found.proof.holds
-    listed = {one.part for one in found.entries}
-    for one in made.document.root.walk():
-        assert one.path in listed
-        assert all(f"{one.path}@{name}" in listed for name in one.attributes)
+    assert_whole(made, found)
 
 
 # What is written, without libsdformat.
@@ -323,7 +316,7 @@ def test_results_of_the_parts(tmp_path: Path) -> None:
         "<transmission name='t'/>",
     )
     found = convert(robot(*parts), tmp_path / "o", to="sdf")
-    results = {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
+    results = results_of(found)
     assert results["link/base"] == "kept: link"
     assert results["link/arm"] == "approximated: frame of 'base', into which it is merged"
     assert results["joint/arm_joint"] == "approximated: frame; the links are merged"

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
+from tests.output.conversion.converted import of_corpus, results
 from tests.own_robots import ROVER, own_robots
 from urdfkit import convert, read
-from urdfkit.errors import UrdfkitError
 
 pytest.importorskip("trimesh")
 
@@ -25,16 +25,12 @@ def test_robots_of_the_project(path: Path, tmp_path: Path) -> None:
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
 def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
-    try:
-        found = convert(entry.read(), tmp_path / "o", to="urdf")
-    except UrdfkitError as error:
-        pytest.skip(str(error))
-    assert found.proof.holds
+    of_corpus(entry, tmp_path / "o", "urdf")
 
 
 def test_results_of_the_parts(tmp_path: Path) -> None:
     found = convert(ROVER, tmp_path / "o", to="urdf")
-    parts = {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
+    parts = results(found)
     mesh = "link/left_wheel/visual/geometry/mesh@filename"
     assert parts[mesh] == "kept: copied as meshes/wheel.stl"
     assert parts["link/left_wheel@name"] == "kept: as written"

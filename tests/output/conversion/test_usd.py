@@ -11,6 +11,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from tests.conftest import CorpusRobot, manifest, model_id, needs_corpus
+from tests.output.conversion.converted import assert_whole, of_corpus, results
 from tests.output.conversion.test_mjcf import BOX, FEWER, INERTIAL, LIMIT, PLACE_AND_REMEDY, arm
 from tests.own_robots import own_robots
 from urdfkit import convert, read
@@ -33,8 +34,7 @@ from urdfkit.output.conversion.usd_proof import Stage, prove
 def loaded(robot: Source | Path, out: Path) -> tuple[Any, dict[str, str]]:
     """The stage, and what became of each part."""
     found = convert(read(robot), out, to="usd")
-    parts = {one.part: f"{one.result.value}: {one.note}" for one in found.entries}
-    return Usd.Stage.Open(str(out / found.file)), parts
+    return Usd.Stage.Open(str(out / found.file)), results(found)
 
 
 @own_robots
@@ -48,11 +48,7 @@ def test_robots_of_the_project(path: Path, tmp_path: Path) -> None:
 @needs_corpus
 @pytest.mark.parametrize("entry", list(manifest()), ids=model_id)
 def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
-    try:
-        found = convert(entry.read(), tmp_path / "o", to="usd")
-    except UrdfkitError as error:
-        pytest.skip(str(error))
-    assert found.proof.holds
+    found = of_corpus(entry, tmp_path / "o", "usd")
     assert all(one.note for one in found.entries)
 
 
@@ -61,11 +57,7 @@ def test_robots_of_the_corpus(entry: CorpusRobot, tmp_path: Path) -> None:
 def test_random_trees(tmp_path_factory: pytest.TempPathFactory, text: str) -> None:
     robot = read(Source("r.urdf", text.encode()))
     found = convert(robot, tmp_path_factory.mktemp("tree") / "out", to="usd")
-    parts = {one.part for one in found.entries}
-    assert found.proof.holds
-    for element in robot.document.root.walk():
-        assert element.path in parts
-        assert all(f"{element.path}@{name}" in parts for name in element.attributes)
+    assert_whole(robot, found)
 
 
 def test_the_proof_fails_for_a_wrong_stage(tmp_path: Path) -> None:
