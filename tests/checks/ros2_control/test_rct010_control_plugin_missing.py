@@ -2,6 +2,7 @@ import pytest
 
 from tests.controls import CLASSIC, GZ, MOCK, NEXT, ROBOT, control, driven, plugin, transmission
 from tests.reported import messages, places, reported
+from urdfkit.text.diagnostic import Severity
 
 LOADS = "libgazebo_ros2_control.so"
 NAMESPACE = "<ros><namespace>{}</namespace></ros>"
@@ -64,3 +65,20 @@ def test_transmissions_for_gazebo_that_nothing_loads() -> None:
         )
     ]
     assert reported("RCT010", ROBOT + transmission("swing")) == []
+
+
+@pytest.mark.parametrize(
+    ("kind", "severity"),
+    [
+        ("robot_transmission_interface::TorsoPushrodTransmissionLoader", Severity.INFO),
+        ("transmission_interface/FourBarLinkageTransmission", Severity.WARNING),
+        ("SimpleTransmission", Severity.WARNING),
+    ],
+)
+def test_transmissions_that_the_real_robot_loads(kind: str, severity: Severity) -> None:
+    """Valkyrie's files for its hardware also have sensors for Gazebo."""
+    drive = plugin("libgazebo_ros_planar_move.so", "<commandTopic>cmd_vel</commandTopic>")
+    text = transmission("swing").replace("transmission_interface/SimpleTransmission", kind)
+    assert kind in text
+    (found,) = reported("RCT010", ROBOT + text + drive)
+    assert found.severity is severity

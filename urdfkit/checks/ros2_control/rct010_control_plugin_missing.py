@@ -3,12 +3,15 @@
 Without the plugin nothing loads the hardware: the joints are not actuated and the controller
 manager does not answer. Two plugins in one namespace start two controller managers of the same
 name, and both drive the joints. A misspelt `<robotSimType>` of gazebo_ros_control is also reported:
-"Failed to create robot simulation interface loader".
+"Failed to create robot simulation interface loader". Transmissions of ROS 1 without the plugin are
+an info if some are of a class of the robot's own, which its hardware loads.
 
 Sources:
     gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/doc/index.rst
     gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/doc/index.rst
 """
+
+import re
 
 from urdfkit.core.repeats import repeated
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
@@ -87,7 +90,14 @@ def _missing(context: Context) -> Findings:
             transmissions[0],
             "the robot has transmissions for Gazebo Classic, but no plugin in <gazebo> "
             f"loads them ({control_plugin_libraries()['gazebo_ros_control']})",
+            severity=Severity.INFO if any(map(_has_own_loader, transmissions)) else None,
         )
+
+
+def _has_own_loader(transmission: Element) -> bool:
+    """True for a class of the real robot's own: its transmissions may not be for Gazebo."""
+    kind = transmission.child("type")
+    return kind is not None and not re.match(r"\W*(transmission_interface\W|\w*$)", kind.text)
 
 
 def _misspelt_simulation(plugin: ControlPlugin) -> Findings:
