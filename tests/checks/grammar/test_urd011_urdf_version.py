@@ -46,6 +46,16 @@ def test_features_of_1_1_in_1_0(version: str) -> None:
     assert places("URD011", FEATURES.format(version, TURNED)) == [(2, "0 0 0 1")]
 
 
+@pytest.mark.parametrize(
+    ("ends", "help"),
+    [('length="1"', 'version="1.1"'), ('sp="0 0 0" ep="0 0 1"', "a cylinder and two spheres")],
+)
+def test_a_capsule_of_another_format_is_none_in_any_version(ends: str, help: str) -> None:
+    """rby1-sdk's capsules have the start point and the end point of their axis."""
+    (found,) = reported("URD011", FEATURES.format("", CAPSULE.replace('length="1"', ends)))
+    assert help in found.help
+
+
 @pytest.mark.parametrize("version", ["1.1", "1.2"])
 @pytest.mark.parametrize("content", [CAPSULE, TURNED])
 def test_with_the_version_they_are_read(version: str, content: str) -> None:

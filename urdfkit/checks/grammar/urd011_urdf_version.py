@@ -49,11 +49,13 @@ def check(context: Context) -> Findings:
                 yield from _quaternions(context)
         elif element.tag != "capsule" or not context.targets.all_are("reads_capsules"):
             what = f"<{element.tag}>" if attribute is None else attribute.name
-            yield Finding(
-                attribute or element,
-                f"{owner(element)}: {what} needs URDF {since}, and the robot is URDF {version}",
-                f'use what URDF 1.0 has, or write <robot version="{since}">',
+            help = f'use what URDF 1.0 has, or write <robot version="{since}">'
+            if element.tag == "capsule" and "length" not in element.attributes:
+                help = "build it from a cylinder and two spheres"  # no version has this capsule
+            message = (
+                f"{owner(element)}: {what} needs URDF {since}, and the robot is URDF {version}"
             )
+            yield Finding(attribute or element, message, help, group_key=f"{what} {help}")
 
 
 def _declared(attribute: Attribute, version: str) -> Finding:
