@@ -200,3 +200,42 @@ def test_executables_of_nodes(tmp_path: Path, node: str, message: str) -> None:
     manifest.write_text(manifest.read_text().replace("</package>", kind))
     found = check(directory / "launch" / "a.launch.xml", select=["LAU003"]).diagnostics
     assert [one.message for one in found] == ([message] if message else [])
+
+
+@pytest.mark.parametrize(
+    ("program", "purpose", "path"),
+    [
+        (
+            "Node(package='p', executable='e', parameters=['config/a.yaml'])",
+            "parameter file",
+            "config/a.yaml",
+        ),
+        (
+            "Node(package='rviz2', executable='rviz2', arguments=['-d', 'a.rviz'])",
+            "RViz configuration",
+            "a.rviz",
+        ),
+        (
+            "IncludeLaunchDescription(AnyLaunchDescriptionSource('launch/b.launch.py'))",
+            "launch file",
+            "launch/b.launch.py",
+        ),
+        ("Node(package='p', executable='e', parameters=['../a.yaml'])", "", ""),  # it is there
+        ("Node(package='p', executable='e', parameters=[LaunchConfiguration('a')])", "", ""),
+    ],
+)
+def test_paths_relative_to_the_working_directory(
+    tmp_path: Path, program: str, purpose: str, path: str
+) -> None:
+    found = reported(tmp_path, "LAU003", "a.launch.py", f"{program}\n", {"a.yaml": "a: 1"})
+    help = f'write os.path.join(get_package_share_directory("arm"), "{path}")'
+    assert [one.help for one in found] == ([help] if path else [])
+    assert all(one.message.startswith(f"{purpose} '{path}' is looked for") for one in found)
+
+
+@pytest.mark.parametrize(("name", "count"), [("c.yaml", 0), ("d.yaml", 1)])
+def test_the_parameter_file_of_a_spawner(tmp_path: Path, name: str, count: int) -> None:
+    node = f"""<node pkg="controller_manager" exec="spawner"
+        args="arm --param-file $(dirname)/../{name}"/>"""
+    found = reported(tmp_path, "LAU003", "a.launch.xml", node, {"c.yaml": "a: 1"})
+    assert len(found) == count

@@ -49,6 +49,26 @@ def test_valid_element_is_accepted(tmp_path: Path, text: str) -> None:
             'write <param from="FILE"/> in the <node>',
         ),
         (
+            ROS_2 + '<remap from="a" to="b"/>',
+            "<remap> is not in a <node>: ROS 2 stops at it",
+            "write <set_remap from=... to=.../>, or move it into the node",
+        ),
+        (
+            ROS_2 + '<include file="a"><param name="a" value="b"/></include>',
+            "<param> is not in a <node>: ROS 2 stops at it",
+            "write <set_parameter name=... value=.../>, or move it into the node",
+        ),
+        (
+            ROS_2 + '<arg name="a" value="b"/>',
+            "<arg> has a value, but is not in an <include>: ROS 2 stops at it",
+            "write default=..., or <let> for a value that callers do not change",
+        ),
+        (
+            ROS_2 + '<group ns="a"/>',
+            "unknown attribute 'ns' of <group> in ROS 2",
+            "write <push_ros_namespace namespace=...> in it",
+        ),
+        (
             ROS_1 + '<let name="a" value="$(arg b)"/><node pkg="a" type="b" name="c"/>',
             "ROS 1 has no <let>",
             "write <arg name=... value=.../>",

@@ -82,7 +82,8 @@ def test_default_frames(tmp_path: Path, text: str, count: int) -> None:
     [
         (FILTER.format(""), PUBLISHER.format(""), 1),  # that another launch file publishes
         (FILTER.format(""), "", 0),  # unknown robot
-        (FILTER.format("") + PUBLISHER.format(", 'frame_prefix': 'a/'"), "", 0),
+        (FILTER.format("") + PUBLISHER.format(", 'frame_prefix': 'a/'"), "", 1),
+        (FILTER.format("") + PUBLISHER.format(", 'frame_prefix': x"), "", 0),
         (FILTER.format(', {"base_link_frame": "base_link"}') + PUBLISHER.format(""), "", 0),
         (FILTER.format("") + PUBLISHER.format("") + STATIC.format("base_link", "base"), "", 0),
     ],
@@ -134,3 +135,29 @@ def test_a_robot_in_sdf_is_not_known(tmp_path: Path) -> None:
     sdf = PUBLISHER.format("").replace("r.urdf", "model.sdf")
     frame = "ekf: {ros__parameters: {base_link_frame: chassis}}\n"
     assert not messages(tmp_path, sdf + FILTER.format(""), other=PUBLISHER.format(""), f_yaml=frame)
+
+
+@pytest.mark.parametrize(
+    ("prefix", "frame", "count"),
+    [
+        (', "frame_prefix": "r/"', "base_link", 1),
+        (', "frame_prefix": "r/"', "r/base_link", 0),
+        (', "frame_prefix": LaunchConfiguration("p")', "base_link", 0),
+        ('}], remappings=[("a", "b")]) #', "r/base_link", 1),
+    ],
+)
+def test_the_prefix_of_frames(tmp_path: Path, prefix: str, frame: str, count: int) -> None:
+    text = f"ekf:\n  ros__parameters:\n    base_link_frame: {frame}\n"
+    program = PUBLISHER.format(prefix) + FILTER.format("")
+    data = {"r.urdf": ROBOT, "f.yaml": text}
+    found = reported(tmp_path, "LAU023", "a.launch.py", HEAD + program, data)
+    assert len(found) == count
+    if prefix.startswith(', "frame_prefix": "r/"') and found:
+        help = "write r/base_link, or remove the frame_prefix of robot_state_publisher"
+        assert found[0].help == help
+
+
+def test_frames_that_a_launch_file_rewrites(tmp_path: Path) -> None:
+    text = "ekf:\n  ros__parameters:\n    base_link_frame: base_link\n"
+    program = PUBLISHER.format(', "frame_prefix": "r/"') + FILTER.format("")
+    assert messages(tmp_path, program + "# RewrittenYaml\n", f_yaml=text) == []

@@ -19,6 +19,9 @@ def generate_launch_description():
     node = Node(package="c", executable="d")
 """
 
+OPAQUE = "node, OpaqueFunction(function=setup)"
+SETUP = "from launch.actions import OpaqueFunction\ndef setup(context):\n    {}\n"
+
 
 def program(entities: str, before: str = "") -> str:
     return f"{HEAD}{before}    return LaunchDescription([{entities}])\n"
@@ -41,6 +44,21 @@ def program(entities: str, before: str = "") -> str:
             program("node, Node(package='c', executable='d', output='console')"),
             "output is 'console', which launch does not know",
             "write screen or log or both or own_log or full",
+        ),
+        (
+            program("node, Node(package='c')"),
+            "Node has no executable",
+            "write executable=...",
+        ),
+        (
+            program("node, RegisterEventHandler()"),
+            "RegisterEventHandler has no event_handler",
+            "write event_handler=...",
+        ),
+        (
+            SETUP.format("return Node(executable='c')") + program(OPAQUE),
+            "setup() returns a Node, but launch expects a list of actions",
+            "write it in [ ]",
         ),
         (
             program("node, OnProcessExit(target_action=node, on_exit=[])"),
@@ -82,6 +100,13 @@ def test_what_has_no_effect(tmp_path: Path, text: str, start: str) -> None:
     "text",
     [
         program("PushRosNamespace('n'), node"),
+        SETUP.format("return [Node(executable='c')]") + program(OPAQUE),
+        SETUP.format("def f():\n        return Node(executable='c')\n    return [f()]")
+        + program(OPAQUE),
+        program("node, Node(package='c', **more)", "    more = {}\n"),
+        program("node, TimerAction(*more)", "    more = ()\n").replace(
+            "GroupAct", "TimerAction, GroupAct"
+        ),
         program("PushRosNamespace('n')", "    print(node)\n"),  # for the files that include it
         program("node, PushRosNamespace('n'), GroupAction([node])"),
         program("node, SetParameter('x', 1), *more", "    more = []\n"),

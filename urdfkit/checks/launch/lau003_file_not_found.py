@@ -7,6 +7,7 @@ file stops the launch, and Gazebo does not start without its world. Also reporte
   the workspace does not install, if its build file names all of them. A package of ROS 1.
 - A Nav2 map whose image is missing, or whose image is given instead of its YAML file. slam_toolbox
   adds `.posegraph` to the name of a map itself.
+- In Python, a path relative to the directory in which launch is started.
 - `xacro.py`, and the `state_publisher` of `robot_state_publisher`, which were removed in Noetic
   (info in a launch file of ROS 1).
 - In Python, a path component that begins with a slash: `os.path.join` and `PathJoinSubstitution`

@@ -10,7 +10,8 @@
   the version of its package.
 - A launch file of ROS 1 includes one of ROS 2 in Python or YAML, which `roslaunch` cannot parse.
 - A tag is misspelt, or belongs to the other version of ROS, as `<rosparam>` does (error in ROS 2).
-  Packages may define their own tags, so only typos of known tags are reported.
+  Packages may define their own tags, so only typos of known tags are reported. Or `<remap>` or
+  `<param>` is outside of a node in ROS 2, or an `<arg>` has a value (error).
 - The parts of a `Command` have no space between them (error). launch concatenates them:
   `["xacro", path]` runs a program called `xacro/home/...`; in `["xacro ", path, "sim:=true"]` the
   argument becomes part of the file name. Write `["xacro ", path, " sim:=true"]`.
@@ -20,9 +21,10 @@
   actions, a launch description source of another format than the file, the document of
   `xacro.process_file` without `.toxml()`.
 - A class has no such argument (error), as in `DeclareLaunchArgument("a", default="b")`: "unexpected
-  keyword argument". A name is not defined or imported (error; a warning under a condition), or is
-  imported from a module that does not have it. The value of `output` is unknown, or an event
-  handler is among the actions without `RegisterEventHandler` (error).
+  keyword argument". Or a required one is missing. A name is not defined or imported (error; a
+  warning under a condition), or is imported from a module that does not have it. The value of
+  `output` is unknown, an event handler is among the actions without `RegisterEventHandler`, or the
+  function of an `OpaqueFunction` returns no list (error).
 - `SetParameter`, `push_ros_namespace` or a similar action stands behind the last node (warning): it
   applies to the actions after it. A condition of Python tests or compares a `LaunchConfiguration`
   (warning), which has no value when Python runs.

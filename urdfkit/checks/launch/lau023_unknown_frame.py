@@ -18,6 +18,8 @@ Checked are:
 - A `world_frame` of robot_localization that is neither its `odom_frame` nor its `map_frame`, and an
   `odom_frame` that equals another frame: the filter stops ("Invalid frame configuration!").
 
+The `frame_prefix` of robot_state_publisher counts, if it is the same everywhere.
+
 The robots are those of the launch file, otherwise those of the other launch files of the workspace.
 Frames that a program of the workspace names are not reported; nor, in the launch file of a driver,
 parents whose last word its program appends.
@@ -30,6 +32,7 @@ Sources:
     RViz, frame_manager.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_common/src/rviz_common/frame_manager.cpp
 """
 
+import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core.suggest import did_you_mean, nearest
@@ -70,6 +73,8 @@ FILES = {
 
 _WELL_KNOWN = frozenset(("map", "odom", "world", "earth"))
 #: Usual global frames of a costmap.
+#: Functions of Nav2 that change the frames in a parameter file.
+_REWRITTEN = re.compile(rb"RewrittenYaml|ReplaceString|param_rewrites")
 _GLOBAL = ("map", "odom")
 _PUBLISHER = "robot_state_publisher"
 _RVIZ = ("rviz", "rviz2")
@@ -188,13 +193,17 @@ def _frames_of_filters(launch: Launch, frames: list[NamedFrame]) -> frozenset[st
 def _finding(frame: NamedFrame, known: frozenset[str]) -> Finding:
     published = sorted(_GLOBAL if frame.key == GLOBAL else known - _WELL_KNOWN)
     is_default = frame.named_at is None
+    prefixed = next((name for name in published if name.endswith(f"/{frame.name}")), "")
+    help = f"{f'set {frame.key} to' if is_default else 'name'} a frame that is published: "
+    help += few(published, _MAX_NAMED)
+    if prefixed:
+        help = f"write {prefixed}, or remove the frame_prefix of robot_state_publisher"
     note = () if frame.named_at is None else (Related(frame.named_at, "the file is named here"),)
     return Finding(
         frame.span,
         f"{frame.who} '{frame.name}' is neither a link of the robot nor a static transform"
         f"{did_you_mean(frame.name, published)}",
-        f"{f'set {frame.key} to' if is_default else 'name'} a frame that is published: "
-        f"{few(published, _MAX_NAMED)}",
+        help,
         related=note,
     )
 
@@ -211,8 +220,11 @@ def _published_frames(context: Context) -> frozenset[str]:
         links = _links_of_robots(context, launches)
     # A launch file that describes the robot for MoveIt alone publishes no frames.
     publishing = [each for each in launches if _starts_publisher(each)] or launches
-    if not links or any(map(_renames_frames, publishing)):
+    prefix = _prefix([each for each in publishing if not _is_viewer(each)] or publishing)
+    is_rewritten = bool(prefix) and _REWRITTEN.search(context.source.data)
+    if not links or prefix is None or is_rewritten:
         return frozenset()
+    links = frozenset(f"{prefix}{link}" for link in links)
     transforms = [transform for launch_file in launches for transform in _transforms(launch_file)]
     children = [transform.child.name for transform in transforms]
     parents = [transform.parent.name for transform in transforms]
@@ -237,15 +249,19 @@ def _links_of_robots(context: Context, launches: tuple[Launch, ...]) -> frozense
     return frozenset(links)
 
 
-def _renames_frames(launch: Launch) -> bool:
-    """True if links may be published under other names, or without robot_state_publisher."""
-    programs = launch.programs
-    publishers = [node for node in programs if node.package == _PUBLISHER]
-    renaming = (
-        "frame_prefix" in node.parameters.values or node.parameters.every is None
-        for node in publishers
-    )
-    return any(renaming) or (bool(launch.descriptions) and not publishers)
+def _prefix(launches: Iterable[Launch]) -> str | None:
+    """What robot_state_publisher puts before the names of links; None if that is unknown."""
+    prefixes: set[str | None] = set()
+    for launch in launches:
+        publishers = [node for node in launch.programs if node.package == _PUBLISHER]
+        if launch.descriptions and not publishers:
+            return None  # another program publishes the links
+        for node in publishers:
+            every = node.parameters.every
+            prefixes.add(None if every is None else every.get("frame_prefix", ""))
+    if not prefixes:
+        return ""
+    return prefixes.pop() if len(prefixes) == 1 else None
 
 
 def _starts_publisher(launch: Launch) -> bool:

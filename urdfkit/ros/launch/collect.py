@@ -17,6 +17,7 @@ from urdfkit.ros.launch.contents import (
     MAX_DEPTH,
     MAX_INCLUDED,
     PARAMETERS,
+    SPAWNED,
     FileUse,
     IncludedFile,
     Launch,
@@ -26,6 +27,7 @@ from urdfkit.ros.launch.contents import (
     StartedProgram,
 )
 from urdfkit.ros.launch.known_packages import mistakes, shipped_nodes
+from urdfkit.ros.launch.spawned_controllers import parameter_files
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Tag
@@ -112,6 +114,9 @@ class Collector:
         config = config_file(node.words)
         if config and config.text and os.path.isabs(config.text):
             self.file(config.text, config.span, BRIDGE)
+        for word in parameter_files(node):
+            if word.text and os.path.isabs(word.text) and not disk.exists(word.text):
+                self.file(word.text, word.span, SPAWNED)
 
     def include(self, file: IncludedFile) -> None:
         """Record an included launch file; if it is missing but known, the nodes that it starts."""

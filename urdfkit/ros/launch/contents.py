@@ -14,6 +14,8 @@ from urdfkit.text.source import Source, Span
 
 #: Name of a parameter file in messages.
 PARAMETERS = "parameter file"
+#: Name of a parameter file that a spawner gets, in messages.
+SPAWNED = "parameter file of the spawner"
 #: Name of a map description of Nav2 in messages.
 MAP = "map"
 #: Name of a file of MoveIt in messages.

@@ -283,8 +283,11 @@ class _PythonReader:
         path = self.values.text(node)
         path = (path and self._path(path)) or ""
         exists = False
+        text = self.values.text(node)
         if node is not None and path:
             exists = self.collector.file(path, self.values.span(node), "included launch file")
+        elif node is not None and text and self.frame is None and "/" in text:
+            self._relative(text, node, "launch file")
         self.collector.problems += self.configurations.include(call, path)
         visible = self.configurations.visible(call)
         holds = self._condition(call)
@@ -404,6 +407,19 @@ class _PythonReader:
         path = text and self._path(text)
         if path:
             self.collector.file(path, self.values.span(node), purpose)
+        elif text and self.frame is None:
+            self._relative(text, node, purpose)
+
+    def _relative(self, text: str, node: ast.expr, purpose: str) -> None:
+        """Report a path that is only found from one working directory."""
+        if text.startswith(("~", "$", "package://", "file://")):
+            return
+        package = self.collector.resolver.packages.enclosing(self.source.path)
+        name = package[0] if package else "PACKAGE"
+        message = f"{purpose} '{text}' is looked for where launch is started, not in the package"
+        help = f'write os.path.join(get_package_share_directory("{name}"), "{text}")'
+        problem = Problem("LAU003", self.values.span(node), message, help)
+        self.collector.problems.append(problem)
 
     def _path(self, text: str) -> str | None:
         """An absolute path; None for a relative path: the working directory is unknown."""

@@ -32,6 +32,10 @@ _TAKEN_BY = {
     "YAMLLaunchDescriptionSource": "IncludeLaunchDescription",
     "ComposableNode": "ComposableNodeContainer",
 }
+#: What functions return in place of a list of actions.
+_RETURNED = (
+    "ExecuteProcess", "GroupAction", "IncludeLaunchDescription", "LaunchDescription", "Node",
+)  # fmt: skip
 #: Arguments of Foxy and before, which are reported as such.
 _FORMER = ("node_", "package_")
 #: What a LaunchConfiguration becomes when a launch file runs.
@@ -44,9 +48,11 @@ def wrong_calls(tree: ast.Module, calls: list[ast.Call], values: Values) -> Iter
     for call in calls:
         if _is_of_launch(call, imported):
             yield from _keywords(call, values)
+            yield from _missing(call, values)
             yield from _output(call, values)
         yield from _no_actions(call, values)
         yield from _without_effect(call, values)
+        yield from _no_list(call, tree, values)
     yield from _compared(tree, values)
 
 
@@ -78,6 +84,50 @@ def _keywords(call: ast.Call, values: Values) -> Iterator[Problem]:
             help = f"write {match}" if match else f"{name} has {', '.join(sorted(known))}"
             message = f"{name} has no argument '{given}'"
             yield _error(keyword.value, message, help, values)
+
+
+def _missing(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """Arguments that a class must have: Python stops without them."""
+    required = data("launch_python")["required"].get(called(call), "").split()
+    given = {keyword.arg or "**" for keyword in call.keywords}
+    is_open = "**" in given or any(isinstance(each, ast.Starred) for each in call.args)
+    known = data("launch_python")["keywords"].get(called(call), "").split()
+    if is_open or (known and given.difference(known)):
+        return  # one of them may be misspelt
+    missing = [name for name in required[len(call.args) :] if name not in given]
+    if missing:
+        message = f"{called(call)} has no {' and no '.join(missing)}"
+        help = "write " + ", ".join(f"{name}=..." for name in missing)
+        yield _error(call.func, message, help, values)
+
+
+def _no_list(call: ast.Call, tree: ast.Module, values: Values) -> Iterator[Problem]:
+    """A function of an OpaqueFunction that returns an action instead of a list of actions."""
+    if called(call) != "OpaqueFunction":
+        return
+    function = argument(call, 0, "function")
+    name = function.id if isinstance(function, ast.Name) else ""
+    for node in tree.body:
+        if not isinstance(node, ast.FunctionDef) or node.name != name:
+            continue
+        for returned in _returned(node):
+            value = values.suggested(returned)
+            kind = called(value) if isinstance(value, ast.Call) else ""
+            if kind in _RETURNED:
+                message = f"{name}() returns a {kind}, but launch expects a list of actions"
+                yield _error(returned, message, "write it in [ ]", values)
+
+
+def _returned(function: ast.FunctionDef) -> Iterator[ast.expr]:
+    """The values that a function returns, without those of functions in it."""
+    stack: list[ast.AST] = [*function.body]
+    while stack:
+        node = stack.pop()
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
+            continue
+        if isinstance(node, ast.Return) and node.value is not None:
+            yield node.value
+        stack += ast.iter_child_nodes(node)
 
 
 def _output(call: ast.Call, values: Values) -> Iterator[Problem]:

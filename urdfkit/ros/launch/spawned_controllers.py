@@ -77,6 +77,13 @@ def _controllers(program: StartedProgram) -> Iterator[Word]:
         is_value = has_value(text) and "=" not in (word.text or "")
 
 
+def parameter_files(started: StartedProgram) -> Iterator[Word]:
+    """The files of ``--param-file`` in the command line of a spawner."""
+    for flag, word in pairwise(_arguments(started)):
+        if flag.text in ("-p", "--param-file"):
+            yield word
+
+
 def has_value(option: str) -> bool:
     """True for an option with a value; argparse also accepts its first letters."""
     if option.startswith("--") and len(option) > 2:

@@ -23,6 +23,8 @@ SCOPES = (
     "push-ros-namespace", "push_ros_namespace", "set_parameter", "set_parameters_from_file",
     "set_remap", "set_use_sim_time",
 )  # fmt: skip
+#: Tags of a node in ROS 2, and what applies to several nodes.
+_OF_NODES = {"remap": "set_remap from=... to=.../", "param": "set_parameter name=... value=.../"}
 #: Tags that those apply to.
 _STARTING = ("group", "include", "load_composable_node", "node", "node_container")
 #: An argument in an expression of ROS 1.
@@ -74,14 +76,7 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
     own = _dialect(ros)
     row = own.attributes.get(element.tag)
     if row is None:
-        other = data("launch")["moved_tags"][str(3 - ros)].get(element.tag)
-        if other:
-            message, help = f"ROS {ros} has no <{element.tag}>", f"write {other}"
-            severity = Severity.ERROR if ros == 2 else Severity.WARNING
-            yield Problem("LAU010", element.span, message, help, frame, severity=severity)
-        elif suggested := nearest(element.tag, own.attributes, TYPO):
-            message = f"unknown tag <{element.tag}>"
-            yield Problem("LAU010", element.span, message, f"did you mean <{suggested}>?", frame)
+        yield from _unknown_tag(element, ros, frame)
         return
     for word in row.split():
         name = word.rstrip("!")
@@ -89,9 +84,26 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
             message = f"<{element.tag}> has no {name}"
             help = f'write {name}="..."'
             yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
-    if element.tag == "launch":
-        return  # its attributes are not read
-    yield from _given_twice(element, frame) if ros == 1 else _without_value(element, frame)
+    if element.tag != "launch":  # whose attributes are not read
+        yield from _misplaced(element, frame) if ros == 2 else _given_twice(element, frame)
+        yield from _attributes(element, ros, frame)
+
+
+def _unknown_tag(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
+    """A tag of the other ROS version, or a misspelt one."""
+    other = data("launch")["moved_tags"][str(3 - ros)].get(element.tag)
+    if other:
+        message, help = f"ROS {ros} has no <{element.tag}>", f"write {other}"
+        severity = Severity.ERROR if ros == 2 else Severity.WARNING
+        yield Problem("LAU010", element.span, message, help, frame, severity=severity)
+    elif suggested := nearest(element.tag, _dialect(ros).attributes, TYPO):
+        message = f"unknown tag <{element.tag}>"
+        yield Problem("LAU010", element.span, message, f"did you mean <{suggested}>?", frame)
+
+
+def _attributes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
+    """Unknown attributes, and those whose value is not allowed."""
+    own = _dialect(ros)
     known = own.names(element.tag)
     for attribute in element.attributes.values():
         name = attribute.name
@@ -107,8 +119,25 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
         suggested = own.translated.get(path) or nearest(name, known)
         known_list = "known attributes: " + ", ".join(sorted(known))
         help = f"did you mean {suggested}?" if suggested else known_list
+        if suggested and not suggested.replace("-", "_").isidentifier():
+            help = f"write {suggested}"
         message = f"unknown attribute '{name}' of <{element.tag}> in ROS {ros}"
         yield Problem("LAU010", attribute.span, message, help, frame)
+
+
+def _misplaced(element: Element, frame: CallFrame | None) -> Iterator[Problem]:
+    """What belongs to a node in ROS 2, or to an include, in another place."""
+    parent = element.parent.tag if element.parent is not None else ""
+    if parent in ("launch", "group", "include") and element.tag in _OF_NODES:
+        message = f"<{element.tag}> is not in a <node>: ROS 2 stops at it"
+        help = f"write <{_OF_NODES[element.tag]}>, or move it into the node"
+        yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
+    yield from _without_value(element, frame)
+    value = element.attributes.get("value")
+    if element.tag == "arg" and parent in ("launch", "group") and value is not None:
+        message = "<arg> has a value, but is not in an <include>: ROS 2 stops at it"
+        help = "write default=..., or <let> for a value that callers do not change"
+        yield Problem("LAU010", value.span, message, help, frame, severity=Severity.ERROR)
 
 
 def _condition(attribute: Attribute, frame: CallFrame | None) -> Iterator[Problem]:

@@ -171,7 +171,8 @@ class _XmlReader(XmlLaunchFile):
 
     def _include(self, element: Element) -> None:
         for child in element.children:
-            if child.tag in ("arg", "env", "let"):  # roslaunch ignores other tags
+            is_misplaced = self.ros == 2 and child.tag in ("param", "remap")
+            if is_misplaced or child.tag in ("arg", "env", "let"):  # roslaunch ignores other tags
                 self._check(child)
         attribute = element.attributes.get("file")
         path = self.path(attribute) if attribute else None
