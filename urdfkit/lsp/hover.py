@@ -27,8 +27,6 @@ from urdfkit.xacro.origin import Origin
 MAX_SHOWN = 6
 #: Size limit in bytes of a mesh that is measured for a hover.
 MAX_MESH = 5_000_000
-_LENGTH_UNIT = {"revolute": "rad", "continuous": "rad", "prismatic": "m"}
-_FORCE_UNIT = {"revolute": "N·m", "continuous": "N·m", "prismatic": "N"}
 
 
 def hover(robot: OpenRobot, page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> str:
@@ -145,7 +143,7 @@ def _joint(joint: Joint) -> Iterator[str]:
     if joint.axis and joint.kind != "fixed":
         yield "- axis " + spaced(joint.axis.value)
     limit = joint.limit
-    unit, force = _LENGTH_UNIT.get(joint.kind, ""), _FORCE_UNIT.get(joint.kind, "")
+    unit, force = (joint.unit, joint.effort_unit) if joint.is_single_dof else ("", "")
     if limit and limit.lower and limit.upper:
         yield f"- from {limit.lower.value:g} to {limit.upper.value:g} {unit}"
     if limit and limit.effort and limit.velocity:
