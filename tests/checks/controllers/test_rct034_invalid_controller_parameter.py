@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.driving import DRIVE, place, reported
+from tests.launched import MANIFEST, launch
 from urdfkit import Severity
 
 
@@ -47,19 +48,28 @@ def test_other_types_than_the_node_declares(
             "controller 'drive': angular.z.max_acceleration is -2.0, must be >= 0",
             "change the sign",
         ),
-        (
-            "use_stamped_vel: false",
-            (
-                "controller 'drive': use_stamped_vel is not read after Iron: the controller reads "
-                "stamped commands"
-            ),
-            "publish TwistStamped, and remove use_stamped_vel",
-        ),
     ],
 )
 def test_values_of_a_drive(tmp_path: Path, parameter: str, message: str, help: str) -> None:
     (found,) = reported(tmp_path, "RCT034", f"{DRIVE}    {parameter}\n")
     assert (found.message, found.help) == (message, help)
+
+
+def test_a_switch_that_later_releases_do_not_read(tmp_path: Path) -> None:
+    """Humble has gz_ros2_control, too, so only what Jazzy added shows that it is not Humble."""
+    drive = f"{DRIVE}    use_stamped_vel: false\n"
+    (found,) = reported(tmp_path, "RCT034", drive)
+    assert (found.severity, found.span.line) == (Severity.INFO, 12)
+    assert found.help == "publish TwistStamped, and remove use_stamped_vel"
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    (tmp_path / "mux.yaml").write_text("twist_mux:\n  ros__parameters:\n    use_stamped: true\n")
+    mux = '<param from="$(find-pkg-share arm)/mux.yaml"/>'
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "launch" / "mux.launch.xml").write_text(
+        launch(f'<node pkg="twist_mux" exec="twist_mux">{mux}</node>')
+    )
+    (found,) = reported(tmp_path, "RCT034", drive)
+    assert found.severity is Severity.WARNING
 
 
 @pytest.mark.parametrize(

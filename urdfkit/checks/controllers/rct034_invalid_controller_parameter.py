@@ -13,7 +13,7 @@ The controller manager does not load the controller, or the controller runs with
 - A value must be positive but is not, or has the wrong sign, or is not one of the words that the
   parameter may have: `interpolation_method: linear`. Or a covariance has the wrong length: 6
   numbers for the diagonal of a drive, 9 for an IMU. `use_stamped_vel: false` has no effect from
-  Jazzy on (warning).
+  Jazzy on (an info, or a warning if other parameters are those of Jazzy).
 - The list of an axle has the wrong number of joints for the steering controller: two for Ackermann,
   one for a bicycle. A wheel is on both sides of a differential drive.
 - A trajectory controller has a joint or an interface twice, or the state interface `velocity`
@@ -54,6 +54,7 @@ from urdfkit.ros.catalog.controllers import (
 from urdfkit.ros.catalog.ros_control import controller_types, parameters
 from urdfkit.ros.controllers import Controller, Section, by_file, managers, named_sections
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
+from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.parameter_types import TYPES, correction, is_not_positive, number_of, type_of
 from urdfkit.text.located_yaml import Node, Value, scalars
 from urdfkit.text.source import Span
@@ -72,9 +73,6 @@ FILES = {"config/bad.yaml": _YAML.replace(b"20.0", b"20"), "config/good.yaml": _
 #: Joints per axle of a steering controller, by the first word of its package.
 _OF_AXLE = {"ackermann": 2, "bicycle": 1}
 
-#: Gazebo with ROS 2 Humble, and with Jazzy or newer.
-_HUMBLE, _JAZZY = ("classic-ros2", "gz-fortress"), ("gz-harmonic", "gz-jetty")
-
 #: Place, message and help.
 _Problem = tuple[Span, str, str]
 
@@ -86,7 +84,6 @@ def check(context: Context) -> Findings:
             at = span
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
     sections = named_sections(context)
-    is_jazzy = context.targets.any_of(_JAZZY) and not context.targets.any_of(_HUMBLE)
     for file, controllers in by_file(context.controllers):
         names = {controller.name for controller in controllers}
         others = {name: section for name, section in sections.items() if name not in names}
@@ -97,9 +94,11 @@ def check(context: Context) -> Findings:
             for severity, (span, message, help) in _problems(controller, own, others):
                 at, text = span, f"controller '{controller.name}': {message}"
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
-            known = parameters_of(controller.type, controller.ros) if is_jazzy else None
+            known = parameters_of(controller.type, controller.ros)
             for at, message, help in _outdated(known, own):
-                text, severity = f"controller '{controller.name}': {message}", Severity.WARNING
+                is_jazzy = is_for_jazzy(context.source.path, context.resolver)
+                text = f"controller '{controller.name}': {message}"
+                severity = Severity.WARNING if is_jazzy else Severity.INFO
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
 
 
