@@ -430,7 +430,7 @@ def test_an_argument_that_is_passed_is_not_suggested(tmp_path: Path, more: str, 
 @pytest.mark.parametrize(
     ("build", "messages"),
     [
-        ("ament_cmake", ["ROS 2 has no $(arg ...)"]),
+        ("ament_cmake", ["ROS 2 has no $(arg ...)", "ROS 2 has no <rosparam>"]),
         ("catkin", ["unknown attribute 'exec' of <node> in ROS 1"]),
     ],
 )
