@@ -51,6 +51,14 @@ def test_what_may_be_meant_is_calm(rpy: str, camera: str, optical: str) -> None:
     assert messages("JNT030", robot(rpy, camera, optical)) == []
 
 
+def test_the_camera_of_gazebo_looks_along_x() -> None:
+    """Elkapod's depth camera; without Gazebo tags the frame may be that of MuJoCo."""
+    of_mujoco = robot("3.14159 0 0", "camera", "camera_optical_frame")
+    gazebo = '<gazebo reference="camera"><sensor name="s" type="depth"/></gazebo>'
+    (message,) = messages("JNT030", of_mujoco + gazebo)
+    assert "looks down" in message
+
+
 @pytest.mark.parametrize(
     ("name", "rpy", "count"),
     [

@@ -6,7 +6,8 @@ down: rpy="-pi/2 0 -pi/2" rotates the one into the other (REP 103).
 - A joint rotates the optical frame differently: images, point clouds and detections appear next to,
   above or behind the robot; with rpy="pi/2 0 pi/2" they are upside down. This rpy is right if z of
   the camera's frame points down, as for a camera mounted upside down or an underwater vehicle.
-  rpy="pi 0 0" is right, too, if the frame of the camera is that of MuJoCo, OpenGL or USD.
+  rpy="pi 0 0" is not reported in a robot without Gazebo tags: the frame of the camera may be that
+  of MuJoCo, OpenGL or USD.
 - A camera of Gazebo is on an optical frame: a sensor looks along x of its link, so the camera looks
   to the right. Put it on the camera's own link.
 - The images have the frame_id of the camera's own link, which is x-forward: objects straight ahead
@@ -65,7 +66,7 @@ def check(context: Context) -> Findings:
             or any(word.startswith(_ELSEWHERE + _NO_CAMERAS) for word in optical.lower().split("_"))
             or not _is_square(rotation)
             or _is_near(rotation, _OPTICAL)
-            or _is_near(rotation, _OPTICAL_OF_OPENGL)
+            or (_is_near(rotation, _OPTICAL_OF_OPENGL) and not context.model.gazebo)
             or _is_near(_from_mount(context, camera, rotation), _OPTICAL)
         ):
             continue

@@ -120,5 +120,6 @@ def missing_meshes(opened: OpenedWorld, world: World, models: Models, context: C
                 f"{opened.title}: mesh '{text}' is not found",
                 "fix the path, or add the file",
                 related=opened.note,
+                group_key="missing mesh",
                 severity=Severity.WARNING,
             )
