@@ -50,6 +50,21 @@ def test_the_name_of_the_node(tmp_path: Path, name: str, key: str, count: int) -
 
 
 @pytest.mark.parametrize(
+    ("load", "count"),
+    [
+        ('<rosparam file="$(dirname)/../a.yaml" command="load"/>', 0),
+        ('<param from="$(dirname)/../a.yaml"/>', 1),
+    ],
+)
+def test_a_file_of_ros2_that_ros1_loads(tmp_path: Path, load: str, count: int) -> None:
+    """stretch_ros: AMCL of ROS 1 and its file of ROS 2, of which it reads nothing."""
+    node = f'<node pkg="nav2_amcl" exec="amcl" type="amcl" name="amcl">{load}</node>'
+    yaml = "amcl:\n  ros__parameters: {robot_model_type: differential}\n"
+    found = reported(tmp_path / "arm", "LAU024", "a.launch", node, {"a.yaml": yaml})
+    assert len([one for one in found if "robot_model_type" in one.message]) == count
+
+
+@pytest.mark.parametrize(
     ("key", "count"), [("controller_manager", 1), ("arm/controller_manager", 0)]
 )
 def test_a_controller_manager_in_a_namespace(tmp_path: Path, key: str, count: int) -> None:
