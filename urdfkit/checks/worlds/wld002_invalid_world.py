@@ -34,12 +34,12 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
-from urdfkit.checks.worlds.world_values import FOREIGN, invalid_values, missing_meshes
+from urdfkit.checks.worlds.world_plugins import unloaded_plugins
+from urdfkit.checks.worlds.world_values import invalid_values, missing_meshes
 from urdfkit.core.suggest import TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.values import number, numbers
 from urdfkit.ros.catalog import data
-from urdfkit.ros.catalog.plugins import TITLES, find, misspelt
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.worlds import Models, World, model_name
 from urdfkit.ros.launch.bridges import bridged_topics
@@ -70,10 +70,6 @@ FILES = {
     "worlds/good.sdf": _WORLD % b"Physics",
 }
 
-#: Gazebo Classic and gz-sim.
-_TITLES = ("Gazebo Classic", TITLES[GZ])
-#: Libraries that only Gazebo Classic has.
-_CLASSIC = re.compile(r"(lib)?gazebo_ros_\w+(\.so)?$")
 #: Topics of a world, with its name.
 _OF_WORLD = re.compile(r"/?world/([^/]+)(?=/)")
 _FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
@@ -96,7 +92,7 @@ def check(context: Context) -> Findings:
             yield from _masses(opened, opened.world)
             yield from _falling_grounds(opened, opened.world)
             yield from _names(opened, opened.world)
-            yield from _other_gazebo(opened, opened.world) or _plugins(opened, opened.world)
+            yield from unloaded_plugins(opened, opened.world)
             yield from _includes(opened, opened.world, models)
         if opened.started.generation == GZ:
             yield from _engines(context, opened)
@@ -143,11 +139,8 @@ def _values(opened: OpenedWorld, world: World) -> Findings:
 def _elements(opened: OpenedWorld, world: World) -> Findings:
     """Misspelt elements, which Gazebo ignores."""
     children: dict[str, str] = data("worlds")["children"]
-    stack = [world.at]
-    while stack:
-        element = stack.pop()
+    for element in world.elements:
         known = children.get(element.tag, "").split()
-        stack += [child for child in element.children if child.tag not in FOREIGN]
         for child in element.children if known else ():
             meant = nearest(child.tag, known, TYPO) if child.tag not in known else None
             if meant and not element.child(meant):
@@ -214,65 +207,6 @@ def _falling_grounds(opened: OpenedWorld, world: World) -> Findings:
 def _is_static(model: Element) -> bool:
     static = model.child("static")
     return static is not None and static.text.strip().lower() in ("1", "true")
-
-
-def _other_gazebo(opened: OpenedWorld, world: World) -> list[Finding]:
-    """A world whose plugins are all for the other Gazebo, so that the wrong Gazebo is started."""
-    is_gz = opened.started.generation == GZ
-    kinds = [_generations(plugin) for plugin in world.plugins]
-    if len(kinds) < 2 or any(kind != {not is_gz} for kind in kinds):
-        return []
-    other, own = _TITLES[not is_gz], _TITLES[is_gz]
-    message = f"{opened.title} is for {other}, but is started in {own}, which loads none of its "
-    message += f"{len(kinds)} plugins"
-    place = opened.started.at
-    help = f"start it in {other}, or name a world for {own}"
-    return [Finding(place, message, help, severity=Severity.WARNING)]
-
-
-def _generations(plugin: Element) -> set[bool]:
-    """Whether a plugin is for gz sim: both values if both have it, empty if it is unknown."""
-    file = (plugin.get("filename") or "").strip()
-    generations = {known.generation == GZ for known in find(file)}
-    return generations or ({False} if _CLASSIC.match(file) else set())
-
-
-def _plugins(opened: OpenedWorld, world: World) -> Findings:
-    is_gz = opened.started.generation == GZ
-    for plugin in world.plugins:
-        at = plugin.attributes.get("filename")
-        file = (at.value if at else "").strip()
-        is_of_gz = _generations(plugin)
-        title = f"plugin '{plugin.get('name') or ''}' ({file})"
-        if at is not None and not is_of_gz and (suggested := misspelt(file)):
-            message = f"{title}: unknown plugin library"
-            help = f"did you mean '{suggested}'?"
-            yield Finding(at, message, help, related=opened.note)
-        elif at is not None and is_of_gz and is_gz not in is_of_gz:
-            other, own = _TITLES[not is_gz], _TITLES[is_gz]
-            yield Finding(
-                at,
-                f"{title} is for {other}, but {opened.title} is started in {own}: it is not loaded",
-                "remove it",
-                related=opened.note,
-                group_key=opened.path,
-                severity=Severity.WARNING,
-            )
-        elif is_gz:
-            yield from _classes(opened, plugin, title)
-
-
-def _classes(opened: OpenedWorld, plugin: Element, title: str) -> Findings:
-    """A class that the library does not have."""
-    name = plugin.attributes.get("name")
-    known = find((plugin.get("filename") or "").strip())
-    classes = [plugin.class_name for plugin in known if plugin.generation == GZ]
-    written = re.sub(r"::v\d+\b", "", name.value if name else "")
-    if name is None or not classes or not all(classes):
-        return
-    if written.replace("ignition::gazebo", "gz::sim") not in classes:
-        message = f"{title}: the library has no class '{name.value}', only {' or '.join(classes)}"
-        yield Finding(name, message, f'write name="{classes[0]}"', related=opened.note)
 
 
 def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:

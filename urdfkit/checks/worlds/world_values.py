@@ -19,13 +19,12 @@ from urdfkit.ros.gazebo.values import leading
 from urdfkit.ros.gazebo.worlds import Models, World
 from urdfkit.text.document import Element
 from urdfkit.workspace.gitignore import is_ignored
+from urdfkit.workspace.resolve import Resolver
 
-#: Elements with other contents than those of SDF.
-FOREIGN = ("plugin", "gui", "state")
 _COUNTS = {"pose": 6, "vector2d": 2, "vector3": 3}
 _NAMED = ("model", "link", "joint", "collision", "visual", "light", "sensor")
 #: Characters of values that a template replaces.
-_OPEN = ("$", "{", "<")
+_TEMPLATE_MARKS = ("$", "{", "<")
 
 
 def invalid_values(opened: OpenedWorld, world: World) -> Findings:
@@ -34,13 +33,13 @@ def invalid_values(opened: OpenedWorld, world: World) -> Findings:
     types = {
         name: kind for kind, names in data("worlds")["types"].items() for name in names.split()
     }
-    for element in _elements(world.at):
+    for element in world.elements:
         for message, help in _wrong_attributes(element):
             yield Finding(element, f"{opened.title}: {message}", help, related=opened.note)
         for child in element.children if element.tag in known else ():
             kind = types.get(child.tag) or types.get(f"{element.tag}/{child.tag}", "")
             text = child.text.strip()
-            if not text or child.children or any(mark in text for mark in _OPEN):
+            if not text or child.children or _is_generated(text):
                 continue
             if problem := _problem(kind, text, child):
                 severity, message, help = problem
@@ -48,20 +47,12 @@ def invalid_values(opened: OpenedWorld, world: World) -> Findings:
                 yield Finding(child, message, help, related=opened.note, severity=severity)
 
 
-def _elements(world: Element) -> Iterator[Element]:
-    stack = [world]
-    while stack:
-        element = stack.pop()
-        yield element
-        stack += [child for child in element.children if child.tag not in FOREIGN]
-
-
 def _wrong_attributes(element: Element) -> Iterator[tuple[str, str]]:
     if element.tag in _NAMED and not element.get("name"):
         yield f"<{element.tag}> has no name, which SDF requires", 'write name="..."'
     choices = data("worlds")["choices"].get(element.tag, "").split()
     kind = element.get("type")
-    if choices and kind and kind not in choices and not any(mark in kind for mark in _OPEN):
+    if choices and kind and kind not in choices and not _is_generated(kind):
         hint = did_you_mean(kind, choices)
         yield f"unknown type '{kind}' of <{element.tag}>{hint}", f"write {', '.join(choices)}"
 
@@ -76,8 +67,8 @@ def _problem(kind: str, text: str, at: Element) -> tuple[Severity | None, str, s
         if given < count or (is_pose and given > count) or numbers(text) is None:
             return None, f"must be {count} numbers: SDF rejects it", "write " + _form(kind)
     elif kind == "color":
-        values = numbers(text)
-        if values is None or len(values) not in (3, 4) or not all(0 <= one <= 1 for one in values):
+        values = numbers(text) or ()
+        if len(values) not in (3, 4) or not all(0 <= value <= 1 for value in values):
             return None, "must be 3 or 4 numbers from 0 to 1: SDF rejects it", "write r g b a"
     elif kind == "bool" and text.lower() not in ("true", "false", "1", "0"):
         return None, "must be true or false: SDF rejects it", "write true or false"
@@ -90,31 +81,22 @@ def _problem(kind: str, text: str, at: Element) -> tuple[Severity | None, str, s
     return None
 
 
+def _is_generated(text: str) -> bool:
+    return any(mark in text for mark in _TEMPLATE_MARKS)
+
+
 def _form(kind: str) -> str:
     return {"pose": "x y z roll pitch yaw", "vector2d": "x y"}.get(kind, "x y z")
 
 
 def missing_meshes(opened: OpenedWorld, world: World, models: Models, context: Context) -> Findings:
     """Meshes of models and packages of the workspace that do not exist."""
-    resolver = context.resolver
-    for element in _elements(world.at):
+    for element in world.elements:
         uri = element.child("uri") if element.tag == "mesh" else None
         text = uri.text.strip() if uri is not None else ""
-        scheme, _, path = text.rpartition("://")
-        owner, _, rest = path.partition("/")
-        if uri is None or not text or any(mark in text for mark in _OPEN):
+        if uri is None or not text or _is_generated(text):
             continue
-        directories = models.directories.get(owner, []) if scheme == "model" else []
-        is_package = any(True for _ in resolver.packages.candidates(owner, opened.path))
-        is_own = bool(rest) and scheme in ("model", "package") and (is_package or directories)
-        if scheme or os.path.isabs(text):
-            exists = resolver.locate(text, opened.path).path is not None
-        else:
-            is_own, directories, rest = True, [os.path.dirname(opened.path)], text
-            exists = False
-        paths = [f"{directory}/{rest}" for directory in directories]
-        exists = exists or any(disk.is_file(path) or is_ignored(path) for path in paths)
-        if is_own and not exists:
+        if _is_missing(text, opened.path, models, context.resolver):
             yield Finding(
                 uri,
                 f"{opened.title}: mesh '{text}' is not found",
@@ -123,3 +105,22 @@ def missing_meshes(opened: OpenedWorld, world: World, models: Models, context: C
                 group_key="missing mesh",
                 severity=Severity.WARNING,
             )
+
+
+def _is_missing(uri: str, world: str, models: Models, resolver: Resolver) -> bool:
+    """False for models and packages of others, which the robot's computer may have."""
+    scheme, _, path = uri.rpartition("://")
+    if not scheme and not os.path.isabs(uri):
+        return not _exists(f"{os.path.dirname(world)}/{uri}")
+    owner, _, file = path.partition("/")
+    directories = models.directories.get(owner, []) if scheme == "model" else []
+    is_own = directories or any(True for _ in resolver.packages.candidates(owner, world))
+    if scheme not in ("model", "package") or not file or not is_own:
+        return False
+    is_found = resolver.locate(uri, world).path is not None
+    return not is_found and not any(_exists(f"{directory}/{file}") for directory in directories)
+
+
+def _exists(path: str) -> bool:
+    """True for files that Git ignores, too, which are made by a build."""
+    return disk.is_file(path) or is_ignored(path)

@@ -28,6 +28,8 @@ _FILENAME = rb"""<plugin\b[^>]*\bfilename\s*=\s*["']([^"']+)"""
 #: URI of a model on Gazebo's resource path.
 _MODEL = re.compile(r"model://([^/]+)/?$")
 _DEFINITIONS = ("model.config", "model.sdf")
+#: Elements whose contents are not those of SDF.
+_FOREIGN = ("plugin", "gui", "state")
 
 
 class World(Record):
@@ -39,6 +41,15 @@ class World(Record):
     @property
     def name(self) -> str:
         return self.at.get("name") or ""
+
+    @property
+    def elements(self) -> Iterator[Element]:
+        """All elements of SDF: without those of plugins, which have elements of their own."""
+        stack = [self.at]
+        while stack:
+            element = stack.pop()
+            yield element
+            stack += [child for child in element.children if child.tag not in _FOREIGN]
 
     @property
     def plugins(self) -> list[Element]:
