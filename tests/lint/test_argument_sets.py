@@ -10,9 +10,9 @@ from tests.workspaces import add_file, add_package
 from tests.xacros import xacro
 from urdfkit import Diagnostic, Report, check
 from urdfkit.cli import main
-from urdfkit.lint.argument_sets import MAX_GIVEN
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.options import Options
+from urdfkit.lint.unchecked_values import MAX_SETS
 
 #: A misspelt joint type with one of the values of an argument.
 ROBOT = xacro(
@@ -59,7 +59,7 @@ def changed(*paths: Path) -> Report:
 def test_a_robot_is_checked_as_launch_files_start_it(
     package: Path, checked: Callable[[Path], Report]
 ) -> None:
-    for number in range(MAX_GIVEN - 1):  # the eighth of them broke a robot, and four were checked
+    for number in range(MAX_SETS - 1):  # the eighth of them broke a robot, and four were checked
         start(package, f"{number}", f"kind:={number}")
     (found,) = types(checked(package))
     assert "unknown type 'revolut'" in found.message
@@ -94,7 +94,7 @@ def test_arguments_of_the_command_line_are_those_that_count(package: Path) -> No
 
 
 def test_sets_that_are_left_out_are_reported(package: Path) -> None:
-    for number in range(MAX_GIVEN + 1):
+    for number in range(MAX_SETS + 1):
         start(package, f"a{number:02}", f"kind:=a{number:02}")
     for what in (package, package / "arm.xacro"):
         (found,) = types(check(what))

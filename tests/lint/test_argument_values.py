@@ -6,9 +6,9 @@ import pytest
 
 from tests.workspaces import add_file, add_package
 from urdfkit import check
-from urdfkit.lint.argument_sets import MAX_GIVEN
 from urdfkit.lint.fix import fix
 from urdfkit.lint.report import Report
+from urdfkit.lint.unchecked_values import MAX_SETS
 
 HEAD = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 #: A link whose mass is read from a file of the model.
@@ -93,19 +93,19 @@ def test_a_parameter_of_a_macro_that_is_called_like_the_argument(package: Path) 
 
 
 def test_no_more_directories_than_a_bound(package: Path) -> None:
-    kinds(package, **{f"kind{number:02}": 1 for number in range(MAX_GIVEN + 2)})
+    kinds(package, **{f"kind{number:02}": 1 for number in range(MAX_SETS + 2)})
     report = check(package, select=["XAC"])
-    assert len(report.launched) == MAX_GIVEN
+    assert len(report.launched) == MAX_SETS
     assert codes(report) == ["CFG003"]
     assert "with 2 of 18 values of 'kind': kind16, kind17; " in report.diagnostics[0].message
 
 
 def test_no_more_launch_files_than_a_bound(package: Path) -> None:
     add_file(package / "arm.xacro", WANTING)
-    for number in range(MAX_GIVEN + 1):
+    for number in range(MAX_SETS + 1):
         add_file(package / "launch" / f"{number:02}.launch", LAUNCH.format(f"side{number:02}"))
     report = check(package / "arm.xacro", select=["XAC"])
-    assert len(report.launched) == MAX_GIVEN
+    assert len(report.launched) == MAX_SETS
     assert "with 1 of 17 values of 'side': side16; " in report.diagnostics[0].message
 
 

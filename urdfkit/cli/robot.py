@@ -24,12 +24,12 @@ from urdfkit.core.progress import Progress
 from urdfkit.core.words import counted, few
 from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.lint import rule_index
-from urdfkit.lint.argument_sets import unknown_arguments
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
 from urdfkit.lint.discovery import discover
 from urdfkit.lint.loading import read, require_robot
 from urdfkit.lint.options import Options
+from urdfkit.lint.unknown_arguments import unknown_arguments
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import shown
 from urdfkit.workspace.resolve import Resolver

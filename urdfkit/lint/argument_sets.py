@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
 from urdfkit.core.static_typing import TYPE_CHECKING
-from urdfkit.core.suggest import nearest
+from urdfkit.lint.launch_sets import as_text, by_origin, launch_sets, variants
 from urdfkit.lint.plan import Job
-from urdfkit.lint.report import Launched, UncheckedValues
-from urdfkit.workspace.launch_files import has_launch_files
+from urdfkit.lint.unchecked_values import MAX_SETS, unchecked_values
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from urdfkit.lint.context import Context
     from urdfkit.ros.launch.robot_arguments import RobotArguments
-
-
-#: Most additional sets of arguments that a robot is checked with; the UR arms have nine.
-MAX_GIVEN = 16
 
 
 def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Context]]:
@@ -36,67 +30,70 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
         return _with_missing(job, read, context, names) or [(job, context)]
     if job.overriding is None:
         return [(job, context)]
-    sets = _launch_sets(job, (), context)
+    sets = launch_sets(job, (), context)
     job = job._replace(launch_sets=())  # not needed by the report, and sent to another process
     if _needs_more_than_defaults(context):
         return _with_more_than_defaults(job, read, sets) or [(job, context)]
     return _with_other_robots(job, read, context, sets) if sets else [(job, context)]
 
 
-def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
-    """The distinct sets of arguments in launch files; sets with new values are first.
-
-    Args:
-        names: names of the missing arguments; sets without all of them are omitted.
-    """
-    sets: dict[object, RobotArguments] = {}
-    for robot in (*_passed(job, names, context), *job.launch_sets):
-        if robot.arguments.keys() >= set(names):
-            files = (file.path for file in robot.parameters)
-            key = (frozenset(robot.arguments.items()), *files)
-            if key not in sets or (robot.is_whole and not sets[key].is_whole):
-                sets[key] = robot
-    known: set[tuple[str, str]] = set()
-    new: list[RobotArguments] = []
-    rest: list[RobotArguments] = []
-    for robot in sets.values():
-        (rest if robot.arguments.items() <= known else new).append(robot)
-        known.update(robot.arguments.items())
-    return new + rest
-
-
-def _passed(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
-    if (job.frame and not names) or not has_launch_files(job.path, context.resolver):
-        return []
-    from urdfkit.ros.launch.robot_arguments import passed_arguments  # for robots with launch files
-
-    no_arguments = context.reading.document is not None and not _defaults(context)
-    return passed_arguments(job.path, names, context.resolver, only_parameters=no_arguments)
-
-
 def _with_missing(
     job: Job, read: Callable[[Job], Context], context: Context, names: tuple[str, ...]
 ) -> list[tuple[Job, Context]]:
     """A job with each set of values for its missing arguments."""
-    sets = _launch_sets(job, names, context)
+    sets = launch_sets(job, names, context)
     candidates = [{name: robot.arguments[name] for name in names} for robot in sets]
     complete: list[tuple[Job, Context]] = []
     unsure: list[tuple[Job, Context]] = []
     failed: dict[tuple[str, ...], Context] = {}
-    for values, variant in zip(candidates, _variants(job, sets[:MAX_GIVEN], names), strict=False):
-        pair = (variant, read(variant))
-        is_unsure = _is_unsure(*pair)
-        if pair[1].reading.missing_arguments or is_unsure:
-            failed[tuple(values.values())] = pair[1]
-            unsure += [pair] * is_unsure
+    for values, variant in zip(candidates, variants(job, sets[:MAX_SETS], names), strict=False):
+        robot = read(variant)
+        is_unsure = _is_unsure(variant, robot)
+        if is_unsure:
+            unsure.append((variant, robot))
+        if is_unsure or robot.reading.missing_arguments:
+            failed[tuple(values.values())] = robot
         else:
-            complete.append(pair)
+            complete.append((variant, robot))
     complete = complete or unsure
     if complete:
-        complete[0][1].unchecked = _unchecked(candidates, complete, failed)
+        _, first = complete[0]
+        first.unchecked = unchecked_values(candidates, complete, failed)
     elif context.reading.missing_arguments:
         return _with_found_values(job, read, context, names)
     return complete
+
+
+def _with_found_values(
+    job: Job, read: Callable[[Job], Context], context: Context, names: tuple[str, ...]
+) -> list[tuple[Job, Context]]:
+    """A job with values found in other files; empty if it expands with none of them."""
+    from urdfkit.lint.argument_values import combinations
+
+    xacro = context.reading.xacro
+    assert xacro is not None, "only a xacro lacks arguments"
+    expanded: list[tuple[Job, Context]] = []
+    failed: dict[tuple[str, ...], Context] = {}
+    missing: tuple[str, ...] = ()
+    sets = list(combinations(names, xacro, context.resolver))
+    candidates = [{name: value for name, (value, _) in values.items()} for values in sets]
+    for values, assumed in list(zip(sets, candidates, strict=True))[:MAX_SETS]:
+        arguments, launched = {**assumed, **job.arguments}, by_origin(job, values)
+        variant = job._replace(arguments=arguments, launched=launched, assumed=as_text(assumed))
+        robot = read(variant)
+        if robot.reading.document is not None:
+            expanded.append((variant, robot))
+        else:
+            failed[tuple(assumed.values())] = robot
+        missing += robot.reading.missing_arguments
+    if expanded:
+        variant, robot = expanded[0]
+        robot.unchecked = unchecked_values(candidates, expanded, failed)
+        is_only_choice = len(expanded) == 1
+        return [(variant._replace(assumed=""), robot)] if is_only_choice else expanded
+    if set(missing) <= set(names):
+        return []
+    return _with_found_values(job, read, context, tuple(dict.fromkeys((*names, *missing))))
 
 
 def _needs_more_than_defaults(context: Context) -> bool:
@@ -115,16 +112,17 @@ def _with_more_than_defaults(
     Excludes sets with which it does not expand, unless the launch file itself is checked.
     """
     with_arguments = [robot for robot in sets if robot.arguments]
-    tried = [(variant, read(variant)) for variant in _variants(job, with_arguments[:MAX_GIVEN])]
-    if all(context.reading.document is None for _, context in tried):
+    tried = [(variant, read(variant)) for variant in variants(job, with_arguments[:MAX_SETS])]
+    if all(robot.reading.document is None for _, robot in tried):
         return []
     checked = [
-        (variant, context)
-        for variant, context in tried
-        if context.reading.document is not None or (variant.frame and not variant.may_fail)
+        (variant, robot)
+        for variant, robot in tried
+        if robot.reading.document is not None or (variant.frame and not variant.may_fail)
     ]
-    untried = [robot.arguments for robot in with_arguments[MAX_GIVEN:]]
-    checked[0][1].unchecked = _unchecked(untried, tried, {})
+    _, first = checked[0]
+    untried = [robot.arguments for robot in with_arguments[MAX_SETS:]]
+    first.unchecked = unchecked_values(untried, tried, {})
     return checked
 
 
@@ -132,33 +130,43 @@ def _with_other_robots(
     job: Job, read: Callable[[Job], Context], context: Context, sets: list[RobotArguments]
 ) -> list[tuple[Job, Context]]:
     """A job, also with the sets of arguments that result in another robot or parameter files."""
-    own = {**_defaults(context), **job.arguments} if context.reading.xacro else {}
+    own = {**context.reading.defaults, **job.arguments} if context.reading.xacro else {}
     base = job._replace(name="", arguments=dict(job.overriding or {}))
     others: list[Job] = []
-    same: dict[object, Job] = {}  # by parameter files
-    for variant in _variants(base, sets, ()):
+    with_defaults: dict[object, Job] = {}  # by parameter files
+    for variant in variants(base, sets, ()):
         if _changes(variant.arguments, own):
             others.append(variant)
         elif variant.parameters:
-            same[tuple(file.path for file in variant.parameters)] = variant
-    checked, texts = [(job, context)], [_expanded_text(context)] if others else []
-    tried = [(variant, read(variant)) for variant in others[:MAX_GIVEN]]
+            with_defaults[tuple(file.path for file in variant.parameters)] = variant
+    tried = [(variant, read(variant)) for variant in others[:MAX_SETS]]
+    untried = [_changes(variant.arguments, own) for variant in others[MAX_SETS:]]
+    context.unchecked = unchecked_values(untried, [(job, context), *tried], {})
+    default_text = _expanded_text(context) if tried else None
+    if all(_expanded_text(robot) != default_text for _, robot in tried):
+        replaced = _replaced(sets, own) - job.arguments.keys()
+        job = job._replace(replaced=frozenset(replaced))
+    return [
+        (job, context),
+        *_different(tried, default_text),
+        *((variant.about_parameters(), read(variant)) for variant in with_defaults.values()),
+    ]
+
+
+def _different(
+    tried: Iterable[tuple[Job, Context]], default_text: bytes | None
+) -> Iterator[tuple[Job, Context]]:
+    """Those that are another robot, and those that have parameter files of their own."""
+    texts = {default_text}
     for variant, robot in tried:
         if _is_unsure(variant, robot):
             continue
         text = _expanded_text(robot)
         if text is None or text not in texts:
-            checked.append((variant, robot))
-            texts.append(text)
+            texts.add(text)
+            yield variant, robot
         elif variant.parameters:
-            checked.append((variant.about_parameters(), robot))
-    checked += ((variant.about_parameters(), read(variant)) for variant in same.values())
-    untried = [_changes(variant.arguments, own) for variant in others[MAX_GIVEN:]]
-    context.unchecked = _unchecked(untried, [(job, context), *tried], {})
-    if all(_expanded_text(robot) != texts[0] for _, robot in tried):
-        replaced = _replaced(sets, own) - job.arguments.keys()
-        checked[0] = (job._replace(replaced=frozenset(replaced)), context)
-    return checked
+            yield variant.about_parameters(), robot
 
 
 def _replaced(sets: Iterable[RobotArguments], own: Mapping[str, str]) -> set[str]:
@@ -169,11 +177,6 @@ def _replaced(sets: Iterable[RobotArguments], own: Mapping[str, str]) -> set[str
         if robot.frame
     ]
     return set.intersection(*changed) if changed else set()
-
-
-def _defaults(context: Context) -> Mapping[str, str]:
-    """The arguments that a description declares, with their defaults."""
-    return context.reading.xacro.defaults if context.reading.xacro else {}
 
 
 def _changes(arguments: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str]:
@@ -189,117 +192,3 @@ def _is_unsure(variant: Job, context: Context) -> bool:
 def _expanded_text(context: Context) -> bytes | None:
     """The expanded text; None if the description cannot be read."""
     return None if context.reading.document is None else context.text
-
-
-def _with_found_values(
-    job: Job, read: Callable[[Job], Context], context: Context, names: tuple[str, ...]
-) -> list[tuple[Job, Context]]:
-    """A job with values found in other files; empty if it expands with none of them."""
-    from urdfkit.lint.argument_values import combinations
-
-    xacro = context.reading.xacro
-    assert xacro is not None, "only a xacro lacks arguments"
-    expanded: list[tuple[Job, Context]] = []
-    failed: dict[tuple[str, ...], Context] = {}
-    missing: tuple[str, ...] = ()
-    sets = list(combinations(names, xacro, context.resolver))
-    candidates = [{name: value for name, (value, _) in values.items()} for values in sets]
-    for values, assumed in list(zip(sets, candidates, strict=True))[:MAX_GIVEN]:
-        arguments, launched = {**assumed, **job.arguments}, _by_origin(job, values)
-        variant = job._replace(arguments=arguments, launched=launched, assumed=_as_text(assumed))
-        pair = (variant, read(variant))
-        if pair[1].reading.document is not None:
-            expanded.append(pair)
-        else:
-            failed[tuple(assumed.values())] = pair[1]
-        missing += pair[1].reading.missing_arguments
-    if expanded:
-        expanded[0][1].unchecked = _unchecked(candidates, expanded, failed)
-    if len(expanded) == 1:  # no alternative values
-        return [(expanded[0][0]._replace(assumed=""), expanded[0][1])]
-    if expanded or set(missing) <= set(names):
-        return expanded
-    return _with_found_values(job, read, context, tuple(dict.fromkeys((*names, *missing))))
-
-
-def _unchecked(
-    candidates: list[dict[str, str]],
-    checked: Iterable[tuple[Job, Context]],
-    failed: Mapping[tuple[str, ...], Context],
-) -> tuple[UncheckedValues, ...]:
-    """The values of arguments that no description is checked with.
-
-    Args:
-        failed: descriptions that do not expand, by their values in the order of the names.
-    """
-    known = {item for job, _ in checked for item in job.arguments.items()}
-    left: dict[tuple[str, str], dict[str, None]] = {}
-    for values in candidates:
-        context = failed.get(tuple(values.values()))
-        why = f"only {MAX_GIVEN} sets of arguments are tried"
-        if context is not None:
-            from urdfkit.lint.unchecked import why_unchecked
-
-            why, _ = why_unchecked(context.reading, context.source, context.resolver)
-        for name, value in values.items():
-            if (name, value) not in known:
-                left.setdefault((name, why), {})[value] = None
-    pairs = {*known, *(pair for values in candidates for pair in values.items())}
-    totals = Counter(name for name, _ in pairs)
-    return tuple(
-        UncheckedValues(name, tuple(unchecked), totals[name], why)
-        for (name, why), unchecked in left.items()
-    )
-
-
-def _variants(
-    job: Job, sets: Iterable[RobotArguments], names: Iterable[str] | None = None
-) -> Iterator[Job]:
-    """A job with each of the sets of arguments of launch files.
-
-    Args:
-        names: names of the arguments whose origin is reported; all if None.
-    """
-    known: list[dict[str, str]] = []
-    for robot in sets:
-        reported = robot.arguments if names is None else names
-        origins = {name: (robot.arguments[name], robot.launch) for name in reported}
-        variant = job._replace(
-            frame=robot.frame,
-            arguments={**robot.arguments, **job.arguments},
-            parameters=robot.parameters,
-            launch_sets=(),
-            launched=_by_origin(job, origins),
-            may_fail=job.may_fail if robot.frame is None else not robot.is_whole,
-            assumed="" if robot.frame else _as_text(robot.arguments),
-            unknown=robot.unknown,
-        )
-        yield variant.about_parameters() if variant.arguments in known else variant
-        known.append(variant.arguments)
-
-
-def _by_origin(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:
-    """The values of arguments, grouped by origin."""
-    origins: dict[str, dict[str, str]] = {}
-    for name, (value, origin) in values.items():
-        origins.setdefault(origin, {})[name] = value
-    return tuple(Launched(job.path, *item) for item in origins.items())
-
-
-def _as_text(arguments: Mapping[str, str]) -> str:
-    return ", ".join(f"{name}={value}" for name, value in arguments.items())
-
-
-def unknown_arguments(context: Context, passed: Iterable[str]) -> dict[str, str]:
-    """The passed arguments that a description does not use, each with the suggested name.
-
-    xacro accepts any argument, so that a typo has no effect and is not reported. Empty for launch
-    files, which may pass arguments on, and for unreadable descriptions.
-    """
-    names = tuple(passed)
-    if not names or context.reading.document is None:
-        return {}
-    xacro = context.reading.xacro
-    declared = set(xacro.defaults) if xacro else set()
-    mentioned = declared | (xacro.usage.names if xacro else frozenset())
-    return {name: nearest(name, declared) or "" for name in names if name not in mentioned}

@@ -11,13 +11,14 @@ from urdfkit.core.grouping import by_key
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
-from urdfkit.lint.argument_sets import as_launched, unknown_arguments
+from urdfkit.lint.argument_sets import as_launched
 from urdfkit.lint.context import Context
 from urdfkit.lint.merging import Checked
 from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job
 from urdfkit.lint.report import DEFINES_NO_LINK, Skipped, crash
 from urdfkit.lint.runner import FileResult, run_rules
+from urdfkit.lint.unknown_arguments import unknown_arguments
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
 from urdfkit.text.source import shown
 from urdfkit.workspace.resolve import Resolver

@@ -34,6 +34,11 @@ class Reading(Record):
     xacro: Xacro | None  # the expansion; None for plain XML
 
     @property
+    def defaults(self) -> Mapping[str, str]:
+        """The arguments that a description declares, with their defaults."""
+        return self.xacro.defaults if self.xacro is not None else {}
+
+    @property
     def missing_arguments(self) -> tuple[str, ...]:
         """The arguments without which a xacro cannot be expanded."""
         return tuple(dict.fromkeys(problem.argument for problem in self.lacking))
