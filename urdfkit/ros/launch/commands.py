@@ -44,4 +44,4 @@ def _text(values: Values, piece: ast.expr | None) -> str:
     text = values.text(piece)
     if text is not None:
         return text or " "
-    return "x" if isinstance(values.suggested(piece), ast.Call) else " "
+    return "x" if isinstance(values.resolved(piece), ast.Call) else " "

@@ -88,9 +88,9 @@ class Configurations:
         written = argument(call, 1, "launch_arguments")
         if written is None:
             return []
-        node = self._values.suggested(written)
+        node = self._values.resolved(written)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-            node = self._values.suggested(node.func.value) if node.func.attr == "items" else None
+            node = self._values.resolved(node.func.value) if node.func.attr == "items" else None
         if isinstance(node, ast.Dict):
             return list(zip(node.keys, node.values, strict=True))
         if not isinstance(node, (ast.List, ast.Tuple)):

@@ -22,7 +22,7 @@ _LASTING = frozenset(
 def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Actions that wait for the exit of a node that does not exit."""
     for call in calls:
-        target = values.suggested(argument(call, None, "target_action"))
+        target = values.resolved(argument(call, None, "target_action"))
         if called(call) != "OnProcessExit" or not isinstance(target, ast.Call):
             continue
         package, name = (
@@ -45,7 +45,7 @@ def wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Event handlers of a process for an action that is no process."""
     for call in calls:
         target = argument(call, 0, "target_action")
-        action = values.suggested(target)
+        action = values.resolved(target)
         is_action = isinstance(action, ast.Call) and called(action) in (*ACTIONS, *TRIGGERS)
         if called(call) not in _OF_PROCESS or target is None or not is_action:
             continue
@@ -68,7 +68,7 @@ def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
             continue
         listed = _listed(entities, values)
         direct = {item.id: item for item in listed if isinstance(item, ast.Name)}
-        later = (name for item in listed for name in _later(values.suggested(item), values))
+        later = (name for item in listed for name in _later(values.resolved(item), values))
         for name in later:
             if name.id in direct and _is_action(name, values):
                 yield Problem(
@@ -101,5 +101,5 @@ def _listed(node: ast.expr, values: Values) -> list[ast.expr]:
 
 
 def _is_action(node: ast.expr, values: Values) -> bool:
-    action = values.suggested(node)
+    action = values.resolved(node)
     return isinstance(action, ast.Call) and called(action) in ACTIONS

@@ -197,10 +197,10 @@ def _builder(call: ast.Call) -> ast.Call | None:
 
 def is_configuration(node: ast.expr | None, values: Values) -> bool:
     """True for parameters that ``MoveItConfigsBuilder`` made: all, or an attribute."""
-    node = values.suggested(node)
+    node = values.resolved(node)
     if isinstance(node, ast.Call) and called(node) == "to_dict":
         node = node.func
-    made = values.suggested(node.value) if isinstance(node, ast.Attribute) else None
+    made = values.resolved(node.value) if isinstance(node, ast.Attribute) else None
     return isinstance(made, ast.Call) and _builder(made) is not None
 
 
@@ -248,7 +248,7 @@ def without_kinematics(
     parameters = argument(node, None, "parameters")
     names: set[str] = set()
     for item in values.items(parameters) if parameters else ():
-        part = values.suggested(item)
+        part = values.resolved(item)
         names |= {part.attr} if isinstance(part, ast.Attribute) else reader.keys(item)
     if _OPEN not in names and _SEMANTIC in names and _KINEMATICS not in names:
         message = f"RViz has {_SEMANTIC}, but not {_KINEMATICS}: its MotionPlanning has no markers"
@@ -271,7 +271,7 @@ class _Reader:
 
     def keys(self, node: ast.expr | None) -> set[str]:
         """The names of parameters, with dots between levels."""
-        node = self._values.suggested(node)
+        node = self._values.resolved(node)
         if isinstance(node, ast.Dict):
             names: set[str] = set()
             for key, value in self._values.pairs(node):

@@ -111,7 +111,7 @@ def _no_list(call: ast.Call, tree: ast.Module, values: Values) -> Iterator[Probl
         if not isinstance(node, ast.FunctionDef) or node.name != name:
             continue
         for returned in _returned(node):
-            value = values.suggested(returned)
+            value = values.resolved(returned)
             kind = called(value) if isinstance(value, ast.Call) else ""
             if kind in _RETURNED:
                 message = f"{name}() returns a {kind}, but launch expects a list of actions"
@@ -133,7 +133,7 @@ def _returned(function: ast.FunctionDef) -> Iterator[ast.expr]:
 def _output(call: ast.Call, values: Values) -> Iterator[Problem]:
     node = argument(call, None, "output")
     known = data("launch_python")["outputs"].split()
-    text = string(values.suggested(node))
+    text = string(values.resolved(node))
     if node is not None and text is not None and text not in known:
         message = f"output is '{text}', which launch does not know"
         yield _error(node, message, f"write {' or '.join(known)}", values)
@@ -144,10 +144,10 @@ def _no_actions(call: ast.Call, values: Values) -> Iterator[Problem]:
     if called(call) not in _HOLDERS:
         return
     node = argument(call, *_HOLDERS[called(call)])
-    value = values.suggested(node)
+    value = values.resolved(node)
     items = [node] if isinstance(value, ast.Call) else values.items(node) if node else []
     for item in items:
-        action = values.suggested(item)
+        action = values.resolved(item)
         name = called(action) if isinstance(action, ast.Call) else ""
         if item is not None and name in _TAKEN_BY:
             message, help = f"{name} is not an action", f"write {_TAKEN_BY[name]}({name}(...))"
@@ -163,7 +163,7 @@ def _without_effect(call: ast.Call, values: Values) -> Iterator[Problem]:
     names: list[tuple[ast.expr, str]] = []
     node = argument(call, *_HOLDERS[called(call)])
     for item in values.items(node) if node is not None else ():
-        action = values.suggested(item)
+        action = values.resolved(item)
         if item is None or not isinstance(action, ast.Call):
             return
         names.append((item, called(action)))
@@ -200,7 +200,7 @@ def _compared(tree: ast.Module, values: Values) -> Iterator[Problem]:
 
 
 def _is_configuration(node: ast.expr, values: Values) -> bool:
-    value = values.suggested(node)
+    value = values.resolved(node)
     return isinstance(value, ast.Call) and called(value) == _UNKNOWN
 
 

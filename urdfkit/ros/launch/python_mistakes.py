@@ -104,7 +104,7 @@ def joined(call: ast.Call, values: Values) -> Problem | None:
     if not isinstance(function, ast.Attribute) or ast.unparse(function) != "os.path.join":
         return None
     for part in call.args:
-        value = values.suggested(part)
+        value = values.resolved(part)
         if isinstance(value, ast.Call) and called(value) in _SUBSTITUTIONS:
             message = f"os.path.join rejects {called(value)}: its value is known only at run time"
             help = "write PathJoinSubstitution([...]) with the same parts"
@@ -161,12 +161,12 @@ def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
 def _action_list(call: ast.Call, values: Values) -> Iterator[Problem]:
     position, name = _HOLDERS[called(call)]
     node = argument(call, position, name)
-    value = values.suggested(node)
+    value = values.resolved(node)
     if node is not None and isinstance(value, ast.Call) and called(value) in ACTIONS:
         message = f"{name} of {called(call)} is not a list of actions"
         yield _rejected(node, message, "write it in [ ]", values)
     for item in values.items(node) if isinstance(value, ast.List) else ():
-        if item is not None and isinstance(values.suggested(item), ast.List):
+        if item is not None and isinstance(values.resolved(item), ast.List):
             message = f"{name} of {called(call)} contains a list, but launch expects actions"
             yield _rejected(item, message, "write a * before it, or + between the lists", values)
 
@@ -174,7 +174,7 @@ def _action_list(call: ast.Call, values: Values) -> Iterator[Problem]:
 def _process(call: ast.Call, values: Values) -> Iterator[Problem]:
     """A command line that is not a list with one word per item."""
     node = argument(call, 0, "cmd")
-    command = values.suggested(node)
+    command = values.resolved(node)
     yield from _words(node, values)
     if node is None or argument(call, None, "shell") is not None:
         return
@@ -203,7 +203,7 @@ def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
 def missing_slash(pieces: Collection[ast.expr | None], values: Values) -> Iterator[Problem]:
     """A path after the directory of a package without a slash, which launch does not add."""
     for before, piece in pairwise(pieces):
-        directory = values.suggested(before)
+        directory = values.resolved(before)
         text = string(piece) or ""
         is_package = isinstance(directory, ast.Call) and called(directory) in PACKAGE_DIRECTORY
         if piece is not None and is_package and text[:1].isalpha():
@@ -215,7 +215,7 @@ def added(node: ast.expr, values: Values) -> Problem | None:
     """A text and a substitution with a plus between them, which Python rejects."""
     if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.Add):
         return None
-    sides = [values.suggested(side) for side in (node.left, node.right)]
+    sides = [values.resolved(side) for side in (node.left, node.right)]
     has_text = any(string(side) is not None for side in sides)
     names = [called(side) if isinstance(side, ast.Call) else "" for side in sides]
     substitution = next((name for name in names if name in _SUBSTITUTIONS), "")
@@ -228,7 +228,7 @@ def added(node: ast.expr, values: Values) -> Problem | None:
 def formatted(node: ast.expr, values: Values) -> Problem | None:
     """A substitution in an f-string, which has the name of its class and not its value."""
     for part in node.values if isinstance(node, ast.JoinedStr) else ():
-        value = values.suggested(part.value) if isinstance(part, ast.FormattedValue) else None
+        value = values.resolved(part.value) if isinstance(part, ast.FormattedValue) else None
         if isinstance(value, ast.Call) and called(value) in _SUBSTITUTIONS:
             message = (
                 f"an f-string does not have the value of {called(value)}, which is known only "
@@ -241,11 +241,11 @@ def formatted(node: ast.expr, values: Values) -> Problem | None:
 def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
     for name, expected in _LISTS.items():
         node = argument(call, None, name)
-        value = values.suggested(node)
+        value = values.resolved(node)
         if node is not None and (string(value) is not None or isinstance(value, ast.Dict)):
             yield _rejected(node, f"{name} of Node is not {expected}", "write it in [ ]", values)
     pairs = argument(call, None, "remappings")
-    for pair in values.items(pairs) if isinstance(values.suggested(pairs), ast.List) else ():
+    for pair in values.items(pairs) if isinstance(values.resolved(pairs), ast.List) else ():
         if pair is not None and (text := string(pair)) is not None:
             names = tuple(text.split(":="))
             help = f"write {names}" if len(names) == 2 else "write ('from', 'to')"
@@ -255,7 +255,7 @@ def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
 def _sets(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     """A set of a name and its value among the parameters."""
     for item in values.items(node) if node else ():
-        if item is not None and isinstance(values.suggested(item), ast.Set):
+        if item is not None and isinstance(values.resolved(item), ast.Set):
             message = "this is a set, but launch expects a dictionary of parameters"
             yield _rejected(item, message, 'write a colon: {"name": value}', values)
 
@@ -275,7 +275,7 @@ def _documents(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     """A parameter that is a document of xacro, or a method that is not called."""
     for item in values.items(node) if node else ():
         for _, value in values.pairs(item):
-            text = values.suggested(value)
+            text = values.resolved(value)
             is_method = isinstance(text, ast.Attribute) and text.attr in _TEXTS
             if is_method and isinstance(text, ast.Attribute):
                 message = f"{text.attr} is a method, but launch expects a string"
@@ -295,7 +295,7 @@ def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
 
 def _text(node: ast.expr | None, subject: str, values: Values) -> Iterator[Problem]:
     """A number or a boolean instead of a text."""
-    value = values.suggested(node)
+    value = values.resolved(node)
     if isinstance(value, ast.UnaryOp):
         value = value.operand
     if node is None or not isinstance(value, ast.Constant) or type(value.value) not in _SCALARS:
@@ -309,7 +309,7 @@ def _text(node: ast.expr | None, subject: str, values: Values) -> Iterator[Probl
 
 
 def _passed(node: ast.expr | None, values: Values) -> Iterator[Problem]:
-    arguments = values.suggested(node)
+    arguments = values.resolved(node)
     if node is not None and isinstance(arguments, ast.Dict):
         yield _rejected(node, "launch_arguments is a dictionary", "append .items()", values)
     if isinstance(arguments, ast.Call) and isinstance(arguments.func, ast.Attribute):
@@ -319,7 +319,7 @@ def _passed(node: ast.expr | None, values: Values) -> Iterator[Problem]:
 
 
 def _condition(node: ast.expr | None, values: Values) -> Iterator[Problem]:
-    text = string(values.suggested(node))
+    text = string(values.resolved(node))
     if node is not None and text is not None and not _BOOLEAN.fullmatch(text):
         help = f"write LaunchConfiguration('{text}')"
         yield _rejected(node, f"condition '{text}' is neither true nor false", help, values)

@@ -58,7 +58,7 @@ class Values:
             return self.text(node.value, depth + 1)
         return self._of_call(node, depth) if isinstance(node, ast.Call) else None
 
-    def suggested(self, node: ast.expr | None) -> ast.expr | None:
+    def resolved(self, node: ast.expr | None) -> ast.expr | None:
         """An expression, or the value of a name; None if it is ambiguous."""
         for _ in range(MAX_DEPTH):
             if not isinstance(node, ast.Name):
@@ -68,7 +68,7 @@ class Values:
 
     def pairs(self, node: ast.expr | None) -> list[tuple[ast.expr | None, ast.expr]]:
         """The keys and values of a dictionary; empty for any other expression."""
-        node = self.suggested(node)
+        node = self.resolved(node)
         return list(zip(node.keys, node.values, strict=True)) if isinstance(node, ast.Dict) else []
 
     def opened(self, node: ast.expr | None) -> ast.expr | None:
@@ -78,7 +78,7 @@ class Values:
 
     def items(self, node: ast.expr | None, depth: int = 0) -> list[ast.expr | None]:
         """The items of a list; None stands for any number of unknown items."""
-        node = self.suggested(node)
+        node = self.resolved(node)
         if isinstance(node, (ast.List, ast.Tuple)):
             return [None if isinstance(item, ast.Starred) else item for item in node.elts]
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add) and depth < MAX_DEPTH:
@@ -139,7 +139,7 @@ class Values:
     def _of_configuration(self, call: ast.Call, depth: int) -> str | None:
         name = self.text(argument(call, 0, "variable_name"), depth + 1)
         declared = self.arguments.get(name or "")
-        is_own = isinstance(declared, ast.expr) and self.suggested(declared) is call
+        is_own = isinstance(declared, ast.expr) and self.resolved(declared) is call
         if is_own or name not in self.arguments:
             return self.text(argument(call, None, "default"), depth + 1)
         return self.configuration(name, depth)

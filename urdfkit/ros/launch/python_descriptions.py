@@ -1,0 +1,103 @@
+"""Robot descriptions that launch files of Python load."""
+
+import ast
+from collections.abc import Collection, Iterator
+
+from urdfkit.ros.launch.command_line import UNKNOWN_PART
+from urdfkit.ros.launch.commands import missing_space
+from urdfkit.ros.launch.python_file import PythonLaunchFile
+from urdfkit.ros.launch.values import argument, called
+
+
+def untyped_commands(file: PythonLaunchFile) -> Iterator[ast.expr]:
+    """The commands whose output becomes a parameter of a node without a type."""
+    for node in file.calls:
+        parameters = argument(node, None, "parameters") if called(node) == "Node" else None
+        for item in file.values.items(parameters) if parameters else ():
+            for _, value in file.values.pairs(item):
+                command = file.values.resolved(value)
+                if isinstance(command, ast.Call) and called(command) == "Command":
+                    yield command
+
+
+def run_command(file: PythonLaunchFile, call: ast.Call, untyped: Collection[ast.expr]) -> None:
+    """Read a ``Command(...)``, such as xacro."""
+    command = argument(call, 0, "command")
+    if mistake := missing_space(file.values, command):
+        file.collector.problems.append(mistake)
+        return
+    text = file.values.text(command)
+    if text is None:
+        pieces = (file.values.text(piece) for piece in file.values.items(command))
+        text = "".join(UNKNOWN_PART if piece is None else piece for piece in pieces)
+    if text:
+        span, frame = file.values.span(call), file.call_frame(call)
+        file.collector.command(text, span, frame, is_yaml=call in untyped)
+
+
+def process_file(file: PythonLaunchFile, call: ast.Call) -> None:
+    """``xacro.process_file(path)``."""
+    path, mappings = argument(call, 0, "input_file_name"), argument(call, None, "mappings")
+    _describe(file, call, path, mappings)
+
+
+def parse(file: PythonLaunchFile, call: ast.Call) -> None:
+    """``xacro.parse(open(path))``, which ``xacro.process_doc`` expands."""
+    opened = argument(call, 0, "inp")
+    if isinstance(call.func, ast.Attribute) and isinstance(opened, ast.Call):
+        module = call.func.value
+        if isinstance(module, ast.Name) and module.id == "xacro" and called(opened) == "open":
+            _describe(file, call, argument(opened, 0, "file"), _mappings_of(file, call))
+
+
+def _mappings_of(file: PythonLaunchFile, parsing: ast.Call) -> ast.expr | None:
+    """The arguments with which ``xacro.process_doc`` expands the document of a call."""
+    for call in file.calls:
+        if called(call) == "process_doc":
+            document = argument(call, 0, "doc")
+            if document is not None and file.values.resolved(document) is parsing:
+                return argument(call, None, "mappings")
+    return None
+
+
+def open_file(file: PythonLaunchFile, call: ast.Call) -> None:
+    """Record a plain URDF whose text becomes a parameter."""
+    path = argument(call, 0, "file")
+    if (file.values.text(path) or "").endswith(".urdf"):
+        _describe(file, call, path, None, is_expanded=False)
+
+
+def record_unexpanded(file: PythonLaunchFile, value: ast.expr | None) -> None:
+    """Record a xacro file whose unexpanded text becomes the robot description."""
+    text = file.values.resolved(value)
+    if isinstance(text, ast.Call) and called(text) == "ParameterValue":
+        text = file.values.resolved(argument(text, 0, "value"))
+    if not isinstance(text, ast.Call) or called(text) not in ("read", "read_text"):
+        return
+    read = text.func.value if isinstance(text.func, ast.Attribute) else None
+    opened = file.values.opened(read) or file.values.resolved(read)
+    if not isinstance(opened, ast.Call) or called(opened) not in ("open", "Path"):
+        return
+    if path := file.path(argument(opened, 0, "file")):
+        file.collector.unexpanded(path, file.values.span(text), None)
+
+
+def _describe(
+    file: PythonLaunchFile,
+    call: ast.Call,
+    description: ast.expr | None,
+    mappings: ast.expr | None,
+    *,
+    is_expanded: bool = True,
+) -> None:
+    path = file.path(description)
+    if not path:
+        return
+    arguments = {
+        file.values.text(key) or "": file.values.text(value)
+        for key, value in file.values.pairs(mappings)
+    }
+    if mappings and not isinstance(file.values.resolved(mappings), ast.Dict):
+        arguments[""] = None
+    span, frame = file.values.span(call), file.call_frame(call)
+    file.collector.description(path, arguments, span, frame, is_expanded=is_expanded)

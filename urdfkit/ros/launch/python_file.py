@@ -1,0 +1,109 @@
+"""A launch file in Python, its calls, and the files that it names."""
+
+import ast
+import os
+from functools import cached_property
+
+from urdfkit.core import disk
+from urdfkit.ros.launch.branches import decided_calls
+from urdfkit.ros.launch.collect import Collector, frame_at, path_from
+from urdfkit.ros.launch.contents import LaunchedFile
+from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.text import python_source
+from urdfkit.text.diagnostic import Problem
+from urdfkit.text.document import CallFrame, Tag
+
+
+class PythonLaunchFile:
+    """A launch file with the known values of its arguments.
+
+    Attributes:
+        values: of its expressions; the defaults of arguments are added while the file is read.
+        frame: the launch files that include it.
+    """
+
+    def __init__(self, collector: Collector, file: LaunchedFile, tree: ast.Module) -> None:
+        self.collector = collector
+        self.source = file.source
+        self.frame = file.frame
+        self.tree = tree
+        self.values = Values(collector, file, tree)
+        self.calls = [node for node in python_source.nodes(tree) if isinstance(node, ast.Call)]
+
+    def call_frame(self, call: ast.Call) -> CallFrame:
+        start = self.values.span(call).start
+        return frame_at(self.source, Tag(self.source, start, start), self.frame)
+
+    # ---------------------------------------------------------------- files
+
+    def path(self, node: ast.expr | None) -> str | None:
+        """An absolute path; None for a relative path: the working directory is unknown."""
+        text = self.values.text(node)
+        path = path_from(self.source, text) if text else ""
+        return path if text and (os.path.isabs(text) or disk.exists(path)) else None
+
+    def record_file(self, node: ast.expr, purpose: str) -> None:
+        """Record a file that the launch file names, and report a relative path."""
+        if path := self.path(node):
+            self.collector.file(path, self.values.span(node), purpose)
+        else:
+            self.report_relative(node, purpose)
+
+    def report_relative(self, node: ast.expr, purpose: str) -> None:
+        """Report a path that is only found from one working directory.
+
+        An included file is reported when it is read itself.
+        """
+        text = self.values.text(node)
+        if not text or self.frame or text.startswith(("~", "$", "package://", "file://")):
+            return
+        package = self.collector.resolver.packages.enclosing(self.source.path)
+        name = package[0] if package else "PACKAGE"
+        message = f"{purpose} '{text}' is looked for where launch is started, not in the package"
+        help = f'write os.path.join(get_package_share_directory("{name}"), "{text}")'
+        problem = Problem("LAU003", self.values.span(node), message, help)
+        self.collector.problems.append(problem)
+
+    # ---------------------------------------------------------------- conditions
+
+    def condition(self, action: ast.Call) -> bool | None:
+        """Value of the condition of an action; None if known only at run time."""
+        written = argument(action, None, "condition")
+        if written is None:
+            return None if action in self._decided else True
+        condition = self.values.resolved(written)
+        if not isinstance(condition, ast.Call):
+            return None
+        value = (self.values.text(argument(condition, 0, "predicate_expression")) or "").lower()
+        holds = {"true": True, "1": True, "false": False, "0": False}.get(value)
+        if holds is None or called(condition) not in ("IfCondition", "UnlessCondition"):
+            return None
+        if holds is (called(condition) != "IfCondition"):
+            return False
+        return None if action in self._decided else True
+
+    def is_sure(self, action: ast.Call) -> bool:
+        """True if an action certainly runs."""
+        return not self._has_conditional_groups and self.condition(action) is True
+
+    def is_off(self, action: ast.Call) -> bool:
+        """True if a condition switches an action off, or the group that contains it."""
+        return action in self._in_groups_that_are_off or self.condition(action) is False
+
+    @cached_property
+    def _decided(self) -> frozenset[ast.Call]:
+        return decided_calls(self.tree)
+
+    @cached_property
+    def _has_conditional_groups(self) -> bool:
+        """True if actions may be in a group with a condition."""
+        return any(argument(group, None, "condition") for group in self._groups)
+
+    @cached_property
+    def _in_groups_that_are_off(self) -> frozenset[ast.AST]:
+        groups = (group for group in self._groups if self.condition(group) is False)
+        return frozenset(node for group in groups for node in ast.walk(group))
+
+    @property
+    def _groups(self) -> list[ast.Call]:
+        return [call for call in self.calls if called(call) == "GroupAction"]

@@ -1,0 +1,134 @@
+"""Nodes and their parameters in launch files of Python."""
+
+import ast
+from itertools import pairwise
+
+from urdfkit.ros.launch import moveit
+from urdfkit.ros.launch.contents import (
+    FILE_PARAMETERS,
+    PARAMETERS,
+    GivenParameters,
+    StartedProgram,
+    with_words,
+)
+from urdfkit.ros.launch.python_descriptions import record_unexpanded
+from urdfkit.ros.launch.python_file import PythonLaunchFile
+from urdfkit.ros.launch.values import argument
+
+_PARAMETER_FILES = (".yaml", ".yml")
+
+
+def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
+    """Read a ``Node(...)``."""
+    package = argument(call, None, "package")
+    name = file.values.text(package)
+    if name and package is not None:
+        file.collector.package(name, file.source, file.values.span(package))
+    words = argument(call, None, "arguments")
+    if name is None or "rviz" in name:
+        _record_rviz_configuration(file, words)
+    parameters = argument(call, None, "parameters")
+    # The file that includes this one chooses other nodes: the parameters are for another robot.
+    if not (file.frame and file.is_off(call)):
+        _record_parameter_files(file, parameters)
+    executable = argument(call, None, "executable") or argument(call, None, "node_executable")
+    command = file.values.words(words)
+    ros_arguments = argument(call, None, "ros_arguments")
+    options = [word.text for word in (*command, *file.values.words(ros_arguments))]
+    if ros_arguments is not None:
+        options.insert(len(command), "--ros-args")
+    remappings = _remappings(file, argument(call, None, "remappings"))
+    program = StartedProgram(
+        name or "",
+        file.values.text(executable) or "",
+        command,
+        file.values.span(call),
+        file.frame,
+        is_sure=file.is_sure(call),
+        remappings=with_words(remappings, options, is_ros_2=True),
+        parameters=_parameters(file, parameters, ros_arguments),
+        namespace=_namespace(file, call),
+        name=file.values.text(argument(call, None, "name")) or "",
+    )
+    file.collector.start(program)
+    if program.executable == "move_group":
+        problems = moveit.parameter_problems(call, file.tree, file.values, file.collector)
+        file.collector.problems += problems
+    elif program.package == "rviz2":
+        problems = moveit.without_kinematics(call, file.tree, file.values, file.collector)
+        file.collector.problems += problems
+
+
+def _record_rviz_configuration(file: PythonLaunchFile, words: ast.expr | None) -> None:
+    for option, path in pairwise(file.values.items(words) if words else ()):
+        if path and file.values.text(option) in ("-d", "--display-config"):
+            file.record_file(path, "RViz configuration")
+
+
+def _record_parameter_files(file: PythonLaunchFile, parameters: ast.expr | None) -> None:
+    for item in file.values.items(parameters) if parameters else ():
+        if item and (file.values.text(item) or "").endswith(_PARAMETER_FILES):
+            file.record_file(item, PARAMETERS)
+
+
+def _remappings(file: PythonLaunchFile, node: ast.expr | None) -> dict[str, str] | None:
+    known: dict[str, str] = {}
+    for item in file.values.items(node) if node else ():
+        pair = file.values.resolved(item)
+        names = pair.elts if isinstance(pair, (ast.List, ast.Tuple)) else []
+        texts = [text for name in names if (text := file.values.text(name))]
+        if len(texts) != 2:
+            return None
+        known[texts[0]] = texts[1]
+    return known
+
+
+def _namespace(file: PythonLaunchFile, call: ast.Call) -> str | None:
+    written = argument(call, None, "namespace")
+    text = "" if written is None else file.values.text(written)
+    return None if text is None else text.strip("/")
+
+
+def _parameters(
+    file: PythonLaunchFile, node: ast.expr | None, ros_arguments: ast.expr | None
+) -> GivenParameters:
+    """The parameters in a list of dictionaries and files."""
+    values: dict[str, str | None] = {}
+    files: list[str] = []
+    lists: dict[str, tuple[str | None, ...]] = {}
+    is_whole = is_of_moveit = ros_arguments is None
+    for item in file.values.items(node) if node else ():
+        if isinstance(file.values.resolved(item), ast.Dict):
+            for key, value in file.values.pairs(item):
+                name = file.values.text(key)
+                is_whole = is_whole and name is not None
+                values[name or ""] = file.values.text(value)
+                lists.update(_listed(file, name or "", value))
+                _record_file_of(file, name or "", value)
+        elif (file.values.text(item) or "").endswith(_PARAMETER_FILES):
+            path = file.path(item)
+            files += [path] if path else []
+            is_whole = is_whole and path is not None
+        else:
+            is_whole = False
+            is_of_moveit = is_of_moveit and moveit.is_configuration(item, file.values)
+    values.pop("", None)
+    is_of_moveit = is_of_moveit and not is_whole
+    return GivenParameters(values, tuple(files), is_whole, lists, is_of_moveit)
+
+
+def _listed(
+    file: PythonLaunchFile, name: str, value: ast.expr
+) -> dict[str, tuple[str | None, ...]]:
+    """The items of parameters that are lists, by name."""
+    if not name or not isinstance(file.values.resolved(value), (ast.List, ast.Tuple)):
+        return {}
+    return {name: tuple(file.values.text(item) for item in file.values.items(value))}
+
+
+def _record_file_of(file: PythonLaunchFile, name: str, value: ast.expr) -> None:
+    """Record the file that is the value of a parameter, or whose text is the value."""
+    if name == "robot_description" and file.frame is None:
+        record_unexpanded(file, value)
+    if name in FILE_PARAMETERS and file.values.text(value):
+        file.record_file(value, FILE_PARAMETERS[name])
