@@ -292,6 +292,63 @@ def test_the_plugin_of_a_pipeline(tmp_path: Path, yaml: str, help: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("file", "text", "words"),
+    [
+        (
+            "kinematics.yaml",
+            "/**: {ros__parameters: {robot_description_kinematics: {arm: {kinematics_solver: a}}}}",
+            "remove '/**:', 'ros__parameters:', 'robot_description_kinematics:', and",
+        ),
+        ("kinematics.yaml", "robot_description_kinematics: {arm: {a: b}}", "remove 'robot_descrip"),
+        ("kinematics.yaml", "arm: {kinematics_solver: a}", ""),
+        ("joint_limits.yaml", "robot_description_planning: {joint_limits: {}}", "remove 'robot_de"),
+        ("joint_limits.yaml", "joint_limits: {a: {max_velocity: 1.0}}", ""),
+        ("moveit_controllers.yaml", "a: {ros__parameters: {b: c}}", "remove 'a:', 'ros__param"),
+    ],
+)
+def test_files_of_the_builder(tmp_path: Path, file: str, text: str, words: str) -> None:
+    files = {f"config/{file}": text}
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", BUILDER, files)
+    assert [one.help.startswith(words) for one in found] == [True] * bool(words)
+
+
+@pytest.mark.parametrize(
+    ("calls", "missing"),
+    [
+        ("", "kinematics.yaml, joint_limits.yaml, pilz_cartesian_limits.yaml, arm.srdf"),
+        (
+            '.planning_pipelines(pipelines=["ompl"]).joint_limits(file_path=x)',
+            "kinematics.yaml, arm.srdf",
+        ),
+        (
+            ".planning_pipelines(load_all=False).joint_limits(x).robot_description_semantic(z)",
+            "kinematics.yaml",
+        ),
+    ],
+)
+def test_files_that_the_builder_needs(tmp_path: Path, calls: str, missing: str) -> None:
+    text = BUILDER.replace(".to_moveit", f"{calls}.to_moveit")
+    (found,) = reported(tmp_path / "arm", "LAU003", "a.launch.py", text)
+    assert found.message.rpartition(": ")[2] == missing
+
+
+@pytest.mark.parametrize(
+    ("names", "calls", "count"),
+    [
+        (["a_controllers.yaml", "b_controllers.yaml"], "", 1),
+        (["a_controllers.yaml", "moveit_controllers.yaml"], "", 0),
+        (["a_controllers.yaml"], "", 0),
+        (["a_controllers.yaml", "b_controllers.yaml"], ".trajectory_execution(x)", 0),
+    ],
+)
+def test_files_of_controllers(tmp_path: Path, names: list[str], calls: str, count: int) -> None:
+    files = {f"config/{name}": "a: 1\n" for name in names}
+    text = BUILDER.replace(".to_moveit", f"{calls}.to_moveit")
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, files)
+    assert ["cannot choose" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
     ("use", "needs_planner"),
     [
         ("generate_setup_assistant_launch(config)", False),
@@ -334,6 +391,8 @@ PIPELINES = '{{"planning_pipelines": ["ompl"], "ompl": {}}}'
         ("{}", 'load_yaml("arm", "solvers.yaml")', "are not in robot_description_kinematics"),
         ("{}", '{"robot_description_kinematics": load_yaml("arm", "solvers.yaml")}', ""),
         ("{}", '"a.yaml"', ""),
+        ("{}", '{"robot_description": x}', "no robot_description_semantic"),
+        ("{}", '{"robot_description": x, "robot_description_semantic": y}', ""),
     ],
 )
 def test_parameters_of_move_group(tmp_path: Path, settings: str, extra: str, words: str) -> None:

@@ -9,6 +9,13 @@ from urdfkit import Severity
 
 GROUP = '<group name="g"><chain base_link="base" tip_link="hand"/></group>'
 MANAGER = "moveit_simple_controller_manager:\n  controller_names: [c]\n  c:\n    type: a\n"
+PLUGIN = (
+    "moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager\n"
+)
+DISPLAY = (
+    "Visualization Manager:\n  Displays:\n    - Class: moveit_rviz_plugin/MotionPlanning\n"
+    "      Planning Request:\n        Planning Group: {}\n"
+)
 CLOUD = (
     "s:\n  sensor_plugin: occupancy_map_monitor/PointCloudOctomapUpdater\n  point_cloud_topic: /p\n"
     "  max_range: 5.0\n  padding_offset: 0.1\n  padding_scale: 1.0\n  point_subsample: 1\n"
@@ -55,6 +62,13 @@ def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str,
             5,
             "controller 'c' has no 'joint'",
             "write joints",
+        ),
+        (
+            "moveit_controllers.yaml",
+            MANAGER + "    joints: [shoulder]\n  d: {type: a, joints: [shoulder]}\n",
+            6,
+            "controller 'd' is not in controller_names, so MoveIt ignores it",
+            "add d to controller_names",
         ),
         (
             "sensors_3d.yaml",
@@ -137,7 +151,12 @@ def test_settings_at_which_move_group_stops(
     [
         ("moveit_controllers.yaml", "trajectory_execution:\n  allowed_start_tolerance: 0.1\n"),
         ("moveit_controllers.yaml", "moveit_manage_controllers: true\nmine: 1\n"),
-        ("moveit_controllers.yaml", MANAGER + "    joints: [shoulder]\n    action_ns: b\n"),
+        (
+            "moveit_controllers.yaml",
+            PLUGIN + MANAGER + "    joints: [shoulder]\n    action_ns: b\n",
+        ),
+        ("v.rviz", DISPLAY.format("g")),
+        ("v.rviz", DISPLAY.format("''")),
         ("sensors_3d.yaml", "sensors: [s]\n" + CLOUD + "  ns: n\n  mine: 1\n"),
         ("sensors_3d.yaml", "sensors: [s]\n" + IMAGE + "  image_topic: /d\n"),
         ("sensors_3d.yaml", "sensors: []\n"),
@@ -152,3 +171,21 @@ def test_settings_at_which_move_group_stops(
 )
 def test_settings_that_are_read(tmp_path: Path, file: str, text: str) -> None:
     assert reported(tmp_path, file, text) == []
+
+
+def test_a_planning_group_of_another_robot_in_rviz(tmp_path: Path) -> None:
+    (found,) = reported(tmp_path, "v.rviz", DISPLAY.format("panda_arm"))
+    message = "RViz: unknown planning group 'panda_arm'"
+    assert found == (5, Severity.INFO.name, message, "write one of g")
+
+
+@pytest.mark.parametrize("package", [True, False])
+def test_settings_of_a_controller_manager_that_move_group_does_not_load(
+    tmp_path: Path, package: bool
+) -> None:
+    if package:
+        (tmp_path / "package.xml").write_text('<package format="3"><name>p</name></package>')
+    found = reported(tmp_path, "moveit_controllers.yaml", MANAGER)
+    message = "no moveit_controller_manager is named: move_group does not load "
+    message += "moveit_simple_controller_manager"
+    assert (message in [text for _, _, text, _ in found]) == package

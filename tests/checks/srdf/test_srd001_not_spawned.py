@@ -14,6 +14,7 @@ ROBOT = b"""<robot name='r'><link name='base'/><link name='l'/><link name='f'/>
 <joint name='g' type='continuous'><parent link='l'/><child link='f'/></joint></robot>"""
 SRDF = b"<robot name='r'><group name='arm'><joint name='j'/></group></robot>"
 MOVEIT = b"""\
+moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
 moveit_simple_controller_manager:
   controller_names: [arm, hand]
   arm:
@@ -59,4 +60,4 @@ def test_a_controller_that_nothing_spawns(
     add_file(tmp_path / "config" / "ros2_controllers.yaml", CONTROL.format(defined).encode())
     add_file(tmp_path / "launch" / "r.launch.py", launch.encode())
     found = check(path, select=["SRD001"]).diagnostics
-    assert [(one.span.line, one.span.text) for one in found] == [(5, "hand")] * count
+    assert [(one.span.line, one.span.text) for one in found] == [(6, "hand")] * count

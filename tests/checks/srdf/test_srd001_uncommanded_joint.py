@@ -16,6 +16,7 @@ ROBOT = "<robot name='r'><link name='base'/>" + "".join(
 )
 SRDF = "<robot name='r'><group name='arm'><chain base_link='base' tip_link='l4'/></group>{}</robot>"
 MOVEIT = """\
+moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
 moveit_simple_controller_manager:
   controller_names: [arm]
   arm:

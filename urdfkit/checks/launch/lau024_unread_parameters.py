@@ -49,6 +49,8 @@
   `planning_pipelines` (warning; the builder stops). Or the solvers are not below
   `robot_description_kinematics` (info: in Humble they may also be at the top level). RViz does not
   get them (warning): "No active joints or end effectors found", and no interactive markers.
+- A file of MoveItConfigsBuilder has `ros__parameters`, or the name that the builder puts around it
+  (warning). Or move_group gets no SRDF (warning).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
 - A spawner or robot_state_publisher remaps the topics of a controller (warning), whose node is the
   controller manager. Or a remapping is the wrong way round: from another name to that of the node.

@@ -7,10 +7,13 @@ Sources: ``trajectory_execution_manager.cpp``, ``moveit_simple_controller_manage
 
 import os
 
-from urdfkit.core.suggest import CLOSE_TYPO, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
+from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.rviz import displays
 from urdfkit.ros.moveit.config import (
+    MANAGER,
     PIPELINES,
     controller_entries,
     group_entries,
@@ -19,8 +22,12 @@ from urdfkit.ros.moveit.config import (
 )
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
+from urdfkit.workspace.launch_files import launch_files
 
 _CONTROLLERS = "moveit_controllers.yaml"
+_PLUGIN = "moveit_controller_manager"
+#: Most directories of a package that are searched for configurations of RViz.
+_MAX_DIRECTORIES = 200
 _EXECUTION = "trajectory_execution"
 _SENSORS = "sensors_3d.yaml"
 _CARTESIAN = "pilz_cartesian_limits.yaml"
@@ -31,6 +38,9 @@ _OUTPUT = ("command_out_topic", "command_out_type")
 def invalid_layout(context: Context, srdf: Srdf) -> Findings:
     yield from _execution(context, srdf)
     yield from _controllers(context, srdf)
+    yield from _unlisted(context, srdf)
+    yield from _without_manager(context, srdf)
+    yield from _rviz_groups(context, srdf)
     yield from _sensors(context, srdf)
     yield from _cartesian_limits(context, srdf)
     yield from _pipelines(context, srdf)
@@ -65,6 +75,52 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
             match = nearest(key, known) if key not in known else None
             if match and match not in entry:
                 yield from _warning(key, f"controller '{name}' has no '{key}'", f"write {match}")
+
+
+def _unlisted(context: Context, srdf: Srdf) -> Findings:
+    """A controller with settings that is not in the list: MoveIt ignores it."""
+    section = mapping(load_next_to(srdf, _CONTROLLERS, context.resolver), MANAGER)
+    listed = section.get("controller_names")
+    names = {value.text for value in scalars(listed)}
+    if not names or not names <= section.keys():  # substituted or misspelt ones
+        return
+    for key, entry in controller_entries(srdf, context.resolver):
+        if key not in names and "type" in entry and "joints" in entry:
+            message = f"controller '{key}' is not in controller_names, so MoveIt ignores it"
+            yield from _warning(key, message, f"add {key} to controller_names")
+
+
+def _without_manager(context: Context, srdf: Srdf) -> Findings:
+    """Settings of the simple controller manager, which nothing tells move_group to load."""
+    root = load_next_to(srdf, _CONTROLLERS, context.resolver)
+    key = next((key for key in root if key == MANAGER), None)
+    directory = context.resolver.packages.workspace(srdf.path)
+    if key is None or _PLUGIN in root or not mapping(root, MANAGER).get("controller_names"):
+        return
+    if not context.resolver.packages.enclosing(srdf.path):
+        return
+    if not any(launch_files(directory, _PLUGIN, context.resolver)):
+        message = f"no {_PLUGIN} is named: move_group does not load {MANAGER}"
+        yield from _warning(
+            key, message, f"write {_PLUGIN}: {MANAGER}/MoveItSimpleControllerManager"
+        )
+
+
+def _rviz_groups(context: Context, srdf: Srdf) -> Findings:
+    """A planning group of another robot in the MotionPlanning of RViz."""
+    package = context.resolver.packages.enclosing(srdf.path)
+    directory = package[1] if package else os.path.dirname(srdf.path)
+    known = srdf.known("group")
+    for path in context.resolver.directories.files_below(directory, _MAX_DIRECTORIES):
+        source = context.resolver.readable(path) if path.endswith(".rviz") else None
+        for display in displays(source) if source and known else ():
+            group = mapping(display, "Planning Request").get("Planning Group")
+            if isinstance(group, Value) and group.text and group.text not in known:
+                message = f"RViz: unknown planning group '{group.text}'"
+                message += did_you_mean(group.text, known)
+                help = f"write one of {few(sorted(known), 4)}"
+                # RViz takes the first group instead.
+                yield Finding(group.span, message, help, severity=Severity.INFO)
 
 
 def _sensors(context: Context, srdf: Srdf) -> Findings:

@@ -19,6 +19,7 @@ from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Tag
 from urdfkit.text.located_yaml import Key, Node, load, mapping
+from urdfkit.text.source import Span
 
 #: Methods whose first argument is a file of the package.
 _FILES = (
@@ -29,8 +30,12 @@ _FILES = (
 #: Pipelines for which moveit_configs_utils has settings.
 _PIPELINES = ("chomp", "ompl", "pilz_industrial_motion_planner", "stomp")
 
+_PILZ = "pilz_industrial_motion_planner"
+#: The end of the name of a file of controllers.
+_CONTROLLERS = "_controllers.yaml"
 #: The display of RViz that has interactive markers for the end effectors.
 _DISPLAY = b"moveit_rviz_plugin/MotionPlanning"
+_DESCRIPTION = "robot_description"
 _SEMANTIC = "robot_description_semantic"
 _KINEMATICS = "robot_description_kinematics"
 _SECTION = "ros__parameters"
@@ -68,6 +73,7 @@ def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
         _given_file(call, directory or f"{UNKNOWN}/{package}", values, collector)
     elif called(call) == "to_moveit_configs" and directory:
         _default_files(call, directory, values, collector)
+        _required_files(call, builder, directory, values, collector)
     elif called(call) == "planning_pipelines" and directory:
         _default(call, values, collector)
         _named_pipelines(call, directory, values, collector)
@@ -88,10 +94,62 @@ def _default_files(call: ast.Call, directory: str, values: Values, collector: Co
     text = values.source.data
     if _PLANNER.search(text) or not _NO_PLANNER.search(text):
         _without_plugin(directory, collector)
-    methods = set(_methods(call))
+    methods = _methods(call)
     for method, (file, _) in data("moveit")["wrapped"].items():
         if method not in methods:
             _wrapped(method, os.path.join(directory, "config", file), collector)
+
+
+def _required_files(
+    call: ast.Call, builder: ast.Call, directory: str, values: Values, collector: Collector
+) -> None:
+    """Record the files that the builder reads by default, and that it cannot do without."""
+    methods = _methods(call)
+    robot = values.text(argument(builder, 0, "robot_name"))
+    needed = [
+        data("moveit")["wrapped"][method][0]
+        for method in ("robot_description_kinematics", "joint_limits")
+        if method not in methods
+    ]
+    has_pilz = _has_pilz(methods.get("planning_pipelines"), values)
+    if has_pilz and "pilz_cartesian_limits" not in methods:
+        needed.append(data("moveit")["wrapped"]["pilz_cartesian_limits"][0])
+    has_assistant = disk.exists(os.path.join(directory, ".setup_assistant"))
+    if robot and not has_assistant and "robot_description_semantic" not in methods:
+        needed.append(f"{robot}.srdf")
+    paths = [os.path.join(directory, "config", file) for file in needed]
+    missing = [os.path.basename(path) for path in paths if not disk.exists(path)]
+    if missing:
+        package = os.path.basename(directory)
+        message = f"the builder reads files that {package}/config does not have: "
+        help = "create them, or name others in the methods of the builder"
+        problem = Problem("LAU003", values.span(builder), message + ", ".join(missing), help)
+        collector.problems.append(problem)
+    execution = methods.get("trajectory_execution")
+    if execution is None or not (execution.args or argument(execution, None, "file_path")):
+        at = values.span(builder)
+        collector.problems += _several_controllers(robot, os.path.join(directory, "config"), at)
+
+
+def _has_pilz(call: ast.Call | None, values: Values) -> bool:
+    """True if the pipeline of Pilz is loaded, as it is by default."""
+    if call is None:
+        return True
+    load_all, pipelines = argument(call, 2, "load_all"), argument(call, 1, "pipelines")
+    if pipelines is None:
+        return load_all is None
+    return _PILZ in [values.text(item) for item in values.items(pipelines)]
+
+
+def _several_controllers(robot: str | None, directory: str, at: Span) -> Iterator[Problem]:
+    """Files of controllers among which the builder cannot choose."""
+    files = disk.names(directory) if disk.is_directory(directory) else []
+    found = sorted(file for file in files if file.endswith(_CONTROLLERS))
+    preferred = {f"{name}{_CONTROLLERS}" for name in ("moveit", "moveit2", robot)}
+    if robot and len(found) > 1 and preferred.isdisjoint(found):
+        message = "the builder cannot choose between " + ", ".join(found)
+        help = 'write .trajectory_execution(file_path="config/...")'
+        yield Problem("LAU024", at, message, help)
 
 
 def _named_pipelines(call: ast.Call, directory: str, values: Values, collector: Collector) -> None:
@@ -178,12 +236,14 @@ def _describe(call: ast.Call, directory: str, values: Values, collector: Collect
         collector.configured.append(LaunchedDescription(path, known, frame, unknown))
 
 
-def _methods(call: ast.Call) -> Iterator[str]:
-    """The names of the methods in a chain of calls."""
+def _methods(call: ast.Call) -> dict[str, ast.Call]:
+    """The methods in a chain of calls, by name."""
+    methods: dict[str, ast.Call] = {}
     node: ast.expr = call
     while isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-        yield node.func.attr
+        methods[node.func.attr] = node
         node = node.func.value
+    return methods
 
 
 def _builder(call: ast.Call) -> ast.Call | None:
@@ -216,6 +276,10 @@ def parameter_problems(
     keys = {key for item in items for key in reader.keys(item)}
     if _OPEN in keys:
         return
+    if _DESCRIPTION in keys and _SEMANTIC not in keys:
+        message = f"move_group gets no {_SEMANTIC}, and so no planning groups"
+        help = f'add {{"{_SEMANTIC}": ...}} with the text of the SRDF'
+        yield Problem("LAU024", values.span(node), message, help, severity=Severity.WARNING)
     for item in items:
         for name, place in reader.pipelines(item):
             plugins = (_OPEN, "planning_plugin", "planning_plugins")
