@@ -3,7 +3,7 @@
 import ast
 from collections.abc import Iterator
 
-from urdfkit.ros.launch.python_mistakes import ACTIONS, TRIGGERS
+from urdfkit.ros.launch.launch_description import ACTIONS, TRIGGERS
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 

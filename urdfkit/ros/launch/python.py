@@ -10,6 +10,8 @@ from urdfkit.ros.launch.collect import Collector
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, StartedProgram
 from urdfkit.ros.launch.event_handlers import never_reached, started_twice, wrong_targets
+from urdfkit.ros.launch.launch_description import entry_point, not_started
+from urdfkit.ros.launch.python_arguments import wrong_arguments
 from urdfkit.ros.launch.python_calls import wrong_calls
 from urdfkit.ros.launch.python_descriptions import (
     open_file,
@@ -18,16 +20,8 @@ from urdfkit.ros.launch.python_descriptions import (
     run_command,
     untyped_commands,
 )
+from urdfkit.ros.launch.python_expressions import wrong_expressions
 from urdfkit.ros.launch.python_file import PythonLaunchFile
-from urdfkit.ros.launch.python_mistakes import (
-    added,
-    dropped_directory,
-    entry_point,
-    formatted,
-    joined,
-    mistakes,
-    not_started,
-)
 from urdfkit.ros.launch.python_names import wrong_names
 from urdfkit.ros.launch.python_nodes import start_node
 from urdfkit.ros.launch.scopes import unread, with_items
@@ -106,13 +100,8 @@ class _PythonReader(PythonLaunchFile):
         problems = self.collector.problems
         for call in self.calls:
             if call not in self._idle:
-                problems += mistakes(call, self.values)
-            problem = dropped_directory(call, self.values) or joined(call, self.values)
-            if problem:
-                problems.append(problem)
-        for node in self._expressions:
-            if mistake := added(node, self.values) or formatted(node, self.values):
-                problems.append(mistake)
+                problems += wrong_arguments(call, self.values)
+        problems += wrong_expressions(self._expressions, self.values)
         if self._is_complete:
             problems += not_started(self._idle, self.values)
             problems += entry_point(self.tree, self.source)

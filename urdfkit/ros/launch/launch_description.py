@@ -1,0 +1,69 @@
+"""The launch description that a Python launch file returns, and its actions."""
+
+import ast
+import re
+from collections.abc import Collection, Iterator
+
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
+from urdfkit.ros.launch.values import Values, called
+from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.source import Source, Span
+
+#: The function that launch calls.
+_ENTRY = "generate_launch_description"
+#: Actions without effect unless they are in a launch description.
+ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
+#: Actions that start other actions later.
+TRIGGERS = ("RegisterEventHandler", "TimerAction")
+
+
+def entry_point(tree: ast.Module, source: Source) -> Iterator[Problem]:
+    """The problem if the function that launch calls is missing or returns nothing."""
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    entries = [function for function in functions if function.name == _ENTRY]
+    if entries and not _returns_value(entries[-1]):
+        span = _name_of(entries[-1], source)
+        message, help = f"{_ENTRY}() returns nothing", "return the LaunchDescription"
+        yield Problem("LAU010", span, message, help, severity=Severity.ERROR)
+    by_name = {function.name: function for function in functions}
+    if _ENTRY.encode() not in source.data and (name := nearest(_ENTRY, by_name, CLOSE_TYPO)):
+        span = _name_of(by_name[name], source)
+        message, help = f"launch calls {_ENTRY}(), which is missing", f"write def {_ENTRY}()"
+        yield Problem("LAU010", span, message, help, severity=Severity.ERROR)
+
+
+def _name_of(function: ast.FunctionDef, source: Source) -> Span:
+    """The name in the definition of a function."""
+    start = source.offset(function.lineno, 1) + function.col_offset
+    match = re.compile(rb"def\s+([^\s(]+)").match(source.data, start)
+    return Span(source, *match.span(1)) if match else Span(source, start, start)
+
+
+def _returns_value(function: ast.FunctionDef) -> bool:
+    """True if a function returns a value, or does not return."""
+    stack: list[ast.AST] = [*function.body]
+    while stack:  # an expression may be too deep for recursion
+        node = stack.pop()
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
+            continue  # a nested function
+        if isinstance(node, (ast.Raise, ast.Yield, ast.YieldFrom)):
+            return True
+        if isinstance(node, ast.Return) and node.value is not None:
+            return True
+        stack += ast.iter_child_nodes(node)
+    return False
+
+
+def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem]:
+    """Actions that are assigned to an unused name, without those that only others of them use."""
+    inner = {name.id for call in calls for name in ast.walk(call) if isinstance(name, ast.Name)}
+    for call in calls:
+        if not isinstance(call, ast.Call) or called(call) not in (*ACTIONS, *TRIGGERS):
+            continue
+        span = values.span(call)
+        name = values.source.data[: span.start].decode("utf-8", "replace").split()[-2]
+        if name in inner:
+            continue
+        message = f"'{name}' is created but never started"
+        help = f"add {name} to the LaunchDescription, or remove it"
+        yield Problem("LAU010", span, message, help, severity=Severity.INFO)

@@ -1,0 +1,94 @@
+"""Expressions of a Python launch file with another value than the written one, or none.
+
+launch concatenates the texts and substitutions of a list when it runs; until then a substitution is
+an object without a text.
+"""
+
+import ast
+from collections.abc import Collection, Iterable, Iterator
+from itertools import pairwise
+
+from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, called, parts_of_path
+from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.python_source import string
+
+#: Substitutions, whose text is known only at run time.
+_SUBSTITUTIONS = ("Command", "FindPackageShare", "LaunchConfiguration", "PathJoinSubstitution")
+
+
+def wrong_expressions(expressions: Iterable[ast.expr], values: Values) -> Iterator[Problem]:
+    """Paths and texts that Python joins otherwise, or rejects."""
+    for node in expressions:
+        if isinstance(node, ast.Call):
+            problem = _dropped_directory(node, values) or _joined(node, values)
+        else:
+            problem = _added(node, values) or _formatted(node, values)
+        if problem:
+            yield problem
+
+
+def _dropped_directory(call: ast.Call, values: Values) -> Problem | None:
+    """A part of a path that begins with a slash: the parts before it are dropped."""
+    for part in parts_of_path(call)[1:]:
+        text = string(part) or ""
+        if text.startswith("/"):
+            message = f"'{text}' begins with a slash, so the directories before it are dropped"
+            help = f"write '{text.lstrip('/')}'"
+            return Problem("LAU003", values.span(part), message, help, severity=Severity.ERROR)
+    return None
+
+
+def _joined(call: ast.Call, values: Values) -> Problem | None:
+    """A substitution in ``os.path.join``, which Python rejects, as its value is unknown."""
+    function = call.func
+    if not isinstance(function, ast.Attribute) or ast.unparse(function) != "os.path.join":
+        return None
+    for part in call.args:
+        value = values.resolved(part)
+        if isinstance(value, ast.Call) and called(value) in _SUBSTITUTIONS:
+            message = f"os.path.join rejects {called(value)}: its value is known only at run time"
+            help = "write PathJoinSubstitution([...]) with the same parts"
+            return rejected(part, message, help, values)
+    return None
+
+
+def _added(node: ast.expr, values: Values) -> Problem | None:
+    """A text and a substitution with a plus between them, which Python rejects."""
+    if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.Add):
+        return None
+    sides = [values.resolved(side) for side in (node.left, node.right)]
+    has_text = any(string(side) is not None for side in sides)
+    names = [called(side) if isinstance(side, ast.Call) else "" for side in sides]
+    substitution = next((name for name in names if name in _SUBSTITUTIONS), "")
+    if not (substitution and has_text):
+        return None
+    message = f"a string and a {substitution} cannot be added: its value is known only at run time"
+    return rejected(node, message, "write both into a list, with a comma between them", values)
+
+
+def _formatted(node: ast.expr, values: Values) -> Problem | None:
+    """A substitution in an f-string, which has the name of its class and not its value."""
+    for part in node.values if isinstance(node, ast.JoinedStr) else ():
+        value = values.resolved(part.value) if isinstance(part, ast.FormattedValue) else None
+        if isinstance(value, ast.Call) and called(value) in _SUBSTITUTIONS:
+            message = (
+                f"an f-string does not have the value of {called(value)}, which is known only "
+            )
+            message += "at run time"
+            return rejected(node, message, "write a list: [text, substitution]", values)
+    return None
+
+
+def missing_slash(pieces: Collection[ast.expr | None], values: Values) -> Iterator[Problem]:
+    """A path after the directory of a package without a slash, which launch does not add."""
+    for before, piece in pairwise(pieces):
+        directory = values.resolved(before)
+        text = string(piece) or ""
+        is_package = isinstance(directory, ast.Call) and called(directory) in PACKAGE_DIRECTORY
+        if piece is not None and is_package and text[:1].isalpha():
+            message = f"'{text}' follows the directory of a package without a slash"
+            yield rejected(piece, message, f"write '/{text}'", values)
+
+
+def rejected(node: ast.expr, message: str, help: str, values: Values) -> Problem:
+    return Problem("LAU010", values.span(node), message, help, severity=Severity.ERROR)
