@@ -48,6 +48,14 @@ def test_wrong_names(tmp_path: Path, text: str, line: int, message: str, help: s
     assert found.severity is Severity.ERROR
 
 
+def test_a_function_that_a_called_function_calls(tmp_path: Path) -> None:
+    functions = "def load():\n    return yaml\ndef use():\n    return load()\n"
+    text = HEAD + functions + END.format("return LaunchDescription([OpaqueFunction(function=use)])")
+    text = "from launch.actions import OpaqueFunction\n" + text
+    (found,) = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert found.message == "name 'yaml' is not defined"
+
+
 def test_a_name_under_a_condition_is_a_warning(tmp_path: Path) -> None:
     text = HEAD + END.format("b = c if d() else None\n    return LaunchDescription([])")
     found = reported(tmp_path, "LAU010", "a.launch.py", text.replace("d()", "print()"))
@@ -58,6 +66,8 @@ def test_a_name_under_a_condition_is_a_warning(tmp_path: Path) -> None:
     "text",
     [
         HEAD + DONE,
+        # OrbbecSDK_ROS2: a function without its import, which only an unused function calls
+        HEAD + "def load():\n    return yaml\ndef use():\n    return load()\n" + DONE,
         HEAD + "from os import *\nprint(path)\n" + DONE,
         HEAD + "def unused():\n    return missing\n" + DONE,
         HEAD + "def f(a: Missing) -> Missing:\n    return a\nf(1)\n" + DONE,

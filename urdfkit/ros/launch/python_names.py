@@ -4,6 +4,7 @@ import ast
 import builtins
 from collections.abc import Iterator
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.values import Values
@@ -103,15 +104,15 @@ def _bound(tree: ast.Module) -> Iterator[str]:
 
 
 def _run(tree: ast.Module) -> Iterator[tuple[ast.AST, bool]]:
-    """The nodes of a file without annotations, and without functions that nothing names.
+    """The nodes of a file without annotations, and without functions that nothing calls.
 
     The second item is False for those that run only under a condition.
     """
-    named = {node.id for node in nodes(tree) if isinstance(node, ast.Name)} | {_ENTRY}
+    called = _called(tree)
     stack: list[tuple[ast.AST, bool]] = [(tree, True)]
     while stack:
         node, is_sure = stack.pop()
-        if isinstance(node, _FUNCTIONS) and node.name not in named:
+        if isinstance(node, _FUNCTIONS) and node.name not in called:
             continue
         yield node, is_sure
         is_sure = is_sure and not isinstance(node, _CONDITIONAL)
@@ -120,6 +121,30 @@ def _run(tree: ast.Module) -> Iterator[tuple[ast.AST, bool]]:
                 continue
             children = value if isinstance(value, list) else [value]
             stack += [(child, is_sure) for child in children if isinstance(child, ast.AST)]
+
+
+def _called(tree: ast.Module) -> set[str]:
+    """The names that the file outside of its functions names, and those of functions so named."""
+    functions = by_key((node.name, node) for node in nodes(tree) if isinstance(node, _FUNCTIONS))
+    called: set[str] = set()
+    waiting = [_ENTRY, *_names(tree)]
+    while waiting:
+        name = waiting.pop()
+        if name not in called:
+            called.add(name)
+            waiting += [inner for one in functions.get(name, ()) for inner in _names(one)]
+    return called
+
+
+def _names(node: ast.AST) -> Iterator[str]:
+    """The names below a node, without those in functions below it."""
+    stack = list(ast.iter_child_nodes(node))
+    while stack:
+        child = stack.pop()
+        if isinstance(child, ast.Name):
+            yield child.id
+        if not isinstance(child, _FUNCTIONS):
+            stack += ast.iter_child_nodes(child)
 
 
 def _error(node: ast.expr | ast.stmt, message: str, help: str, values: Values) -> Problem:
