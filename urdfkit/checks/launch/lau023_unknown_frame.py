@@ -32,18 +32,21 @@ Sources:
     RViz, frame_manager.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_common/src/rviz_common/frame_manager.cpp
 """
 
-import re
 from collections.abc import Iterable, Iterator
 
+from urdfkit.checks.launch.published_frames import (
+    WELL_KNOWN,
+    links_of_robots,
+    may_have_other_publishers,
+    published_frames,
+    static_transforms,
+)
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
-from urdfkit.ros.launch.argument_checks import is_included
-from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.frames import GLOBAL, NamedFrame, default_frames, named_frames
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
-from urdfkit.ros.launch.transforms import StaticTransform, static_transform
+from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import Value
 from urdfkit.workspace.program_strings import strings_in_programs
@@ -71,20 +74,8 @@ FILES = {
     "package.xml": b"<package><name>arm</name></package>",
 }
 
-_WELL_KNOWN = frozenset(("map", "odom", "world", "earth"))
 #: Usual global frames of a costmap.
-#: Functions of Nav2 that change the frames in a parameter file.
-_REWRITTEN = re.compile(rb"RewrittenYaml|ReplaceString|param_rewrites")
 _GLOBAL = ("map", "odom")
-_PUBLISHER = "robot_state_publisher"
-_RVIZ = ("rviz", "rviz2")
-_SLIDERS = ("joint_state_publisher", "joint_state_publisher_gui")
-#: Packages that do not localize the robot.
-_VIEWERS = (_PUBLISHER, *_SLIDERS, *_RVIZ)
-#: Packages of ROS whose nodes publish other frames, of a sensor or a recording.
-_PUBLISHERS_OF_ROS = ("mavros", "realsense2_camera", "rosbag", "rosbag2")
-#: Most robots of a workspace that are expanded for their links.
-_MAX_ROBOTS = 8
 _MAX_NAMED = 4
 
 
@@ -92,9 +83,9 @@ _MAX_NAMED = 4
 def check(context: Context) -> Findings:
     launch = context.launch
     frames = [*named_frames(launch, context.resolver), *default_frames(launch, context.resolver)]
-    if not frames and not any(True for _ in _transforms(launch)):
+    if not frames and not any(True for _ in static_transforms(launch)):
         return
-    if known := _published_frames(context):
+    if known := published_frames(context):
         known |= _frames_of_filters(launch, frames)
         yield from _unpublished(context, frames, known)
     yield from _wrong_filter_frames(context)
@@ -116,8 +107,8 @@ def _unpublished(context: Context, frames: list[NamedFrame], known: frozenset[st
         and (frame.key != GLOBAL or _is_typo(frame, frames))
     ]
     parents = {}
-    if not _may_have_other_publishers(context):
-        parents = dict(_unknown_parents(launch, known, _links_of_robots(context, (launch,))))
+    if not may_have_other_publishers(context):
+        parents = dict(_unknown_parents(launch, known, links_of_robots(context, (launch,))))
     suffixes = _suffixes(parents, launch)
     words = {*(frame.name for frame in unknown), *parents, *suffixes.values()}
     elsewhere = strings_in_programs(words, context.source.path, context.resolver)
@@ -159,39 +150,14 @@ def _frames_of_drivers(launch: Launch) -> frozenset[str]:
     )
 
 
-def _may_have_other_publishers(context: Context) -> bool:
-    """True if unavailable nodes, such as drivers or a bag player, may publish frames."""
-    programs = context.launch.programs
-    if any(_is_unavailable(context, node.package) for node in programs if node.package):
-        return True
-    if any("bag" in (word.text for word in node.words) for node in programs if not node.package):
-        return True
-    return _includes_unavailable(context)
-
-
-def _includes_unavailable(context: Context) -> bool:
-    """True if the launch file includes files of unavailable packages that are not part of ROS."""
-    paths = (path.removeprefix(UNKNOWN).strip("/") for path in context.launch.unread)
-    return any(_is_unavailable(context, path.partition("/")[0]) for path in paths if path)
-
-
-def _is_unavailable(context: Context, package: str) -> bool:
-    if package in _PUBLISHERS_OF_ROS:
-        return True  # even if the package is in the workspace: it computes its frame names
-    if comes_with_ros(package):
-        return False
-    packages = context.resolver.packages
-    return not any(True for _ in packages.candidates(package, context.source.path))
-
-
 def _frames_of_filters(launch: Launch, frames: list[NamedFrame]) -> frozenset[str]:
     """Base frames of filters that are parents of static transforms."""
-    parents = {each.parent.name for each in _transforms(launch)}
+    parents = {transform.parent.name for transform in static_transforms(launch)}
     return frozenset(frame.name for frame in frames if frame.key == "base_link_frame") & parents
 
 
 def _finding(frame: NamedFrame, known: frozenset[str]) -> Finding:
-    published = sorted(_GLOBAL if frame.key == GLOBAL else known - _WELL_KNOWN)
+    published = sorted(_GLOBAL if frame.key == GLOBAL else known - WELL_KNOWN)
     is_default = frame.named_at is None
     prefixed = next((name for name in published if name.endswith(f"/{frame.name}")), "")
     help = f"{f'set {frame.key} to' if is_default else 'name'} a frame that is published: "
@@ -208,80 +174,6 @@ def _finding(frame: NamedFrame, known: frozenset[str]) -> Finding:
     )
 
 
-def _published_frames(context: Context) -> frozenset[str]:
-    """The published frames; empty if not all robots are known."""
-    launch = context.launch
-    links = _links_of_robots(context, (launch,))
-    launches: tuple[Launch, ...] = (launch,)
-    if not launch.descriptions and (_includes_unavailable(context) or _starts_publisher(launch)):
-        return frozenset()  # an included file may start another robot
-    if not launch.descriptions:
-        launches = launches_of_workspace(context.source.path, context.resolver)
-        links = _links_of_robots(context, launches)
-    # A launch file that describes the robot for MoveIt alone publishes no frames.
-    publishing = [each for each in launches if _starts_publisher(each)] or launches
-    prefix = _prefix([each for each in publishing if not _is_viewer(each)] or publishing)
-    is_rewritten = bool(prefix) and _REWRITTEN.search(context.source.data)
-    if not links or prefix is None or is_rewritten:
-        return frozenset()
-    links = frozenset(f"{prefix}{link}" for link in links)
-    transforms = [transform for launch_file in launches for transform in _transforms(launch_file)]
-    children = [transform.child.name for transform in transforms]
-    parents = [transform.parent.name for transform in transforms]
-    above = (parent for parent, child in zip(parents, children, strict=True) if child in links)
-    is_viewer = _is_viewer(launch) and not is_included(context.source.path, context.resolver)
-    well_known = frozenset() if is_viewer else _WELL_KNOWN
-    return links.union(children, above, well_known)
-
-
-def _links_of_robots(context: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
-    """Links of the robots that are started; empty if a robot cannot be expanded."""
-    links: set[str] = set()
-    descriptions = [description for launch in launches for description in launch.descriptions]
-    distinct = {(each.path, *sorted(each.arguments.items())): each for each in descriptions}
-    if len(distinct) > _MAX_ROBOTS:
-        return frozenset()
-    for description in distinct.values():
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is None or not description.is_whole:
-            return frozenset()
-        links.update(name.lstrip("/") for name in robot.model.links_by_name)
-    return frozenset(links)
-
-
-def _prefix(launches: Iterable[Launch]) -> str | None:
-    """What robot_state_publisher puts before the names of links; None if that is unknown."""
-    prefixes: set[str | None] = set()
-    for launch in launches:
-        publishers = [node for node in launch.programs if node.package == _PUBLISHER]
-        if launch.descriptions and not publishers:
-            return None  # another program publishes the links
-        for node in publishers:
-            every = node.parameters.every
-            prefixes.add(None if every is None else every.get("frame_prefix", ""))
-    if not prefixes:
-        return ""
-    return prefixes.pop() if len(prefixes) == 1 else None
-
-
-def _starts_publisher(launch: Launch) -> bool:
-    return any(node.package == _PUBLISHER for node in launch.programs)
-
-
-def _is_viewer(launch: Launch) -> bool:
-    """True if the launch file starts only the publishers of a robot and RViz."""
-    programs = launch.programs
-    is_whole = not launch.unread and all(node.package in _VIEWERS for node in programs)
-    packages = {node.package for node in programs}
-    return is_whole and not packages.isdisjoint(_RVIZ) and not packages.isdisjoint(_SLIDERS)
-
-
-def _transforms(launch: Launch) -> Iterator[StaticTransform]:
-    for node in launch.programs:
-        if transform := static_transform(node):
-            yield transform
-
-
 def _unknown_parents(
     launch: Launch, known: frozenset[str], of_robot: frozenset[str]
 ) -> Iterator[tuple[str, Finding]]:
@@ -295,7 +187,7 @@ def _unknown_parents(
         if name and name.rpartition("/")[2] not in known and child not in of_robot:
             message = f"parent '{name}' of the static transform is not a link of the robot"
             message += did_you_mean(name, known - {child})
-            help = f"name a frame that is published: {few(sorted(known - _WELL_KNOWN), _MAX_NAMED)}"
+            help = f"name a frame that is published: {few(sorted(known - WELL_KNOWN), _MAX_NAMED)}"
             yield name, Finding(Location(transform.parent.span, node.frame), message, help)
 
 

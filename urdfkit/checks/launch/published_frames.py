@@ -1,0 +1,126 @@
+"""The frames that a launch file and the robots of its workspace publish."""
+
+import re
+from collections.abc import Iterator
+from itertools import chain
+
+from urdfkit.lint.rules import Context
+from urdfkit.ros.launch.argument_checks import is_included
+from urdfkit.ros.launch.collect import UNKNOWN
+from urdfkit.ros.launch.contents import Launch
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.transforms import StaticTransform, static_transform
+from urdfkit.workspace.ros_packages import comes_with_ros
+
+#: Frames that programs other than those of the robot publish.
+WELL_KNOWN = frozenset(("map", "odom", "world", "earth"))
+#: Functions of Nav2 that change the frames in a parameter file.
+_REWRITTEN = re.compile(rb"RewrittenYaml|ReplaceString|param_rewrites")
+_PUBLISHER = "robot_state_publisher"
+_RVIZ = ("rviz", "rviz2")
+_SLIDERS = ("joint_state_publisher", "joint_state_publisher_gui")
+#: Packages that do not localize the robot.
+_VIEWERS = (_PUBLISHER, *_SLIDERS, *_RVIZ)
+#: Packages of ROS whose nodes publish other frames, of a sensor or a recording.
+_PUBLISHERS_OF_ROS = ("mavros", "realsense2_camera", "rosbag", "rosbag2")
+#: Most robots of a workspace that are expanded for their links.
+_MAX_ROBOTS = 8
+
+
+def published_frames(context: Context) -> frozenset[str]:
+    """The published frames; empty if not all robots are known."""
+    launch = context.launch
+    launches: tuple[Launch, ...] = (launch,)
+    if not launch.descriptions:
+        if _includes_unavailable(context) or _starts_publisher(launch):
+            return frozenset()  # an included file may start another robot
+        launches = launches_of_workspace(context.source.path, context.resolver)
+    links = links_of_robots(context, launches)
+    prefix = _prefix(launches)
+    is_rewritten = bool(prefix) and _REWRITTEN.search(context.source.data)
+    if not links or prefix is None or is_rewritten:
+        return frozenset()
+    links = frozenset(f"{prefix}{link}" for link in links)
+    transforms = list(chain.from_iterable(map(static_transforms, launches)))
+    children = {transform.child.name for transform in transforms}
+    above = {transform.parent.name for transform in transforms if transform.child.name in links}
+    is_viewer = _is_viewer(launch) and not is_included(context.source.path, context.resolver)
+    return links.union(children, above, () if is_viewer else WELL_KNOWN)
+
+
+def links_of_robots(context: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
+    """Links of the robots that are started; empty if a robot cannot be expanded."""
+    links: set[str] = set()
+    distinct = {
+        (description.path, *sorted(description.arguments.items())): description
+        for launch in launches
+        for description in launch.descriptions
+    }
+    if len(distinct) > _MAX_ROBOTS:
+        return frozenset()
+    for description in distinct.values():
+        robot = context.other_robot(description.path, description.arguments)
+        if robot.reading.document is None or not description.is_whole:
+            return frozenset()
+        links.update(name.lstrip("/") for name in robot.model.links_by_name)
+    return frozenset(links)
+
+
+def _prefix(launches: tuple[Launch, ...]) -> str | None:
+    """What robot_state_publisher puts before the names of links; None if that is unknown."""
+    # A launch file that describes the robot for MoveIt alone publishes no frames.
+    publishing = [launch for launch in launches if _starts_publisher(launch)] or launches
+    prefixes: set[str | None] = set()
+    for launch in [launch for launch in publishing if not _is_viewer(launch)] or publishing:
+        publishers = [node for node in launch.programs if node.package == _PUBLISHER]
+        if launch.descriptions and not publishers:
+            return None  # another program publishes the links
+        for node in publishers:
+            every = node.parameters.every
+            prefixes.add(None if every is None else every.get("frame_prefix", ""))
+    if not prefixes:
+        return ""
+    return prefixes.pop() if len(prefixes) == 1 else None
+
+
+def _starts_publisher(launch: Launch) -> bool:
+    return any(node.package == _PUBLISHER for node in launch.programs)
+
+
+def _is_viewer(launch: Launch) -> bool:
+    """True if the launch file starts only the publishers of a robot and RViz."""
+    programs = launch.programs
+    is_whole = not launch.unread and all(node.package in _VIEWERS for node in programs)
+    packages = {node.package for node in programs}
+    return is_whole and not packages.isdisjoint(_RVIZ) and not packages.isdisjoint(_SLIDERS)
+
+
+def static_transforms(launch: Launch) -> Iterator[StaticTransform]:
+    for node in launch.programs:
+        if transform := static_transform(node):
+            yield transform
+
+
+def may_have_other_publishers(context: Context) -> bool:
+    """True if unavailable nodes, such as drivers or a bag player, may publish frames."""
+    programs = context.launch.programs
+    if any(_is_unavailable(context, node.package) for node in programs if node.package):
+        return True
+    if any("bag" in (word.text for word in node.words) for node in programs if not node.package):
+        return True
+    return _includes_unavailable(context)
+
+
+def _includes_unavailable(context: Context) -> bool:
+    """True if the launch file includes files of unavailable packages that are not part of ROS."""
+    paths = (path.removeprefix(UNKNOWN).strip("/") for path in context.launch.unread)
+    return any(_is_unavailable(context, path.partition("/")[0]) for path in paths if path)
+
+
+def _is_unavailable(context: Context, package: str) -> bool:
+    if package in _PUBLISHERS_OF_ROS:
+        return True  # even if the package is in the workspace: it computes its frame names
+    if comes_with_ros(package):
+        return False
+    packages = context.resolver.packages
+    return not any(True for _ in packages.candidates(package, context.source.path))
