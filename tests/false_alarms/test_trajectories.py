@@ -20,6 +20,7 @@ ROBOT = f"""<robot name="r">{"".join(map(LINK.format, ["base", "right", "left", 
 SRDF = """<robot name="r"><virtual_joint name="floor" type="fixed" parent_frame="world"
   child_link="base"/><group name="hand"><joint name="right_finger"/></group></robot>"""
 MOVEIT = """\
+moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
 moveit_simple_controller_manager:
   controller_names: [hand]
   hand: {{type: FollowJointTrajectory, action_ns: follow_joint_trajectory, joints: [{}]}}

@@ -13,6 +13,9 @@ from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 
+#: Starts of paths that do not depend on the working directory, or only on the usual one.
+_KNOWN_STARTS = ("~", "$", "package://", "file://", "src/")
+
 
 class PythonLaunchFile:
     """A launch file with the known values of its arguments.
@@ -52,10 +55,11 @@ class PythonLaunchFile:
     def report_relative(self, node: ast.expr, purpose: str) -> None:
         """Report a path that is only found from one working directory.
 
-        An included file is reported when it is read itself.
+        An included file is reported when it is read itself. A path below ``src`` is meant to be
+        found from the workspace, where launch is usually started.
         """
         text = self.values.text(node)
-        if not text or self.frame or text.startswith(("~", "$", "package://", "file://")):
+        if not text or self.frame or text.startswith(_KNOWN_STARTS):
             return
         package = self.collector.resolver.packages.enclosing(self.source.path)
         name = package[0] if package else "PACKAGE"
