@@ -261,7 +261,7 @@ class Context(DescriptionFile):
         """The SRDF of the robot's package; None if there is none, or for a part."""
         if self.is_part:
             return None
-        from urdfkit.ros.moveit.srdf import find
+        from urdfkit.ros.moveit.srdf_reader import find
 
         return find(self)
 

@@ -89,7 +89,7 @@ def _named(description: RosDescription, name: str) -> dict[str, float]:
 
 
 def _srdf(description: RosDescription, path: str) -> Srdf:
-    from urdfkit.ros.moveit.srdf import read
+    from urdfkit.ros.moveit.srdf_reader import read
 
     srdf = read(path, description)
     if srdf is None:

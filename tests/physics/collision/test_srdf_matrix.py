@@ -15,7 +15,7 @@ from urdfkit.physics.collision.srdf_matrix import compare, new_srdf, updated_srd
 from urdfkit.physics.collision.worker_pool import CollisionError
 from urdfkit.physics.poses import pose
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.ros.moveit.srdf import read as read_srdf
+from urdfkit.ros.moveit.srdf_reader import read as read_srdf
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 

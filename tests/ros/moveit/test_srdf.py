@@ -11,7 +11,8 @@ from urdfkit import check
 from urdfkit.core import disk
 from urdfkit.core.file_log import FileLog
 from urdfkit.lint.context import Context
-from urdfkit.ros.moveit.srdf import Srdf, find
+from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.ros.moveit.srdf_reader import find
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.srdf_files import srdf_files

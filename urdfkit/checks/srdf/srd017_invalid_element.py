@@ -26,8 +26,9 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, 
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
-from urdfkit.ros.moveit.srdf import Srdf, unreadable
+from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_grammar import lacking, mistakes
+from urdfkit.ros.moveit.srdf_reader import unreadable
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_attribute, rename_element
 

@@ -59,7 +59,7 @@ def command(
     """
     context = robot(inputs)
     start = positions(context, inputs)
-    from urdfkit.ros.moveit.srdf import read_named
+    from urdfkit.ros.moveit.srdf_reader import read_named
 
     srdf_to_compare = read_named(compare, context) if compare else None
     for_moveit = bool(srdf or compare)  # MoveIt ignores units

@@ -19,7 +19,8 @@ from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_loads import GRAVITY, STEP
 from urdfkit.robot.kinematics import laws
-from urdfkit.ros.moveit.srdf import Srdf, read_named
+from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.ros.moveit.srdf_reader import read_named
 from urdfkit.text.document import Element
 
 #: A finer step than `STEP`, in s: a robot that is calm with it shows an integration error.

@@ -4,35 +4,14 @@ Source of the grammar: srdfdom's parser, and MoveIt's RobotModel, which rejects 
 match the robot.
 """
 
-import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cached_property
-from itertools import islice
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.suggest import nearest
-from urdfkit.errors import UrdfkitError
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.tree import KinematicTree
-from urdfkit.ros import RosDescription
-from urdfkit.text.comments import blank_comments
-from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.document import Attribute, Document, Element
-from urdfkit.text.file_kinds import is_xacro
-from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
-from urdfkit.workspace.manifest import manifest_of
-from urdfkit.workspace.resolve import Resolver
-from urdfkit.workspace.srdf_files import (
-    has_robot_name,
-    is_of_namesake,
-    other_srdf_files,
-    srdf_files,
-    srdf_in,
-)
-
-#: Most SRDFs of a directory that are read for one robot.
-_MAX_READ = 32
+from urdfkit.text.document import Attribute, Element
 
 
 class Srdf:
@@ -71,8 +50,10 @@ class Srdf:
         """
         if pair in self.disabled:
             return True
-        links = {one.get("link") or "" for one in self.root.all("disable_default_collisions")}
-        enabled = {pair_of(one) for one in self.root.all("enable_collisions")}
+        links = {
+            element.get("link") or "" for element in self.root.all("disable_default_collisions")
+        }
+        enabled = {pair_of(element) for element in self.root.all("enable_collisions")}
         return not links.isdisjoint(pair) and pair not in enabled
 
     def references(self) -> Iterator[tuple[str, Attribute]]:
@@ -177,6 +158,11 @@ def is_free_flyer(attribute: Attribute) -> bool:
     return attribute.value == "root_joint" and len(value.split()) == 7
 
 
+def is_srdf(root: Element) -> bool:
+    """True for the root of an SRDF; the root of a URDF is also a ``<robot>``, but has links."""
+    return root.tag == "robot" and root.child("link") is None
+
+
 def pair_of(element: Element) -> frozenset[str]:
     """The pair of links of an element of the collision matrix."""
     return frozenset((element.get("link1") or "", element.get("link2") or ""))
@@ -187,165 +173,3 @@ def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attri
         attribute = element.attributes.get(key)
         if attribute is not None:
             yield kind, attribute
-
-
-def find(robot: RosDescription) -> Srdf | None:
-    """The SRDF of a robot, if there is exactly one readable SRDF for it.
-
-    An SRDF with another robot name is accepted if it references the links and joints of the robot;
-    an SRDF in a MoveIt package for several robots, if it fits this robot. An SRDF with the same
-    file name as another robot in the same directory belongs to that robot, and so does an SRDF with
-    the robot name of another file, if this robot lacks links or joints of it. Of very many SRDFs,
-    such as for each combination of two hands, only those with the name of the robot are read.
-    """
-    path, name, resolver = robot.source.path, robot.model.name, robot.resolver
-    files = [one for one in srdf_files(path, resolver) if not is_of_namesake(one, path, resolver)]
-    if len(files) > _MAX_READ:
-        files = [one for one in files if _stem(one) in (_stem(path), name)]
-    found = [srdf for one in files if (srdf := read(one, robot))]
-    same = [srdf for srdf in found if srdf.root.get("name") == name]
-    chosen = same or [
-        srdf
-        for srdf in found
-        if srdf.refers_to_robot and not (srdf.unknown and _is_of_neighbour(srdf, path, resolver))
-    ]
-    if len(chosen) > 1:  # MoveIt's builder reads the SRDF with the file name of the robot
-        chosen = [srdf for srdf in chosen if _stem(srdf.path) == _stem(path)]
-    if not found:
-        others = other_srdf_files(path, name, resolver)
-        chosen = [srdf for one in others if (srdf := read(one, robot)) and srdf.fits_robot]
-    return chosen[0] if len(chosen) == 1 else None
-
-
-def _is_of_neighbour(srdf: Srdf, path: str, resolver: Resolver) -> bool:
-    """True if another URDF beside a robot has the robot name of an SRDF."""
-    name = srdf.root.get("name") or ""
-    return name != "" and any(
-        robot != os.path.basename(path) and has_robot_name(os.path.join(directory, robot), name)
-        for directory in (os.path.dirname(os.path.abspath(path)),)
-        for robot in resolver.directories.entries(directory) or ()
-    )
-
-
-def neighbours(srdf: Srdf, robot: RosDescription) -> Iterator[Srdf]:
-    """The other SRDFs in the directory of an SRDF, without those after very many."""
-    for path in islice(srdf_in([os.path.dirname(srdf.path)], robot.resolver), _MAX_READ):
-        if path != srdf.path and (other := read(path, robot)):
-            yield other
-
-
-def read(path: str, robot: RosDescription) -> Srdf | None:
-    """An SRDF file of a robot; None if it cannot be read.
-
-    A xacro is expanded with the arguments of the robot that have the same names, and with the
-    arguments from launch files, unless it then fits the robot worse. Where both pass an argument
-    that changes no link and no joint, such as the name of a group, the launch file decides.
-    """
-    srdf, names = _expanded(path, robot, robot.arguments)
-    others = names - robot.arguments.keys()
-    for arguments in _launched(path, robot, others) if others else ():
-        launched, _ = _expanded(path, robot, {**arguments, **robot.arguments})
-        if launched and (srdf is None or len(launched.unknown) <= len(srdf.unknown)):
-            srdf = launched
-            break
-    shared = names & robot.arguments.keys()
-    for arguments in _launched(path, robot, shared) if srdf and shared else ():
-        launched, _ = _expanded(path, robot, {**robot.arguments, **arguments})
-        if launched and srdf and launched.named == srdf.named:
-            launched.is_shared = any(robot.arguments[key] != arguments[key] for key in arguments)
-            return launched
-    return srdf
-
-
-def read_named(path: str, robot: RosDescription) -> Srdf:
-    """An SRDF file that the user names.
-
-    Raises:
-        UrdfkitError: it cannot be read, or is not an SRDF.
-    """
-    robot.resolver.admit_and_read(path)
-    srdf = read(path, robot)
-    if srdf is None or not is_srdf(srdf.root):
-        raise UrdfkitError(f"{path}: not an SRDF file")
-    return srdf
-
-
-def _expanded(
-    path: str, robot: RosDescription, arguments: Mapping[str, str]
-) -> tuple[Srdf | None, set[str]]:
-    """An SRDF file with arguments, and the names of its arguments."""
-    document, names = _parsed(path, robot.resolver, robot.trust, arguments)
-    if document is None or document.root.tag != "robot":
-        return None, names
-    if path.endswith(".xacro") and not document.root.children:
-        return None, set()  # only macros for other files
-    return Srdf(path, document.root, robot.tree), names
-
-
-def _launched(path: str, robot: RosDescription, names: set[str]) -> Iterator[dict[str, str]]:
-    """The arguments that launch files pass to an SRDF: all of them, and all but one.
-
-    The robot may be checked with the default of an argument such as a prefix.
-    """
-    from urdfkit.ros.launch.robot_arguments import passed_arguments
-
-    for launched in passed_arguments(path, (), robot.resolver):
-        whole = {name: value for name, value in launched.arguments.items() if name in names}
-        if launched.frame:
-            yield whole
-            yield from ({name: whole[name] for name in whole if name != one} for one in whole)
-
-
-def is_srdf(root: Element) -> bool:
-    """True for the root of an SRDF; the root of a URDF is also a ``<robot>``, but has links."""
-    return root.tag == "robot" and root.child("link") is None
-
-
-def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
-    """Why the SRDF of a robot cannot be read: the only SRDF, or an SRDF with the robot's name.
-
-    A xacro is ignored: a launch file may pass its required arguments.
-    """
-    paths = srdf_files(path, resolver)
-    for candidate in paths:
-        if len(paths) == 1 or _stem(candidate) in (name, _stem(path)):
-            source = resolver.readable(candidate)
-            if source is None or is_xacro(source):
-                continue
-            document, problems = read_xml(source)
-            if document is None and _read(source) is None:
-                yield from problems
-            elif document is None:  # xacro, which MoveIt's builder of ROS 2 uses, rejects it
-                manifest = manifest_of(resolver, candidate)
-                severity = Severity.WARNING if manifest and manifest.ros == 1 else None
-                yield from (problem._replace(severity=severity) for problem in problems)
-
-
-def _stem(path: str) -> str:
-    return os.path.basename(path).partition(".")[0]
-
-
-def _parsed(
-    path: str, resolver: Resolver, trust: bool, arguments: Mapping[str, str]
-) -> tuple[Document | None, set[str]]:
-    """The document of a file, if it can be read, and the names of its xacro arguments."""
-    source = resolver.readable(path)
-    if source is None:
-        return None, set()
-    if is_xacro(source):
-        from urdfkit.xacro import expand
-
-        xacro = expand(source, resolver, arguments, trust=trust)
-        return xacro.document, set(xacro.defaults)
-    return _read(source), set()
-
-
-def _read(source: Source) -> Document | None:
-    """The document of a file, read as by TinyXML, MoveIt's parser; None if it is not well-formed.
-
-    TinyXML ends a comment at the first ``-->``, whatever the comment contains.
-    """
-    document = read_xml(source)[0]
-    if document is None and b"<!--" in source.data:
-        document = read_xml(Source(source.path, blank_comments(source.data)))[0]
-    return document

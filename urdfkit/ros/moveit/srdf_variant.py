@@ -7,7 +7,8 @@ from collections.abc import Set as AbstractSet
 
 from urdfkit.core import disk
 from urdfkit.ros import RosDescription
-from urdfkit.ros.moveit.srdf import Srdf, neighbours
+from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.ros.moveit.srdf_reader import neighbours
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import shown
 from urdfkit.workspace.file_head import read_head
