@@ -31,6 +31,8 @@ def test_nearest(word: str, suggested: str | None) -> None:
         # khi_robot, stretch_ros: similar letters, but another word
         ("chomp_planning.yaml", ["ompl_planning.yaml"], None),
         ("stretch_dex_wrist.xacro", ["stretch_description.xacro"], None),
+        ("rviz_iiwa.rviz", ["rviz.rviz"], None),  # Marco19987's Dual_arm_control
+        ("rviz_arm.rviz", ["rviz_arms.rviz"], "rviz_arms.rviz"),
         ("link_2.xacro", ["link_1.xacro", "links_2.xacro"], "links_2.xacro"),
         # kinova-ros: a word more
         ("move_group.launch", ["move_group_m1n6s300.launch"], "move_group_m1n6s300.launch"),

@@ -120,20 +120,23 @@ def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
             stems[first] = other
     for _ in range(_MAX_COMPARED):
         suggested = nearest(stem, stems)
-        if suggested is None or _has_similar_words(stem, suggested):
+        if suggested is None or _has_similar_words(stem, suggested, kind[1:]):
             return stems[suggested] if suggested else None
         del stems[suggested]
     return None
 
 
-def _has_similar_words(name: str, other: str) -> bool:
+def _has_similar_words(name: str, other: str, kind: str) -> bool:
     """True if each word of the name with fewer words is similar to one of the other, or begins it.
 
-    So are names that differ in ``_`` or ``-`` alone.
+    So are names that differ in ``_`` or ``-`` alone. The kind of file, as in ``rviz.rviz``, says
+    nothing.
     """
     few, many = sorted((_file_words(name), _file_words(other)), key=len)
-    is_similar = all(any(_is_similar_word(word, one) for one in many) for word in few)
-    return is_similar or nearest("".join(few), ["".join(many)], CLOSE_TYPO) is not None
+    telling = [word for word in few if word != kind]
+    if telling and all(any(_is_similar_word(word, one) for one in many) for word in telling):
+        return True
+    return nearest("".join(few), ["".join(many)], CLOSE_TYPO) is not None
 
 
 def _file_words(name: str) -> list[str]:
