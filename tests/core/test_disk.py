@@ -118,6 +118,7 @@ READERS = {
     "text/editing/rewriting.py": "a source that was read before",
     "text/source.py": "who calls Source.read",
     "workspace/config_file.py": "the nearest above a file",
+    "workspace/executables.py": IN_PACKAGE,
     "workspace/file_head.py": "who calls read_head",
     "workspace/gitignore.py": IN_PACKAGE,
     "workspace/includes.py": IN_PACKAGE,
