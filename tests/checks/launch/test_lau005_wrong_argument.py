@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import launch, reported
+from tests.xacros import xacro
 from urdfkit import Diagnostic, check
 from urdfkit.text.diagnostic import Severity
 
@@ -36,6 +37,16 @@ def test_an_argument_that_the_xacro_lacks(tmp_path: Path, name: str, text: str, 
     assert found.message.endswith("unknown argument 'camra'; did you mean 'camera'?")
     assert found.help == "pass one of: arm, camera"
     assert found.span.line == line
+
+
+def test_not_all_of_many_arguments_are_listed(tmp_path: Path) -> None:
+    """Elite's cs.urdf.xacro has 35."""
+    (tmp_path / "r.xacro").write_text(
+        xacro("".join(f'<xacro:arg name="a{number}" default=""/>' for number in range(20)))
+    )
+    (tmp_path / "a.launch").write_text(XML.format("other"))
+    (found,) = check(tmp_path / "a.launch", select=["LAU005"]).diagnostics
+    assert found.help.endswith(" and 12 more")
 
 
 @pytest.mark.parametrize("argument", ["camera", "arm"])

@@ -17,6 +17,7 @@ import os
 from itertools import chain
 
 from urdfkit.core.suggest import Suggester, did_you_mean
+from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
 from urdfkit.robot.samples import xacro_xml
 
@@ -33,6 +34,9 @@ FILES = {
         '<xacro:if value="$(arg with_camera)"><gazebo/></xacro:if>',
     ).encode()
 }
+
+#: Most arguments that the help lists.
+_MAX_LISTED = 8
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="pass an argument that the file has")
@@ -51,7 +55,7 @@ def check(context: Context) -> Findings:
         is_for_any = os.path.basename(description.path).encode() not in call.source.data
         unused = known.difference(description.arguments)
         unknown = [name for name in description.arguments if name not in known]
-        help = "pass one of: " + ", ".join(sorted(known)) if known else "remove the argument"
+        help = f"pass one of: {few(sorted(known), _MAX_LISTED)}" if known else "remove the argument"
         for number, name in enumerate(unknown):
             hint = did_you_mean(name, unused) if number < Suggester.MAX_WORDS else ""
             yield Finding(
