@@ -15,6 +15,9 @@ from urdfkit.ros.gazebo.gravity import links_without_gravity
 #: Number of random start poses; a serial arm needs none.
 _SAMPLES = 20
 
+#: Most joints in the text of a pose.
+_MAX_NAMED = 6
+
 #: Positions below this, in rad or m, are not written.
 _AT_ZERO = 5e-4
 
@@ -38,6 +41,9 @@ def _loads(model: GravityModel, efforts: tuple[tuple[str, float | None], ...]) -
 
 
 def worst_pose(load: Load) -> str:
-    """The worst pose of a joint as text, such as ``elbow 1.57``."""
-    places = (f"{name} {place:.3g}" for name, place in load.pose.items() if abs(place) > _AT_ZERO)
-    return ", ".join(places) or "zero"
+    """The worst pose of a joint as text, such as ``elbow 1.57``; of many joints the farthest."""
+    pose = {name: place for name, place in load.pose.items() if abs(place) > _AT_ZERO}
+    farthest = sorted(pose, key=lambda name: -abs(pose[name]))[:_MAX_NAMED]
+    named = [f"{name} {place:.3g}" for name, place in pose.items() if name in farthest]
+    more = f" and {len(pose) - len(named)} more" if len(pose) > len(named) else ""
+    return ", ".join(named) + more or "zero"
