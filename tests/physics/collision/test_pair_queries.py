@@ -3,6 +3,7 @@
 from itertools import combinations, pairwise
 from math import inf
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -25,7 +26,7 @@ from urdfkit.lint.loading import read
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import TreeArrays, tree_arrays
 from urdfkit.physics.collision.bodies import TOUCH
-from urdfkit.physics.collision.collision_geometry import build_geometry
+from urdfkit.physics.collision.collision_geometry import DistanceQuery, build_geometry
 from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.pair_queries import SLACK, CollisionModel, Pair
 
@@ -135,3 +136,26 @@ def test_memory_is_that_of_a_block() -> None:
     arrays: TreeArrays = tree_arrays(robot(*map(link, names), *joints).tree)
     frames = arrays.frames(arrays.samples(1000, 0, 0), range(100))
     assert sum(frame.nbytes for frame in frames.values()) < 15e6
+
+
+@pytest.mark.parametrize(("effort", "measured"), [(100, 11), (inf, 200)])
+def test_bodies_that_are_always_near_are_given_up(
+    effort: float, measured: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Gears that mesh took minutes: they never collide, and bounds do not separate them."""
+    shell = mesh(cube(tmp_path / "shell.stl", 0.06, 5))
+    ball = sphere(0.001) + "@0 0.02 0"
+    one = collision_model(
+        robot(link("a", shell), link("b", ball), joint("a", "b", "continuous"), directory=tmp_path)
+    )
+    (pair,) = combinations(one.links, 2)
+    rows = one.kinematics.samples(200, 0, 0)[:200]
+    distance, calls = DistanceQuery.distance, []
+
+    def counted(self: DistanceQuery, *arguments: Any) -> float:
+        calls.append(0)
+        return distance(self, *arguments)
+
+    monkeypatch.setattr(DistanceQuery, "distance", counted)
+    (found,) = one.query([pair], 0.0, effort=effort).at(rows, count=True)
+    assert (found.hits, len(calls)) == ([], measured)

@@ -157,11 +157,15 @@ class DistanceQuery:
     Attributes:
         first, second: the bodies.
         is_exact: True if both are convex, so that the distance of their hulls is exact.
+        triangles: their number.
     """
 
     def __init__(self, first: CollisionGeometry, second: CollisionGeometry) -> None:
         self.first, self.second = first, second
         self.is_exact = first.is_convex and second.is_convex
+        self.triangles = sum(
+            len(body.arrays.faces) for body in (first, second) if body.arrays.kind == "mesh"
+        )
         self._place = coal.Transform3s()
         self._request = coal.DistanceRequest()
         self._distance = coal.DistanceResult()

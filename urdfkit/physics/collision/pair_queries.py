@@ -71,9 +71,14 @@ class CollisionModel:
     def geometry(self, body: int) -> CollisionGeometry:
         return self._geometries[body]
 
-    def query(self, pairs: Iterable[Pair], limit: float = inf) -> PairQuery:
-        """A query for pairs; distances above the limit, in m, are not measured."""
-        return PairQuery(self, pairs, limit)
+    def query(self, pairs: Iterable[Pair], limit: float = inf, *, effort: float = inf) -> PairQuery:
+        """A query for pairs; distances above the limit, in m, are not measured.
+
+        Args:
+            effort: triangles that are tested for each two bodies before the first collision; it
+                takes a second for a million of gears that mesh.
+        """
+        return PairQuery(self, pairs, limit, effort)
 
     def queries(self, pair: Pair) -> list[tuple[int, int, DistanceQuery]]:
         """The distance queries for the bodies of two links, each with the numbers of the bodies."""
@@ -97,10 +102,12 @@ class PairQuery:
     """Distances of pairs in successive sets of configurations."""
 
     def __init__(
-        self, collision_model: CollisionModel, pairs: Iterable[Pair], limit: float
+        self, collision_model: CollisionModel, pairs: Iterable[Pair], limit: float, effort: float
     ) -> None:
         self._collision_model = collision_model
-        self._searches = {pair: _Search(collision_model.queries(pair), limit) for pair in pairs}
+        self._searches = {
+            pair: _Search(collision_model.queries(pair), limit, effort) for pair in pairs
+        }
 
     def at(
         self, configurations: Floats, pairs: Sequence[Pair] | None = None, *, count: bool
@@ -120,9 +127,12 @@ class PairQuery:
 class _Search:
     """The query for one pair of links, with the least distance so far."""
 
-    def __init__(self, queries: list[tuple[int, int, DistanceQuery]], limit: float) -> None:
+    def __init__(
+        self, queries: list[tuple[int, int, DistanceQuery]], limit: float, effort: float
+    ) -> None:
         self._queries = queries
         self._best = limit
+        self._effort = effort
 
     @property
     def _sure(self) -> float:
@@ -137,10 +147,12 @@ class _Search:
             rotation, translation = relative(frames[first], frames[second])
             bound = query.bounds(rotation, translation, self._sure)
             near = np.flatnonzero(bound < self._sure)
+            left = self._effort
             for sample in near[np.argsort(bound[near])].tolist():
-                if bound[sample] >= self._sure or (hits and not count):
+                if bound[sample] >= self._sure or (hits and not count) or (left < 0 and not hits):
                     break
                 distance = query.distance(rotation[sample], translation[sample], self._best)
+                left -= query.triangles if distance == 0 else 0
                 if distance < self._best:
                     self._best, row = distance, sample
                 if distance < -TOUCH:

@@ -14,6 +14,10 @@ from urdfkit.robot.assets.triangles import Meshes
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.tree import KinematicTree
 
+#: Triangles that are tested before the first collision of two bodies. Gears that mesh take 3 µs for
+#: each, and never collide; separate links take a hundredth.
+_EFFORT = 4e6
+
 #: Colliding samples of a pair in which the other pairs are tested.
 _POSES = 20
 
@@ -61,7 +65,7 @@ class SampledPoses:
             if self._is_bound(pair) and self.kinematics.between(*pair)
         ]
         rows = self.kinematics.samples(samples, 0, 0)
-        results = self._collision_model.query(bound, 0.0).at(rows, count=True)
+        results = self._collision_model.query(bound, 0.0, effort=_EFFORT).at(rows, count=True)
         poses = {
             pair: self._poses(pair, rows[result.hits[:_POSES]])
             for pair, result in zip(bound, results, strict=True)
