@@ -10,12 +10,8 @@ from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
 from urdfkit.mesh.transforms import homogeneous
 from urdfkit.output.conversion.body_inertia import about_center, difference, of_link, pseudo_inertia
-from urdfkit.output.conversion.mjcf_geoms import (
-    COLLISION_GROUP,
-    KINDS,
-    VISUAL_GROUP,
-    has_few_vertices,
-)
+from urdfkit.output.conversion.mjcf_geoms import COLLISION_GROUP, KINDS, VISUAL_GROUP
+from urdfkit.output.conversion.mjcf_meshes import has_few_vertices
 from urdfkit.output.conversion.mjcf_pieces import WrittenShape
 from urdfkit.output.conversion.mjcf_robot import NARROWEST
 from urdfkit.output.conversion.text_reading import TextReading

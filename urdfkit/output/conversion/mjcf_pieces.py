@@ -10,6 +10,9 @@ import numpy as np
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Rotation, Transform
 
+#: Size of a mesh, which its file gives.
+NO_SIZE = (0.0, 0.0, 0.0)
+
 
 class Piece(Record):
     """A geom in the frame of its visual or collision."""

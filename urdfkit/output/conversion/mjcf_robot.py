@@ -66,16 +66,17 @@ class MjcfRobot:
         self._merged = mergeable_joints(robot) if options.fixed == "merge" else frozenset()
         self._inertials = dict(_inertials(tree, self._merged))
         self._geoms = Geoms(self.spec, robot, files, directory, self.losses, options)
-        self.mesh_places = self._geoms.places  # source locations of the spec's meshes, by name
-        self.hulls = self._geoms.hulls  # collisions that become convex hulls
+        self.mesh_places = self._geoms.meshes.places  # source locations of meshes, by name
+        self.hulls = self._geoms.collisions.hulls  # collisions that become convex hulls
         self._build(tree, is_free)
         self._couple(tree)
 
     @property
     def shapes(self) -> dict[int, WrittenShape]:
         """The geoms of visuals and collisions, by the ``id`` of the element; after compilation."""
+        simpler = self._geoms.collisions.simpler
         return {
-            key: WrittenShape(tuple(geom.id for geom in geoms), key not in self._geoms.simpler)
+            key: WrittenShape(tuple(geom.id for geom in geoms), key not in simpler)
             for key, geoms in self._geoms.shapes.items()
         }
 
