@@ -259,3 +259,23 @@ def test_a_robot_in_home_is_looked_for_nowhere_else(
     assert names(affected([str(tmp_path / "notes.yaml")], Config(), resolver)) == []
     inside = affected([str(tmp_path / "elsewhere" / "more.urdf.xacro")], Config(), resolver)
     assert names(inside) == ["more.urdf.xacro"]
+
+
+@pytest.mark.parametrize(
+    ("value", "is_template"),
+    [
+        ("$mass$", True),  # isaacgym-utils: single_obj_urdf_template.urdf
+        ("{{ mass }}", True),
+        ("@MASS@", True),
+        ("${mass}", False),
+        ("$5", False),
+        ("1", False),
+    ],
+)
+def test_a_template_of_a_program_is_no_robot(tmp_path: Path, value: str, is_template: bool) -> None:
+    link = '<link name="a"><inertial><mass value="{}"/></inertial></link>'
+    (tmp_path / "a.urdf").write_text(f'<robot name="a">{link.format(1)}<!-- x="$y$" --></robot>')
+    (tmp_path / "b.urdf").write_text(f'<robot name="b">{link.format(value)}</robot>')
+    found = discover(str(tmp_path), Config(), Resolver())
+    assert names(found) == (["a.urdf"] if is_template else ["a.urdf", "b.urdf"])
+    assert [Path(path).name for path in found.others] == (["b.urdf"] if is_template else [])

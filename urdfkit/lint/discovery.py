@@ -40,6 +40,9 @@ _MARK = b"\xef\xbb\xbf"
 #: A placeholder in a template of MoveIt's setup assistant.
 _PLACEHOLDER = re.compile(rb"\[[A-Z]+(?:_[A-Z]+)+\]")
 _MAX_TEMPLATE = 65_536
+#: A value that a program replaces: ``$name$``, ``{{ name }}`` or ``@NAME@``.
+_REPLACED = re.compile(rb"""=\s*["'](?:\$[A-Za-z_]\w*\$|\{\{[^{}"']*\}\}|@[A-Za-z_]\w*@)["']""")
+_TEMPLATE = "is a template: a program replaces its values"
 _NOT_CONFIGURED = "no [[robot]] in the configuration for it"
 
 
@@ -58,12 +61,26 @@ def discover(directory: str, config: Config, resolver: Resolver) -> DirectoryCon
         reached = {path for robot in named for path in entry_points.graph.closure(robot)}
         left = [robot.file for robot in contents.robots if disk.real(robot.file) not in reached]
         return DirectoryContents(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
+    contents = _without_templates(contents)
     if not any(contents):
         excluded = f", not counting what 'exclude' in {config.path} names" if config.exclude else ""
         raise UnreadableFile(
             f"{directory}: contains no .urdf, no .xacro with a <robot> and no launch file{excluded}"
         )
     return contents
+
+
+def _without_templates(contents: DirectoryContents) -> DirectoryContents:
+    """The contents without robots whose values a program writes, which are named as skipped."""
+    templates = {
+        robot.file
+        for robot in contents.robots
+        if _REPLACED.search(without_comments(read_head(robot.file, _MAX_TEMPLATE)))
+    }
+    return contents._replace(
+        robots=tuple(robot for robot in contents.robots if robot.file not in templates),
+        others={**contents.others, **dict.fromkeys(sorted(templates), _TEMPLATE)},
+    )
 
 
 def _entry_points(directory: str, config: Config, resolver: Resolver) -> EntryPoints:
