@@ -6,17 +6,12 @@ from tests.massive import BALL, BOX, MESH, WHEEL, inertial, joint, link, masses,
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Finding
 from urdfkit.robot.inertials.defects import InertiaDefect
-from urdfkit.robot.inertials.diagnosis import (
-    UNITS,
-    Diagnosis,
-    diagnose_impossible,
-    diagnose_unlike_shape,
-    format_moments,
-    format_tensor,
-    replacement,
-)
+from urdfkit.robot.inertials.diagnosis import UNITS, Diagnosis, diagnose_unlike_shape
+from urdfkit.robot.inertials.impossible_tensors import diagnose_impossible
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
+from urdfkit.robot.inertials.tensor_fix import replacement
+from urdfkit.robot.inertials.tensor_text import format_moments, format_tensor
 from urdfkit.robot.link import Tensor
 from urdfkit.text.diagnostic import Confidence, Fix
 

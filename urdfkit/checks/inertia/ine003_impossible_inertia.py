@@ -24,9 +24,11 @@ Sources:
 from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
-from urdfkit.robot.inertials.diagnosis import diagnose_impossible, format_moments, replacement
+from urdfkit.robot.inertials.impossible_tensors import diagnose_impossible
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
+from urdfkit.robot.inertials.tensor_fix import replacement
+from urdfkit.robot.inertials.tensor_text import format_moments
 from urdfkit.robot.samples import inertial_xml, link_xml
 
 #: Relative excess over the sum of the other moments that no other order of addition changes.

@@ -26,16 +26,13 @@ from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.defects import MAX_PART_DENSITY, MIN_PART_DENSITY
-from urdfkit.robot.inertials.diagnosis import (
-    MAX_RELATED,
-    describe_solid,
-    format_moments,
-    is_possible,
-    replacement,
-)
+from urdfkit.robot.inertials.diagnosis import MAX_RELATED
 from urdfkit.robot.inertials.link_comparison import LARGEST_PART, LinkInertia
 from urdfkit.robot.inertials.masses import PAIR_MOMENTS
 from urdfkit.robot.inertials.mirroring import along_inertial, center_edits, mirror_image
+from urdfkit.robot.inertials.tensor_entries import is_possible
+from urdfkit.robot.inertials.tensor_fix import replacement
+from urdfkit.robot.inertials.tensor_text import describe_solid, format_moments
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import frames
 from urdfkit.robot.link import Tensor

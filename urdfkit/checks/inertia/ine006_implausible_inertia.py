@@ -29,17 +29,12 @@ from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.defects import InertiaDefect
-from urdfkit.robot.inertials.diagnosis import (
-    advice,
-    describe_solid,
-    diagnose_unlike_shape,
-    explain_wrong_axes,
-    format_moments,
-    opposite,
-    replacement,
-)
+from urdfkit.robot.inertials.diagnosis import diagnose_unlike_shape, explain_wrong_axes
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
+from urdfkit.robot.inertials.tensor_entries import opposite
+from urdfkit.robot.inertials.tensor_fix import advice, replacement
+from urdfkit.robot.inertials.tensor_text import describe_solid, format_moments
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 from urdfkit.text.comments import comments
 

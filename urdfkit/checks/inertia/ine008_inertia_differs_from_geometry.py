@@ -13,13 +13,9 @@ Sources:
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertials.defects import InertiaDefect
-from urdfkit.robot.inertials.diagnosis import (
-    advice,
-    describe_solid,
-    diagnose_unlike_shape,
-    format_moments,
-    replacement,
-)
+from urdfkit.robot.inertials.diagnosis import diagnose_unlike_shape
+from urdfkit.robot.inertials.tensor_fix import advice, replacement
+from urdfkit.robot.inertials.tensor_text import describe_solid, format_moments
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 
 BAD = link_xml(

@@ -14,8 +14,8 @@ from urdfkit.checks.inertia.copies import together
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.inertials.defects import InertiaDefect
-from urdfkit.robot.inertials.diagnosis import format_moments
 from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.inertials.tensor_text import format_moments
 from urdfkit.robot.samples import inertial_xml, link_xml, visual_xml
 
 BAD = link_xml("arm", visual_xml('<mesh filename="arm.stl"/>'), inertial_xml("1", "1 1 1"))

@@ -22,8 +22,9 @@ from urdfkit.robot.inertials.defects import (
     implausible_density,
     unit_mistake,
 )
-from urdfkit.robot.inertials.diagnosis import MAX_RELATED, replacement
+from urdfkit.robot.inertials.diagnosis import MAX_RELATED
 from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.inertials.tensor_fix import replacement
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 from urdfkit.text.editing.edits import rewrite
 

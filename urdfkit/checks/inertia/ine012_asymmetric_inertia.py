@@ -14,10 +14,10 @@ Sources:
 """
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
-from urdfkit.robot.inertials.diagnosis import format_moments
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import unlike
 from urdfkit.robot.inertials.mirror_images import WrongSign, wrong_signs
+from urdfkit.robot.inertials.tensor_text import format_moments
 from urdfkit.robot.samples import hand_xml, inertial_xml
 
 _ORIGINS = ['<origin xyz="0 0.02 0"/>'], ['<origin xyz="0 -0.02 0"/>']

@@ -9,8 +9,8 @@ Sources:
 """
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.robot.inertials.diagnosis import format_moments
 from urdfkit.robot.inertials.link_comparison import NOISE
+from urdfkit.robot.inertials.tensor_text import format_moments
 from urdfkit.robot.samples import inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.targets import GAZEBO
 

@@ -19,9 +19,11 @@ Sources:
 """
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
-from urdfkit.robot.inertials.diagnosis import MAX_RELATED, excessive_joint, format_moments
+from urdfkit.robot.inertials.diagnosis import MAX_RELATED
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses
+from urdfkit.robot.inertials.tensor_fix import excessive_joint
+from urdfkit.robot.inertials.tensor_text import format_moments
 from urdfkit.robot.link import Link
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Step, Tag

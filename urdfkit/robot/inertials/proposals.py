@@ -10,8 +10,8 @@ from urdfkit.core.spatial import IDENTITY, ORIGIN, Transform, Vector
 from urdfkit.core.words import spaced
 from urdfkit.robot import Robot
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, principal_moments
-from urdfkit.robot.inertials.diagnosis import PRODUCT_ROUNDING
 from urdfkit.robot.inertials.shape_mass import ShapeMass, shape_mass
+from urdfkit.robot.inertials.tensor_text import PRODUCT_ROUNDING
 from urdfkit.robot.link import Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.values import numbers

@@ -1,0 +1,113 @@
+"""Diagnosis of physically impossible tensors."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfkit.core.static_typing import TYPE_CHECKING
+from urdfkit.robot.inertials.diagnosis import Diagnosis, tensor_of_shape
+from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.inertials.tensor_entries import differs, is_possible, opposite, rearranged
+from urdfkit.robot.link import Tensor
+from urdfkit.text.diagnostic import Confidence
+
+if TYPE_CHECKING:
+    from urdfkit.robot.inertials.masses import Masses
+
+#: Largest ratio of two multiples of the moments of a shape that are the same, as of a hollow part.
+_SAME_MULTIPLE = 1.5
+
+
+def diagnose_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
+    """Diagnosis of a physically impossible tensor, with the intended one if the numbers show it."""
+    if link.is_measured and link.expected:
+        suggested = rearranged(link, link.expected, [range(3)])
+        if suggested and is_possible(suggested) and (keys := opposite(link.tensor, suggested)):
+            cause = f"has {' and '.join(keys)} with the opposite sign"
+            return Diagnosis(cause, suggested, Confidence.INFERRED)
+        shape = tensor_of_shape(link)
+        if shape and [differs(key, link, shape) for key in Tensor._fields].count(True) == 1:
+            return Diagnosis("", shape, Confidence.INFERRED)  # only one entry differs
+    for cause, tensor in _rewritten(link):
+        return Diagnosis(cause, tensor, Confidence.GUESSED)
+    for counterpart in _symmetric_pairs(link, masses):
+        tensor = counterpart.tensor
+        mirrored = tensor._replace(ixy=-tensor.ixy, iyz=-tensor.iyz)
+        if is_possible(mirrored):
+            cause = f"of its counterpart '{counterpart.name}' is possible"
+            return Diagnosis(cause, mirrored, Confidence.INFERRED)
+    if link.is_measured and (tensor := _with_another_moment(link)):
+        return Diagnosis("", tensor, Confidence.INFERRED)
+    for cause, tensor in _with_a_tenth(link):
+        return Diagnosis(cause, tensor, Confidence.GUESSED)
+    if link.is_measured:
+        return Diagnosis("", tensor_of_shape(link), Confidence.INFERRED)
+    return Diagnosis("", None, Confidence.GUESSED)
+
+
+def _with_another_moment(link: LinkInertia) -> Tensor | None:
+    """A tensor of a CAD program with the one moment that does not go with the two others.
+
+    These are the same multiple of those of the shape, such as 2 for a hollow part.
+    """
+    expected = link.expected
+    if expected is None or link.is_round:
+        return None
+    keys = ("ixx", "iyy", "izz")
+    ratios = {key: getattr(link.tensor, key) / getattr(expected, key) for key in keys}
+    found = []
+    for key in keys:
+        low, high = sorted(ratio for name, ratio in ratios.items() if name != key)
+        if 0 < high <= _SAME_MULTIPLE * low:
+            value = getattr(expected, key) * (low * high) ** 0.5
+            found.append(link.tensor._replace(**{key: float(f"{value:.6g}")}))
+    possible = list(filter(is_possible, found))
+    return possible[0] if len(possible) == 1 else None
+
+
+def _same_expressions(link: LinkInertia) -> list[str]:
+    """The two moments of a box macro that are computed from the same edges; empty without any.
+
+    Many tutorials contain ``m*(y*y+z*z)/12``, ``m*(x*x+z*z)/12`` and ``m*(x*x+z*z)/12``.
+    """
+    keys: list[str] = [key for key in ("ixx", "iyy", "izz") if key in link.at.attributes]
+    texts = {key: link.at.attributes[key].span.text for key in keys}
+    patterns = {re.sub(r"[A-Za-z_]\w*", "v", text) for text in texts.values()}
+    twice = [key for key in keys if list(texts.values()).count(texts[key]) == 2]
+    return twice if len(keys) == 3 and len(patterns) == 1 and "v" in patterns.pop() else []
+
+
+def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
+    """Mistakes in writing that explain an impossible tensor, each with the intended tensor."""
+    if keys := _same_expressions(link):
+        pairs = "of a box each moment has another pair of edges"
+        yield f"has the same expression at {' and '.join(keys)}: {pairs}", None
+    a, b, c, d, e, f = link.tensor
+    as_in_sdf = Tensor(a, d, e, b, f, c)
+    if min(a, b, c) > 0 and is_possible(as_in_sdf):
+        yield "is in the order ixx iyy izz ixy ixz iyz", as_in_sdf
+    if b == d and e > 0 and abs(f) <= e and a > 0 and len({*link.tensor}) > 1:
+        rows = "contains the first two rows of the matrix, so that the value at iyz is iyy"
+        yield f"{rows}, the one at izz is iyz, and izz is missing", None
+    positive = Tensor(abs(a), b, c, abs(d), e, abs(f))
+    if positive != link.tensor and is_possible(positive):
+        yield "has a negative moment that is possible when positive", positive
+    turned = Tensor(a, -b, -c, d, -e, f)
+    if turned != link.tensor and is_possible(turned):
+        yield "has products of inertia with the opposite sign", turned
+
+
+def _with_a_tenth(link: LinkInertia) -> Iterator[tuple[str, Tensor]]:
+    """A moment with the decimal point one digit too far to the right."""
+    for key in ("ixx", "iyy", "izz"):
+        tenth = link.tensor._replace(**{key: getattr(link.tensor, key) / 10})
+        diagonal = (tenth.ixx, tenth.iyy, tenth.izz)
+        if is_possible(tenth) and max(diagonal) <= 2 * min(diagonal):
+            yield f"has {key} ten times too large", tenth
+
+
+def _symmetric_pairs(link: LinkInertia, masses: Masses) -> Iterator[LinkInertia]:
+    for left, right in masses.symmetric_pairs:
+        if link in (left, right):
+            yield right if link is left else left
