@@ -188,6 +188,24 @@ def test_backslashes(robot: str, reference: str) -> None:
     assert fixed(CODE, text, robot) == fixed(CODE, text.replace("\\", "/"), robot)
 
 
+@pytest.mark.parametrize(
+    ("reference", "help"),
+    [
+        # a drone of PyBullet, and VISPA
+        ("C:\\Users\\me\\arm\\forearm.stl", "did you mean 'package://arm/meshes/forearm.stl'?"),
+        ("file:///D:/robots/forearm.stl", "did you mean 'package://arm/meshes/forearm.stl'?"),
+        ("C:/robots/lid.obj", "write package://PACKAGE/..."),
+        ("package://STLs\\forearm.stl", "write / instead"),
+        ("package://arm/cad\\forearm.stl", "did you mean 'package://arm/meshes/forearm.stl'?"),
+    ],
+)
+def test_paths_of_windows(robot: str, reference: str, help: str) -> None:
+    (found,) = reported(CODE, mesh_link(reference), robot)
+    assert found.help == help
+    is_on_drive = not reference.startswith("package")
+    assert ("is on a drive of Windows" in found.message) is is_on_drive
+
+
 @pytest.mark.parametrize("scheme", ["packge", "Package"])
 def test_an_unknown_scheme(robot: str, scheme: str) -> None:
     text = mesh_link(f"{scheme}://arm/meshes/forearm.stl")

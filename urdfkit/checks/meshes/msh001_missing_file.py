@@ -7,7 +7,7 @@ never committed. XAC011 reports packages that are not found. Also reported:
 
 - A name that differs from the file's name in upper and lower case: Windows and most Macs find the
   file, Linux does not.
-- Backslashes, which separate directories only on Windows. Write `/`.
+- Backslashes, which separate directories only on Windows. Write `/`. Drives, as in `C:/arm.stl`.
 - A third slash, as in `package:///arm/arm.stl`, or a file alone, as in `package://arm.stl`: the
   package is missing. Only PyBullet searches for the rest next to the URDF, and Pinocchio if its
   directory is among `package_dirs` (a warning if it is there).
@@ -66,6 +66,8 @@ FILES = {
 _SCHEMES = ("package", "model", "file")
 #: A scheme without its colon or one of its slashes.
 _CUT_SCHEME = re.compile(r"(package|model)(?::/?|//)(?=[^/:])")
+#: A drive of Windows, also as a URI.
+_DRIVE = re.compile(r"(?:file:/*)?[A-Za-z]:[\\/]")
 #: Number of parent directories to search for relative paths: description/urdf/parts.
 _MAX_LEVELS = 3
 #: Installation directories of ROS packages: `/opt/ros/humble`, `/opt/pal/ferrum`.
@@ -84,11 +86,8 @@ def check(context: Context) -> Findings:
     missing = set(map(id, context.files.missing))
     for mesh in context.files.meshes:
         scheme, colon, rest = mesh.at.value.partition("://")
-        if "\\" in mesh.at.value:
-            right = mesh.at.value.replace("\\", "/")
-            message = f"{mesh.who} has backslashes: not found on Linux"
-            fix = _fix(mesh, right, "write / instead of backslashes")
-            yield Finding(mesh.at, message, "write / instead", fix)
+        if "\\" in mesh.at.value or _DRIVE.match(mesh.at.value):
+            yield _of_windows(context, mesh)
         elif (match := _CUT_SCHEME.match(mesh.at.value)) and id(mesh) in missing:
             yield _cut_scheme(mesh, match)
         elif colon and scheme not in _SCHEMES and scheme.lower() not in _REMOTE:
@@ -106,6 +105,26 @@ def check(context: Context) -> Findings:
                 or _of_build(mesh)
                 or _missing(context, mesh)
             )
+
+
+def _of_windows(context: Context, mesh: MeshReference) -> Finding:
+    """Finding about a path with backslashes, or on a drive."""
+    path = mesh.at.value.replace("\\", "/")
+    drive = _DRIVE.match(path)
+    located = context.resolver.locate(path[drive.end() - 1 :] if drive else path, context.files.top)
+    what = "is on a drive of Windows" if drive else "has backslashes"
+    message = f"{mesh.who} {what}: not found on Linux"
+    is_sought = located.path is None and located.tried
+    suggested = context.files.nearest(mesh._replace(located=located)) if is_sought else None
+    if suggested:
+        new, fix = suggested.reference, None
+        if suggested.sure:
+            fix = _fix(mesh, new, f"refer to {new}")
+        return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key=what)
+    if drive:
+        return Finding(mesh.at, message, "write package://PACKAGE/...", group_key=what)
+    fix = _fix(mesh, path, "write / instead of backslashes")
+    return Finding(mesh.at, message, "write / instead", fix)
 
 
 def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
