@@ -323,6 +323,8 @@ def _nearest_file(path: str) -> str:
         directory and not disk.is_directory(directory) and directory != os.path.dirname(directory)
     ):
         directory, name = os.path.split(directory)
+    if name != last and directory.startswith(os.sep) and directory.count(os.sep) == 1:
+        return "the path is of another computer: write $(find PACKAGE)/..."  # below / or /home
     try:
         siblings = disk.names(directory or os.curdir)
     except OSError:

@@ -256,6 +256,14 @@ class TestMissingFiles:
         directory = tmp_path / "config"
         assert found.help == f"directory 'ur5x' not found in {directory}; did you mean 'ur5e'?"
 
+    @pytest.mark.parametrize("path", ["/home/badri-r-s/ws/src/arm/arm.urdf", "/ws-of-me/arm.urdf"])
+    def test_a_path_of_another_computer(self, tmp_path: Path, path: str) -> None:
+        """ENPM662: the help listed the users of this one."""
+        write(tmp_path, robot=f'<xacro:include filename="{path}"/><link name="a"/>')
+        (found,) = told_of("XAC001", tmp_path / "robot.xacro")
+        assert found.message == f"file not found: {path}"
+        assert found.help == "the path is of another computer: write $(find PACKAGE)/..."
+
     def test_a_path_in_a_macro_is_relative_to_the_file_with_the_call(self, tmp_path: Path) -> None:
         """Reach Alpha: urdf/alpha.xacro includes tools/jaws.xacro in a macro for config/."""
         for name in (".git", "urdf/tools", "config"):
