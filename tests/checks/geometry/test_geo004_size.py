@@ -9,6 +9,7 @@ from tests.massive import joint, link, shape
 from tests.reported import messages, places
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.samples import box, stl
+from urdfkit.text.diagnostic import Severity
 
 HAND = '<box size="0.1 0.2 0.3"/>'
 
@@ -69,6 +70,23 @@ def test_two_meshes_of_one_part_differ_less(tmp_path: Path) -> None:
     ]
     assert said(' scale="0.001 0.001 0.001"')[0].startswith("link 'arm': the collision is 1000")
     assert said(' scale="1.4 1.4 1.4"') == said(' scale="2 2 2.5"') == []
+
+
+@pytest.mark.parametrize(
+    ("size", "severity"),
+    [(0.015, Severity.INFO), (0.01, Severity.WARNING), (2.0, Severity.WARNING)],
+)
+def test_a_primitive_that_is_small_on_purpose(
+    tmp_path: Path, size: float, severity: Severity
+) -> None:
+    """Unitree's H1-2: a cylinder of 2 cm in place of the mesh of the hip, and no unit confused."""
+    for library in ("numpy", "lxml", "manifold3d"):
+        pytest.importorskip(library)
+    cube = stl(box((0, 0, 0), (0.1, 0.1, 0.1)))
+    small = shape("collision", f'<box size="{size} {size} {size}"/>', xyz="0.05 0.05 0.05")
+    robot = meshed.link(meshed.mesh("a.stl", "visual"), small)
+    (found,) = meshed.reported(tmp_path, "GEO004", robot, {"a.stl": cube})
+    assert found.severity is severity
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ The rule compares the bounding box of all collisions of a link with that of all 
 - The sizes differ by a factor of 5 in every direction; for two meshes, by 1.5 if the factor is the
   same in all directions. One of the two has the wrong unit: a mesh in millimetres or inches without
   its `scale` (unless MSH012 reports it), a mesh with an unnecessary scale, a radius in centimetres.
+  An info for smaller primitives in place of a mesh, if the factor is that of no such mistake.
 - One is rotated: after a quarter turn about the origin of one, the boxes would nearly coincide.
   Often a mesh was exported with other axes, or an `rpy` was written for the visual only. Meshes
   that programs rotate differently (MSH013) are not reported.
@@ -159,6 +160,8 @@ def _of_size(pair: VisualCollisionPair, wrong: Body) -> Finding:
         if unit / _UNIT_TOLERANCE < factor < unit * _UNIT_TOLERANCE
     )
     mistake = next(mistakes, "")
+    # A primitive without a mistake of units may be small on purpose, so that nothing touches it.
+    is_stand_in = larger == "visual" and not mistake and _replaces_mesh(pair.link)
     return Finding(
         wrong.shape.at if wrong.shape else wrong.at,
         f"link '{pair.link.name}': the {larger} is {times} times as large as the {smaller}"
@@ -168,7 +171,17 @@ def _of_size(pair: VisualCollisionPair, wrong: Body) -> Finding:
         related=(Related(other.at.span, "the collision" if is_visual else "the visual"),),
         confidence=Confidence.INFERRED,
         weight=factor,
+        severity=Severity.INFO if is_stand_in else None,
     )
+
+
+def _replaces_mesh(link: Link) -> bool:
+    """True for primitives as collisions of visuals that are meshes."""
+    visuals, collisions = (
+        {body.shape.kind for body in bodies if body.shape}
+        for bodies in (link.visuals, link.collisions)
+    )
+    return visuals == {"mesh"} and "mesh" not in collisions
 
 
 def _rotated(pair: VisualCollisionPair, foreign: str) -> Finding:
