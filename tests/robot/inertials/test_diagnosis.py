@@ -102,6 +102,18 @@ def test_equal_moments_of_a_box_are_in_no_unit() -> None:
     assert unlike(part("a", 1, (ball,) * 3, BALL)).cause == "is in lb·ft²"
 
 
+@pytest.mark.parametrize(
+    ("factor", "confidence"), [(1.3, Confidence.GUESSED), (30, Confidence.INFERRED)]
+)
+def test_a_unit_that_the_other_links_do_not_have(factor: float, confidence: Confidence) -> None:
+    """NUgus: two links of twenty fit in lb·ft², the others in kg·m²."""
+    ball = part("a", 1, (0.004 / dict(UNITS)["lb·ft²"],) * 3, BALL)
+    moments = tuple(factor * moment for moment in BOX_MOMENTS)
+    boxes = "".join(part(name, 12, moments, BOX) + joint("a", name) for name in "bc")
+    diagnosis = unlike(ball + boxes)
+    assert (diagnosis.cause, diagnosis.confidence) == ("is in lb·ft²", confidence)
+
+
 def test_about_the_origin_of_the_link() -> None:
     # The ball of 1 kg has 0.004; 0.5 m away it has 0.254 across.
     diagnosis = unlike(part("a", 1, (0.004, 0.254, 0.254), BALL, xyz="0.5 0 0"))

@@ -34,6 +34,11 @@ UNITS = (
     ("lb·ft²", 0.45359237 * 0.3048**2),
 )
 
+#: Of a unit that a tensor may fit by chance, since it is only 24 times as small as kg·m².
+_LIKE_METRIC = "is in lb·ft²"
+#: Ratio of moments up to which a tensor fits a shape, as the density of a part varies.
+_ROUGH_RATIO = 3.0
+
 #: Largest ratio of the corrected moments to those of the shape.
 _CORRECTED_RATIO = 1.5
 
@@ -72,11 +77,19 @@ def diagnose_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
     if link.densities and link.densities[1] < _DENSITY_OF_AIR:
         return Diagnosis("", None, Confidence.GUESSED)
     for cause, tensor in _mistakes(link, expected):
-        return Diagnosis(cause, tensor, Confidence.INFERRED)
+        is_chance = cause == _LIKE_METRIC and _fit_as_written(link, masses)
+        return Diagnosis(cause, tensor, Confidence.GUESSED if is_chance else Confidence.INFERRED)
     match = masses.of_their_shape.get(link.tensor)
     cause = f"is that of link '{match.name}', which it fits" if match else ""
     is_wrong = bool(match) or _is_invented(link, expected)
     return Diagnosis(cause, tensor_of_shape(link) if is_wrong else None, Confidence.INFERRED)
+
+
+def _fit_as_written(link: LinkInertia, masses: Masses) -> bool:
+    """True if the tensors of most other links fit their shapes in kg·m²."""
+    others = [each for each in masses.inertias if each is not link and each.is_measured]
+    fit = sum(bool(each.expected and each.fits(each.expected, _ROUGH_RATIO)) for each in others)
+    return 2 * fit > len(others)
 
 
 def _is_invented(link: LinkInertia, expected: Tensor) -> bool:
