@@ -47,6 +47,7 @@ from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
+from urdfkit.robot.assets.mesh_suggestions import MeshSuggestions
 from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.file_kinds import is_xacro
@@ -84,10 +85,11 @@ _REMOTE = ("http", "https", "ftp", "fuel")
 )
 def check(context: Context) -> Findings:
     missing = set(map(id, context.files.missing))
+    suggestions = MeshSuggestions(context.files)
     for mesh in context.files.meshes:
         scheme, colon, rest = mesh.at.value.partition("://")
         if "\\" in mesh.at.value or _DRIVE.match(mesh.at.value):
-            yield _of_windows(context, mesh)
+            yield _of_windows(context, mesh, suggestions)
         elif (match := _CUT_SCHEME.match(mesh.at.value)) and id(mesh) in missing:
             yield _cut_scheme(mesh, match)
         elif colon and scheme not in _SCHEMES and scheme.lower() not in _REMOTE:
@@ -103,11 +105,11 @@ def check(context: Context) -> Findings:
                 _of_installation(mesh)
                 or _of_submodule(context, mesh)
                 or _of_build(mesh)
-                or _missing(context, mesh)
+                or _missing(context, mesh, suggestions)
             )
 
 
-def _of_windows(context: Context, mesh: MeshReference) -> Finding:
+def _of_windows(context: Context, mesh: MeshReference, suggestions: MeshSuggestions) -> Finding:
     """Finding about a path with backslashes, or on a drive."""
     path = mesh.at.value.replace("\\", "/")
     drive = _DRIVE.match(path)
@@ -115,7 +117,7 @@ def _of_windows(context: Context, mesh: MeshReference) -> Finding:
     what = "is on a drive of Windows" if drive else "has backslashes"
     message = f"{mesh.who} {what}: not found on Linux"
     is_sought = located.path is None and located.tried
-    suggested = context.files.nearest(mesh._replace(located=located)) if is_sought else None
+    suggested = suggestions.nearest(mesh._replace(located=located)) if is_sought else None
     if suggested:
         new, fix = suggested.reference, None
         if suggested.sure:
@@ -191,9 +193,9 @@ def _of_build(mesh: MeshReference) -> Finding | None:
     return Finding(mesh.at, message, "build the workspace", severity=Severity.INFO)
 
 
-def _missing(context: Context, mesh: MeshReference) -> Finding:
-    files, located = context.files, mesh.located
-    if spelling := files.spelling_on_disk(mesh):
+def _missing(context: Context, mesh: MeshReference, suggestions: MeshSuggestions) -> Finding:
+    located = mesh.located
+    if spelling := suggestions.spelling_on_disk(mesh):
         message = f"{mesh.who} is called '{spelling.reference}' on disk: not found on Linux"
         fix = _fix(mesh, spelling.reference, "write the name as on disk")
         return Finding(mesh.at, message, "write the name as it is on disk", fix)
@@ -209,8 +211,8 @@ def _missing(context: Context, mesh: MeshReference) -> Finding:
     # An absolute path in the message is the path that was tried.
     tried = "" if located.scheme == "absolute" else f"; tried {located.tried_paths}"
     message = f"{mesh.who} does not exist{where}{tried}"
-    suggested = files.nearest(mesh)
-    if suggested is None and files.is_ignored(mesh):
+    suggested = suggestions.nearest(mesh)
+    if suggested is None and context.files.is_ignored(mesh):
         message += "; git ignores it"
         help = "download or generate it as the README says, or let git track it: git add -f FILE"
         key = f"ignored {_missing_directory(located)}"
