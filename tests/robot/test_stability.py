@@ -4,15 +4,13 @@ from math import atan2, pi, sqrt
 from pathlib import Path
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from tests.conftest import ARM, CORPUS, MOBILE_BASE, needs_corpus
 from tests.massive import inertial, joint, link, shape
 from tests.output.test_overview import of
 from urdfkit.lint.loading import read
 from urdfkit.lint.rule_examples import whole_robot
-from urdfkit.robot.stability import hull, stand, standing_verdict
+from urdfkit.robot.stability import stand, standing_verdict
 
 TALL = shape("collision", '<box size="0.4 0.2 1"/>')
 
@@ -168,18 +166,3 @@ def test_real_robots_stand(path: str, feet: int) -> None:
     assert found is not None
     assert len(found.links) == feet
     assert found.margin > 0.004
-
-
-@given(st.lists(st.tuples(*[st.integers(-20, 20).map(float)] * 2), max_size=30))
-def test_a_hull_holds_all_points_and_turns_left_everywhere(
-    points: list[tuple[float, float]],
-) -> None:
-    corners = hull(points)
-    assert set(corners) <= set(points)
-    if len(corners) < 3:
-        return
-    edges = list(zip(corners, (*corners[1:], corners[0]), strict=True))
-    for (ax, ay), (bx, by) in edges:
-        for x, y in points:
-            assert (bx - ax) * (y - ay) - (by - ay) * (x - ax) >= 0
-    assert len(set(corners)) == len(corners)

@@ -5,35 +5,22 @@ The ground is a plane normal to z of the root, through the lowest point of the r
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
-from itertools import product
-from math import atan2, cos, hypot, pi, sin
+from collections.abc import Collection, Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector
 from urdfkit.robot import Robot
+from urdfkit.robot.contact_points import lowest_points, touching_points
 from urdfkit.robot.joint_limits import BOUNDED
 from urdfkit.robot.kinematics import frames
-from urdfkit.robot.link import Body, Shape
+from urdfkit.robot.link import Shape
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
-from urdfkit.robot.shapes import primitive
+from urdfkit.robot.support_polygon import Point, hull, weakest_edge, width
 from urdfkit.robot.tree import KinematicTree
-
-Point = tuple[float, float]
-
-#: Points this near to the lowest point touch the ground: wheels and casters of real models differ
-#: by millimetres. A part of the size of the robot, and at least `MIN_TOLERANCE` m.
-TOLERANCE, MIN_TOLERANCE = 0.02, 0.003
-
-#: Sine of the angle up to which a cylinder is upright: it stands on its end, not on a line.
-UPRIGHT = 0.1
 
 #: In m: contacts that are narrower are on a line, apart from rounding.
 MIN_WIDTH = 1e-3
-
-#: Points of the unit circle.
-_CIRCLE = tuple((cos(pi * number / 16), sin(pi * number / 16)) for number in range(32))
 
 #: Descriptions of the verdicts, by their machine-readable names.
 VERDICTS = {
@@ -122,14 +109,14 @@ def standing_verdict(
         return StandingVerdict("fixed")
     placed = frames(tree, pose or {})
     try:
-        lowest = _lowest_points(robot, placed, contacts, visuals=True, meshes=True)
+        lowest = lowest_points(robot, placed, contacts, visuals=True, meshes=True)
     except ImportError:
-        lowest = _lowest_points(robot, placed, contacts, visuals=True, meshes=False)
+        lowest = lowest_points(robot, placed, contacts, visuals=True, meshes=False)
     by_name = tree.model.links_by_name
-    with_visuals = touching = _touching(lowest)
+    with_visuals = touching = touching_points(lowest)
     if not visuals:
         solid = {name: points for name, points in lowest.items() if by_name[name].collisions}
-        touching = _touching(solid)
+        touching = touching_points(solid)
     visual_only = tuple(name for name in with_visuals if not by_name[name].collisions)
     loads = _loads(robot, placed, payload or {})
     result = _stability(loads, touching)
@@ -166,8 +153,8 @@ def stand(
         ImportError: ``meshes`` is set and the libraries are not installed.
     """
     placed = frames(robot.tree, {})
-    lowest = _lowest_points(robot, placed, contacts, visuals=visuals, meshes=meshes)
-    return _stability(_loads(robot, placed, {}), _touching(lowest))
+    lowest = lowest_points(robot, placed, contacts, visuals=visuals, meshes=meshes)
+    return _stability(_loads(robot, placed, {}), touching_points(lowest))
 
 
 def lowest_links(robot: Robot) -> tuple[str, ...]:
@@ -177,7 +164,7 @@ def lowest_links(robot: Robot) -> tuple[str, ...]:
         ImportError: the robot has meshes and the libraries are not installed.
     """
     placed = frames(robot.tree, {})
-    return tuple(_touching(_lowest_points(robot, placed, None, visuals=False, meshes=True)))
+    return tuple(touching_points(lowest_points(robot, placed, None, visuals=False, meshes=True)))
 
 
 def _loads(
@@ -198,11 +185,11 @@ def _stability(
     """The stability of masses on the contact points of links."""
     mass = sum(load for load, _ in loads)
     polygon = hull((x, y) for points in touching.values() for x, y, _ in points)
-    if mass <= 0 or len(polygon) < 3 or _width(polygon) < MIN_WIDTH:
+    if mass <= 0 or len(polygon) < 3 or width(polygon) < MIN_WIDTH:
         return None
     ground = min(z for points in touching.values() for _, _, z in points)
     x, y, z = (sum(load * place[axis] for load, place in loads) / mass for axis in range(3))
-    margin, angle, direction = _edges(polygon, (x, y), z - ground)
+    margin, angle, direction = weakest_edge(polygon, (x, y), z - ground)
     return Stability(tuple(touching), polygon, (x, y, z), ground, margin, angle, direction)
 
 
@@ -230,119 +217,3 @@ def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
 def _is_leg(tree: KinematicTree, link: str) -> bool:
     """True for the end of a leg; a wheel may have a joint for steering and one for suspension."""
     return sum(joint.kind in BOUNDED for joint in tree.path(link)) > 2
-
-
-def _edges(polygon: tuple[Point, ...], center: Point, height: float) -> tuple[float, float, Point]:
-    """The margin, the smallest angle at which it tips center, and the direction."""
-    edges: list[tuple[float, Point]] = []
-    for (ax, ay), (bx, by) in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
-        size = hypot(bx - ax, by - ay)
-        outwards = ((by - ay) / size, (ax - bx) / size)
-        inside = (ax - center[0]) * outwards[0] + (ay - center[1]) * outwards[1]
-        edges.append((inside, outwards))
-    margin, direction = min(edges)
-    # All edges are equally far below the centre of mass, so that the nearest one is the weakest.
-    return margin, atan2(margin, max(height, 0.0)), direction
-
-
-def _width(polygon: tuple[Point, ...]) -> float:
-    """The least distance of two parallel lines that contain a convex polygon."""
-    edges = zip(polygon, (*polygon[1:], polygon[0]), strict=True)
-    return min(
-        max(abs((bx - ax) * (y - ay) - (by - ay) * (x - ax)) for x, y in polygon)
-        / hypot(bx - ax, by - ay)
-        for (ax, ay), (bx, by) in edges
-    )
-
-
-def hull(points: Iterable[Point]) -> tuple[Point, ...]:
-    """The corners of the convex hull, counter-clockwise; fewer than three span no area.
-
-    Source: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions" (1979).
-    """
-    every = sorted(set(points))
-    if len(every) < 3:
-        return tuple(every)
-    size = max(every[-1][0] - every[0][0], max(y for _, y in every) - min(y for _, y in every))
-    least = 1e-9 * size * size  # smaller turns are rounding errors
-    lower, upper = _chain(every, least), _chain(every[::-1], least)
-    return (*lower[:-1], *upper[:-1])
-
-
-def _chain(points: list[Point], least: float) -> list[Point]:
-    chain: list[Point] = []
-    for point in points:
-        while len(chain) > 1 and _turn(chain[-2], chain[-1], point) <= least:
-            chain.pop()
-        chain.append(point)
-    return chain
-
-
-def _turn(a: Point, b: Point, c: Point) -> float:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-
-def _lowest_points(
-    robot: Robot,
-    placed: Mapping[str, Transform],
-    contacts: Collection[str] | None,
-    *,
-    visuals: bool,
-    meshes: bool,
-) -> dict[str, list[Vector]]:
-    """The lowest points of each link, in the frame of the root."""
-    lowest: dict[str, list[Vector]] = {}
-    for name, link in robot.model.links_by_name.items():
-        if name in placed and (contacts is None or name in contacts):
-            bodies = link.collisions or (link.visuals if visuals else ())
-            lowest[name] = [
-                point for body in bodies for point in _lowest(robot, body, placed[name], meshes)
-            ]
-    return lowest
-
-
-def _touching(lowest: Mapping[str, list[Vector]]) -> dict[str, list[Vector]]:
-    """The contact points of each link with the ground, of its lowest points."""
-    points = [point for group in lowest.values() for point in group]
-    if not points:
-        return {}
-    size = max(max(values) - min(values) for values in zip(*points, strict=True))
-    limit = min(z for _, _, z in points) + max(MIN_TOLERANCE, TOLERANCE * size)
-    touching = {name: [p for p in group if p[2] <= limit] for name, group in lowest.items()}
-    return {name: group for name, group in touching.items() if group}
-
-
-def _lowest(robot: Robot, body: Body, link: Transform, meshes: bool) -> list[Vector]:
-    """The points of a shape that may touch the ground, from the frame of its link."""
-    if body.shape is None:
-        return []
-    at = link @ body.origin
-    if body.shape.filename is not None:
-        return _of_mesh(robot, body.shape, at) if meshes else []
-    part = primitive(body)
-    if part is None:
-        return []
-    if part.kind == "box":
-        x, y, z = (edge / 2 for edge in part.size)
-        return [at.apply(corner) for corner in product((-x, x), (-y, y), (-z, z))]
-    ends = dict.fromkeys((-part.length / 2, part.length / 2))
-    if part.kind != "cylinder":
-        balls = (at.apply((0.0, 0.0, z)) for z in ends)
-        return [(x, y, z - part.radius) for x, y, z in balls]
-    _, _, (gx, gy, _) = at.rotation  # slope of the x and y axes of the cylinder
-    steep = hypot(gx, gy)
-    rim = _CIRCLE
-    if steep > UPRIGHT:  # it lies: the neighbours of its lowest line are only near to the ground
-        rim = ((-gx / steep, -gy / steep),)
-    return [at.apply((part.radius * x, part.radius * y, z)) for x, y in rim for z in ends]
-
-
-def _of_mesh(robot: Robot, shape: Shape, at: Transform) -> list[Vector]:
-    """The lowest vertices of a mesh."""
-    vertices = robot.meshes.vertices(shape)
-    if vertices is None or not len(vertices):
-        return []
-    heights = vertices @ at.rotation[2]
-    low, high = float(heights.min()), float(heights.max())
-    chosen = vertices[heights <= low + max(MIN_TOLERANCE, TOLERANCE * (high - low))]
-    return [at.apply((float(x), float(y), float(z))) for x, y, z in chosen]
