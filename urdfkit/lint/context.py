@@ -100,6 +100,13 @@ class Context(DescriptionFile):
         self.unchecked: tuple[UncheckedValues, ...] = ()
         self._other_robots: dict[tuple[object, ...], Context] = {}
 
+    def free(self) -> None:
+        """Drop all parts, after which the context is of no use.
+
+        Reference cycles keep it alive until the next full garbage collection; its meshes not.
+        """
+        vars(self).clear()
+
     @cached_property
     def deviations(self) -> dict[str, list[Deviation]]:
         """Deviations of the document from the grammar, by the code of the reporting rule."""
