@@ -14,6 +14,7 @@ from urdfkit.core.paths import upwards
 from urdfkit.text.comments import without_comments
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.installs import MAX_BYTES, built_targets, known_variables, read_rules
+from urdfkit.workspace.python_installs import place_of
 
 #: Commands with unknown results that may install files: other CMake files, functions of packages.
 _UNCLEAR = (
@@ -72,11 +73,15 @@ class InstallRules:
 
         Empty if it is installed there, not at all, or if that is unknown.
         """
+        wanted = f"share/{self._package}/{relative}"
+        if self.file.endswith(".py") and not re.search(_WALK, self._text):
+            place = place_of(self._directory, self._package, relative)
+            return "" if place == wanted else place
         if not self.file.endswith(".txt") or self._has_unclear_commands:
             return ""
         rules = read_rules(self._directory, self._package)
         places = [place for rule in rules if (place := rule.place(relative))]
-        return "" if f"share/{self._package}/{relative}" in places else "".join(places[:1])
+        return "" if wanted in places else "".join(places[:1])
 
     def _is_data(self, relative: str) -> bool:
         """True if a setup.py may list a path among its data files."""

@@ -19,7 +19,7 @@ class PackageDirectories:
     def __init__(self, listings: Directories) -> None:
         self.listings = listings
         #: Name of the package in a directory; None if it is not a package.
-        self.name_of: Callable[[str], str | None] = cache(_package_name)
+        self.name_of: Callable[[str], str | None] = cache(package_name)
 
     def is_repository(self, directory: str) -> bool:
         """True for the top directory of a repository that is not a submodule."""
@@ -32,7 +32,7 @@ class PackageDirectories:
         return self.listings.entries(directory) or {}
 
 
-def _package_name(directory: str) -> str | None:
+def package_name(directory: str) -> str | None:
     data = read_marker(directory, "package.xml")
     if data:
         name = data.partition(b"<name>")[2].partition(b"</name>")[0].strip()

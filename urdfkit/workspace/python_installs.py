@@ -35,6 +35,26 @@ def patterns_of(directory: str, package: str, relative: str) -> Iterator[str]:
                 yield posixpath.join(parent, name)
 
 
+def place_of(directory: str, package: str, relative: str) -> str:
+    """Where a setup.py installs a file of a package; empty if it is not known for sure."""
+    text = read_head(os.path.join(directory, "setup.py"), MAX_BYTES).decode("utf-8", "replace")
+    try:
+        reader = _Constants(python_source.parse(text))
+    except SyntaxError:
+        return ""
+    places = []
+    for target, files in reader.data_files():
+        place, patterns = reader.text(target), list(reader.patterns(files))
+        if place is None or not patterns or "" in patterns:
+            return ""
+        for pattern in map(posixpath.normpath, patterns):
+            same_depth = pattern.count("/") == relative.count("/")
+            if same_depth and fnmatchcase(relative, pattern):
+                places.append(posixpath.normpath(f"{place}/{posixpath.basename(relative)}"))
+    wanted = f"share/{package}/{relative}"
+    return wanted if wanted in places else "".join(places[:1])
+
+
 class _Constants:
     """Evaluates constant expressions of a module."""
 
@@ -75,7 +95,7 @@ class _Constants:
             yield from self.patterns(node.left, depth + 1)
             yield from self.patterns(node.right, depth + 1)
         elif isinstance(node, (ast.List, ast.Tuple)):
-            yield from (text for item in node.elts if (text := self.text(item)))
+            yield from (self.text(item) or "" for item in node.elts)
         elif isinstance(node, ast.Call) and _called(node) == "glob" and node.args:
             yield self.text(node.args[0]) or ""
 

@@ -15,6 +15,8 @@ from urdfkit.text.comments import blank_comments
 from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import STANDARD_INPUT, Span, shown, why_unreadable
 from urdfkit.workspace.install_rules import is_built, is_expanded
+from urdfkit.workspace.manifest import nearest_manifest
+from urdfkit.workspace.package_directories import package_name
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import IN_CONDITION, NOT_BUILT, ONLY_XACRODOC, BrokenYaml
@@ -299,7 +301,20 @@ def _missing_file(path: str) -> MessageText:
         directory, relative = found
         message = f"{ONLY_XACRODOC}: {shown(path)}; only xacrodoc finds it, in {shown(directory)}"
         return MessageText(message, f"write {relative}")
-    return MessageText(f"file not found: {shown(path)}", _nearest_file(path))
+    help = _below_package(os.path.abspath(path)) or _nearest_file(path)
+    return MessageText(f"file not found: {shown(path)}", help)
+
+
+def _below_package(path: str) -> str:
+    """The help for a path that is right from the directory of the package."""
+    file = nearest_manifest(path)
+    home = os.path.dirname(file) if file else ""
+    name = package_name(home) if file else None
+    parts = os.path.relpath(path, home).split(os.sep) if name else []
+    for number in range(1, len(parts) - 1):
+        if disk.is_file(os.path.join(home, *parts[number:])):
+            return f"write $(find {name})/{'/'.join(parts[number:])}"
+    return ""
 
 
 def _from_parent(path: str) -> tuple[str, str] | None:

@@ -176,3 +176,51 @@ def test_arguments_that_are_in_no_launch_description(
     )
     found = reported(tmp_path, "LAU006", "a.launch.py", text)
     assert ["'x'" in one.message for one in found] == [True] * count
+
+
+LATE = """\
+def generate_launch_description():
+    model = LaunchConfiguration("model")
+    node = Node(package="p", executable="e", arguments=[model])
+    declare = DeclareLaunchArgument("model", default_value="x")
+    {}
+"""
+NODE_IF = 'Node(package="p", executable="e", condition=IfCondition(model))'
+
+
+@pytest.mark.parametrize(
+    ("body", "count"),
+    [
+        ("return LaunchDescription([node, declare])", 1),
+        ("return LaunchDescription([declare, node])", 0),
+        ("d = LaunchDescription(); d.add_action(node); d.add_action(declare); return d", 1),
+        ("d = LaunchDescription(); d.add_action(declare); d.add_action(node); return d", 0),
+        (f"return LaunchDescription([{NODE_IF}, declare])", 1),
+        ('return LaunchDescription([Node(arguments=[model], condition=c("x")), declare])', 0),
+        ("return LaunchDescription([TimerAction(period=1.0, actions=[node]), declare])", 0),
+        ("return LaunchDescription([OpaqueFunction(function=f), node, declare])", 0),
+        ("return LaunchDescription([IncludeLaunchDescription(x()), node, declare])", 0),
+        ('return LaunchDescription([SetLaunchConfiguration("model", "y"), node, declare])', 0),
+        ("return LaunchDescription(others() + [node, declare])", 0),
+    ],
+)
+def test_a_declaration_in_python_that_comes_too_late(tmp_path: Path, body: str, count: int) -> None:
+    found = reported(tmp_path, "LAU006", "a.launch.py", LATE.format(body))
+    message = "argument 'model' is used before it is declared"
+    assert [one.message for one in found] == [message] * count
+
+
+def test_an_include_may_declare_what_is_used_before(tmp_path: Path) -> None:
+    include = "IncludeLaunchDescription('b.launch'{})"
+    given = ", launch_arguments={'model': 'y'}.items()"
+    inner = {"launch/b.launch": launch('<arg name="other" default="1"/>')}
+    for more, count in (("", 1), (given, 0)):
+        body = f"return LaunchDescription([{include.format(more)}, node, declare])"
+        found = reported(tmp_path, "LAU006", "a.launch.py", LATE.format(body), inner)
+        assert len(found) == count
+
+
+def test_a_file_that_includes_it_may_set_what_is_declared_late(tmp_path: Path) -> None:
+    outer = {"launch/b.launch": launch('<include file="$(dirname)/a.launch.py"/>')}
+    text = LATE.format("return LaunchDescription([node, declare])")
+    assert reported(tmp_path, "LAU006", "a.launch.py", text, outer) == []

@@ -18,6 +18,16 @@ ROS_2 = '<let name="x" value="$(var x)"/>\n'
         (ROS_1 + '<nod pkg="a"/>', '<nod pkg="a"/>', "did you mean <node>?"),
         (ROS_2 + '<node pkg="a" type="b"/>', "b", "did you mean exec?"),
         (ROS_2 + '<node pkg="a" exec="b" ns="c"/>', "c", "did you mean namespace?"),
+        (
+            ROS_2 + '<node pkg="a" exec="b"><rename from="c"/></node>',
+            '<rename from="c"/>',
+            "write one of <remap>, <param>, <env>",
+        ),
+        (
+            ROS_1 + '<node pkg="a" type="b" name="c"><rename from="c"/></node>',
+            '<rename from="c"/>',
+            "write one of <remap>, <param>, <rosparam>, <env>",
+        ),
     ],
 )
 def test_unknown_tags_and_attributes(tmp_path: Path, text: str, word: str, help: str) -> None:

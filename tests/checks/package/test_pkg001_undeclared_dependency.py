@@ -164,3 +164,31 @@ def test_a_package_that_is_there_by_chance(tmp_path: Path, text: str) -> None:
 )
 def test_what_a_launch_file_may_use(tmp_path: Path, name: str, depends: str) -> None:
     assert of_launch(tmp_path, NODE.format(name), depends) == []
+
+
+MOVE_GROUP = '<node pkg="moveit_ros_move_group" exec="move_group"/>'
+
+
+@pytest.mark.parametrize(
+    ("solver", "name"),
+    [
+        ("trac_ik_kinematics_plugin/TRAC_IKKinematicsPlugin", "trac_ik_kinematics_plugin"),
+        ("kdl_kinematics_plugin/KDLKinematicsPlugin", ""),
+        ("my_solver/Plugin", ""),
+    ],
+)
+def test_the_package_of_a_kinematics_solver(tmp_path: Path, solver: str, name: str) -> None:
+    (tmp_path / "package.xml").write_text(
+        MANIFEST.replace(
+            "</package>",
+            "<exec_depend>moveit_ros_move_group</exec_depend>"
+            "<export><build_type>ament_cmake</build_type></export></package>",
+        )
+    )
+    (tmp_path / "config").mkdir()
+    (tmp_path / "config" / "kinematics.yaml").write_text(f"arm:\n  kinematics_solver: {solver}\n")
+    (tmp_path / "a.launch.xml").write_text(launch(MOVE_GROUP))
+    found = check(tmp_path / "a.launch.xml", select=["PKG001"]).diagnostics
+    assert [one.help for one in found] == (
+        [f"add <exec_depend>{name}</exec_depend> to package.xml"] if name else []
+    )

@@ -145,3 +145,35 @@ def test_installed_or_unclear_is_calm(tmp_path: Path, cmake: str) -> None:
 def test_tests_stay_where_they_are(tmp_path: Path) -> None:
     made = files(CMakeLists__txt=CMAKE.format("config"))
     assert of_launch(tmp_path, "PKG002", "../a.launch", LOAD, made) == []
+
+
+NESTED = """\
+from glob import glob
+name = "arm"
+setup(name=name, data_files=[
+    ("share/" + name + "/launch", glob("launch/*")),
+    ({}, ["config/c.yaml"]),
+{}])
+"""
+ELSEWHERE = "hand/setup.py installs 'config/c.yaml' as share/arm/c.yaml"
+
+
+@pytest.mark.parametrize(
+    ("place", "more", "count"),
+    [
+        ('"share/" + name', "", 1),
+        ('f"share/{name}/config"', "", 0),
+        ('"share/" + name', '("share/arm/config", glob("config/*"))', 0),
+        ('"share/" + name', '("share/arm/config", some_files())', 0),
+        ('"share/" + name', "(directory(), some_files())", 0),
+    ],
+)
+def test_a_file_that_setup_py_installs_elsewhere(
+    tmp_path: Path, place: str, more: str, count: int
+) -> None:
+    made = files(setup__py=NESTED.format(place, more))
+    found = of_launch(tmp_path, "PKG002", "a.launch", LOAD, made)
+    assert len(found) == count
+    for one in found:
+        assert "setup.py installs 'config/c.yaml' as share/arm/c.yaml" in one.message
+        assert one.help == "write share/arm/config as their directory"

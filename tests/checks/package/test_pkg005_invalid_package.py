@@ -303,3 +303,28 @@ def test_dependencies_that_ros_2_does_not_have(
     found = reported(tmp_path, manifest)
     assert len(found) == bool(message)
     assert all(one.message.startswith(message) and one.help == help for one in found)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("setup(", "setup(,", "setup.py is not a Python program: "),
+        (
+            "setup(",
+            'setup(packages=["arms"], ',
+            "setup.py names the package 'arms', whose directory does not exist; did you mean 'arm'",
+        ),
+        ("setup(", 'setup(packages=["arm"], ', ""),
+        (
+            "setup(",
+            "setup(packages=find_packages(), ",
+            "find_packages does not find 'arm', which has no __init__.py",
+        ),
+        ("setup(", "setup(packages=find_namespace_packages(), ", ""),
+    ],
+)
+def test_modules_that_are_not_built(tmp_path: Path, old: str, new: str, message: str) -> None:
+    setup = RUNNING.replace(old, new)
+    found = of_python(tmp_path, setup, CONFIG, "def main(): ...")
+    assert len(found) == bool(message)
+    assert all(one.message.startswith(message) for one in found)

@@ -189,3 +189,33 @@ def test_settings_of_a_controller_manager_that_move_group_does_not_load(
     message = "no moveit_controller_manager is named: move_group does not load "
     message += "moveit_simple_controller_manager"
     assert (message in [text for _, _, text, _ in found]) == package
+
+
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    c: {type: joint_trajectory_controller/JointTrajectoryController}
+    f: {type: forward_command_controller/ForwardCommandController}
+"""
+
+
+@pytest.mark.parametrize(
+    ("topic", "read"),
+    [
+        ("/c/command", "/c/joint_trajectory"),
+        ("/robot/c/commands", "/robot/c/joint_trajectory"),
+        ("f/joint_trajectory", "f/commands"),
+        ("/f/commands", ""),
+        ("/other/command", ""),
+        ("joint_trajectory", ""),
+    ],
+)
+def test_a_topic_of_servo_that_its_controller_does_not_read(
+    tmp_path: Path, topic: str, read: str
+) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    (tmp_path / "ros2_controllers.yaml").write_text(CONTROLLERS)
+    text = f"move_group_name: g\ncommand_out_topic: {topic}\n"
+    found = [(message, help) for _, _, message, help in reported(tmp_path, "servo.yaml", text)]
+    message = f"servo.yaml: '{topic}' is not read: the controller reads '{read}'"
+    assert found == ([(message, f"write {read}")] if read else [])

@@ -121,3 +121,26 @@ def test_what_has_no_effect(tmp_path: Path, text: str, start: str) -> None:
 )
 def test_calls_that_launch_accepts(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU010", "a.launch.py", text) == []
+
+
+@pytest.mark.parametrize(
+    ("call", "function"),
+    [
+        ("open(a)", "open"),
+        ("int(LaunchConfiguration('c'))", "int"),
+        ("os.path.exists(a)", "os.path.exists"),
+        ("get_package_share_directory(a)", "get_package_share_directory"),
+        ("os.path.join('c', a)", "os.path.join"),
+        ("int(a.perform(context))", ""),
+        ("open('c', a)", ""),
+        ("mine.open(a)", ""),
+    ],
+)
+def test_functions_of_python_that_expect_a_text(tmp_path: Path, call: str, function: str) -> None:
+    imports = "import os\nimport mine\nfrom ament_index_python.packages import *\ncontext = 1\n"
+    text = imports + program("node", f"    print({call})\n")
+    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    message = f"{function} rejects LaunchConfiguration: its value is known only at run time"
+    assert [(one.message, one.severity) for one in found] == (
+        [(message, Severity.ERROR)] if function else []
+    )

@@ -34,8 +34,9 @@
 - The command line of `ExecuteProcess` is one string (error): launch looks for a program that is
   called `ros2 topic list`.
 - A string and a substitution are joined by a plus (error): "can only concatenate str (not
-  LaunchConfiguration) to str"; or a substitution is in `os.path.join`: "expected str, bytes or
-  os.PathLike object". The directory of a package and a path are joined without a slash.
+  LaunchConfiguration) to str"; or a function of Python gets a substitution, such as `os.path.join`
+  or `open`: "expected str, bytes or os.PathLike object". The directory of a package and a path are
+  joined without a slash.
 - In ROS 1, an argument has both a value and a default. In both versions, a condition is a
   comparison (error): `if="$(arg gui) == true"` is not a boolean. Write `$(eval ...)`.
 - `generate_launch_description` is misspelt or returns nothing (error).

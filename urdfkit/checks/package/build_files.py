@@ -8,6 +8,7 @@ from urdfkit.core.paths import upwards
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.text.comments import blank_comments
+from urdfkit.text.python_source import parse
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.executables import EntryPoint, entry_points
 from urdfkit.workspace.file_head import read_head
@@ -197,6 +198,13 @@ def not_runnable(name: str, directory: str) -> Findings:
     if setup is None or manifest is None or b">ament_python<" not in manifest.data:
         return
     text = setup.data.decode("utf-8", "replace")
+    try:
+        parse(setup.data, setup.path)
+    except SyntaxError as error:
+        start = setup.offset(error.lineno or 1, error.offset or 1)
+        message = f"setup.py is not a Python program: {error.msg}"
+        yield Finding(Span(setup, start, start), message, "fix it: colcon cannot build the package")
+        return
     entries = entry_points(text) or []
     config = _read(directory, "setup.cfg")
     written = config.data if config else b""
@@ -212,7 +220,28 @@ def not_runnable(name: str, directory: str) -> Findings:
             message = f"the executables are installed to lib/{match.group(1).decode()}"
             yield Finding(Span(config, *match.span(1)), message, f"write {name}")
     if b"package_dir" not in setup.data:
+        yield from _missing_packages(setup, entries, directory)
         yield from _missing_modules(setup, entries, directory)
+
+
+def _missing_packages(setup: Source, entries: list[EntryPoint], directory: str) -> Findings:
+    """Directories of modules that do not exist, or that setuptools does not find."""
+    match = re.search(
+        rb"\bpackages\s*=\s*(?:\[\s*[\"'](\w+)[\"']\s*,?\s*\]|(find_packages)\()", setup.data
+    )
+    named = match.group(1).decode() if match and match.group(1) else ""
+    if match and named and not disk.exists(os.path.join(directory, named)):
+        message = f"setup.py names the package '{named}', whose directory does not exist"
+        others = {entry.module.partition(".")[0] for entry in entries}
+        message += did_you_mean(named, others)
+        yield Finding(Span(setup, *match.span(1)), message, "fix the name: the build fails")
+    for name in dict.fromkeys(e.module.partition(".")[0] for e in entries):
+        path = os.path.join(directory, name)
+        initial = os.path.join(path, "__init__.py")
+        if match and match.group(2) and disk.is_directory(path) and not disk.exists(initial):
+            message = f"find_packages does not find '{name}', which has no __init__.py"
+            help = f"create {name}/__init__.py; it may be empty"
+            yield Finding(Span(setup, *match.span(2)), message, help, severity=Severity.WARNING)
 
 
 def _missing_modules(setup: Source, entries: list[EntryPoint], directory: str) -> Findings:

@@ -23,6 +23,7 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.ros.catalog import data
 from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.located_yaml import Value, load, mapping
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import Manifest, depends_on, manifest_of
@@ -43,6 +44,8 @@ FIXED_FILES = {
     b"<run_depend>bot_meshes</run_depend></package>"
 }
 
+_MOVE_GROUP = "moveit_ros_move_group"
+_KINEMATICS = os.path.join("config", "kinematics.yaml")
 #: colcon and catkin reject cyclic dependencies of packages.
 _CYCLE = (
     "'{0}' depends on '{1}', so to declare it makes a cycle: move the file that is used to '{1}', "
@@ -98,6 +101,7 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
         if description.path.endswith(".xacro")
     ]
     used += _loaded(context)
+    used += _solvers(context, os.path.dirname(manifest.path))
     seen = {manifest.package}
     for name, span in used:
         if name in seen or span.source.path != own or _is_brought(name, manifest.dependencies):
@@ -131,6 +135,16 @@ def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
         for name in names if names and "ros2_controllers" not in own.dependencies else ():
             if comes_with_ros(name) and not _is_brought(name, own.dependencies):
                 yield name, description.frame.call.span
+
+
+def _solvers(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
+    """The packages of the kinematics solvers that a move_group of this launch file loads."""
+    groups = [each for each in context.launch.programs if each.package == _MOVE_GROUP]
+    source = context.resolver.readable(os.path.join(directory, _KINEMATICS)) if groups else None
+    for entry in mapping(load(source)).values() if source else ():
+        solver = mapping(entry).get("kinematics_solver")
+        if isinstance(solver, Value) and comes_with_ros(name := solver.text.partition("/")[0]):
+            yield name, groups[0].span
 
 
 def _is_brought(name: str, declared: frozenset[str]) -> bool:

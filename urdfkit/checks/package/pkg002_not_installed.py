@@ -4,9 +4,10 @@ In the source tree the file exists. After `colcon build` or `catkin_make install
 `share/`, and `$(find ...)` and `package://` refer to a missing file: RViz shows the robot without
 meshes, xacro stops, "file 'robot.launch.py' was not found in the share directory". Install the
 directory. `DESTINATION share` without `/${PROJECT_NAME}` installs the files elsewhere, and so does
-a slash after the name of a directory, which installs only its contents. A macro that is included
-from another package is checked with that package's build file. In ROS 1 it is an info: most users
-work with catkin's devel space, which finds packages in the source tree.
+a slash after the name of a directory, which installs only its contents, or `share/NAME` without the
+directory in the `data_files` of a setup.py. A macro that is included from another package is
+checked with that package's build file. In ROS 1 it is an info: most users work with catkin's devel
+space, which finds packages in the source tree.
 
 Sources:
     REP 122, installed files: https://ros.org/reps/rep-0122.html
@@ -78,7 +79,10 @@ def _uninstalled(
             message += f", not as share/{name}/{relative}"
         if misplaced or not rules.installs(relative):
             reported.add(top)
-            yield Finding(span, message, rules.advice(top), severity=severity)
+            help = rules.advice(top)
+            if misplaced and rules.file.endswith(".py"):
+                help = f"write share/{name}/{os.path.dirname(relative)} as their directory"
+            yield Finding(span, message, help, severity=severity)
 
 
 def _referenced(sources: Iterable[Source], name: str) -> Iterator[tuple[str, Span]]:

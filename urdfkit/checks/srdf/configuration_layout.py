@@ -7,6 +7,7 @@ Sources: ``trajectory_execution_manager.cpp``, ``moveit_simple_controller_manage
 
 import os
 
+from urdfkit.checks.srdf.trajectory_controllers import defined_controllers
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
@@ -193,13 +194,26 @@ def _planners_of_groups(context: Context, srdf: Srdf) -> Findings:
 
 
 def _servo(context: Context, srdf: Srdf) -> Findings:
-    """A topic of a controller, and a type that this controller does not read."""
+    """A topic that its controller does not read, and a type that it does not read."""
     types: dict[str, str] = data("moveit")["servo_outputs"]
     for source, values in servo_values(srdf, context.resolver):
         topic, kind = (values.get(name) for name in _OUTPUT)
+        file = os.path.basename(source.path)
+        if topic is not None and (read := _read_topic(context, srdf, topic.text)):
+            message = f"{file}: '{topic.text}' is not read: the controller reads '{read}'"
+            yield from _warning(topic, message, f"write {read}")
+            continue
         expected = types.get(topic.text.rpartition("/")[2]) if topic else None
         if kind is None or topic is None or not expected or kind.text == expected:
             continue
-        file = os.path.basename(source.path)
         message = f"{file}: command_out_type is '{kind.text}', but {topic.text} is {expected}"
         yield from _warning(kind, message, f"write {expected}")
+
+
+def _read_topic(context: Context, srdf: Srdf, topic: str) -> str:
+    """The topic that a controller reads instead of another one below its name."""
+    above, _, last = topic.rpartition("/")
+    name = above.rpartition("/")[2]
+    kinds = {each.type for each in defined_controllers(context, srdf) if each.name == name}
+    expected = data("moveit")["servo_topics"].get(kinds.pop()) if len(kinds) == 1 else None
+    return f"{above}/{expected}" if expected and expected != last else ""

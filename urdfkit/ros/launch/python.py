@@ -24,6 +24,7 @@ from urdfkit.ros.launch.python_expressions import wrong_expressions
 from urdfkit.ros.launch.python_file import PythonLaunchFile
 from urdfkit.ros.launch.python_names import wrong_names
 from urdfkit.ros.launch.python_nodes import start_node
+from urdfkit.ros.launch.python_order import declared_late
 from urdfkit.ros.launch.scopes import unread, with_items
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import argument, called, parts_of_path
@@ -107,6 +108,7 @@ class _PythonReader(PythonLaunchFile):
             problems += entry_point(self.tree, self.source)
             problems += wrong_names(self.tree, self.values)
         problems += wrong_calls(self.tree, self.calls, self.values)
+        problems += declared_late(self.calls, self.values)
         problems += never_reached(self.calls, self.values)
         problems += started_twice(self.calls, self.values)
         problems += wrong_targets(self.calls, self.values)

@@ -14,6 +14,19 @@ from urdfkit.text.python_source import string
 
 #: Substitutions, whose text is known only at run time.
 _SUBSTITUTIONS = ("Command", "FindPackageShare", "LaunchConfiguration", "PathJoinSubstitution")
+#: Functions that expect a text, with what to write instead.
+_AT_RUN_TIME = "pass its .perform(context) in an OpaqueFunction"
+_OF_TEXTS = {
+    "float": _AT_RUN_TIME,
+    "get_package_share_directory": "write FindPackageShare(...) in a PathJoinSubstitution",
+    "get_package_share_path": "write FindPackageShare(...) in a PathJoinSubstitution",
+    "int": _AT_RUN_TIME,
+    "open": _AT_RUN_TIME,
+    "os.path.exists": _AT_RUN_TIME,
+    "os.path.isfile": _AT_RUN_TIME,
+    "os.path.join": "write PathJoinSubstitution([...]) with the same parts",
+    "xacro.process_file": 'write Command(["xacro ", ...])',
+}
 
 
 def wrong_expressions(expressions: Iterable[ast.expr], values: Values) -> Iterator[Problem]:
@@ -39,16 +52,15 @@ def _dropped_directory(call: ast.Call, values: Values) -> Problem | None:
 
 
 def _joined(call: ast.Call, values: Values) -> Problem | None:
-    """A substitution in ``os.path.join``, which Python rejects, as its value is unknown."""
-    function = call.func
-    if not isinstance(function, ast.Attribute) or ast.unparse(function) != "os.path.join":
+    """A substitution in a function of Python that expects a text: its value is unknown."""
+    function = ast.unparse(call.func) if isinstance(call.func, (ast.Name, ast.Attribute)) else ""
+    if function not in _OF_TEXTS:
         return None
-    for part in call.args:
+    for part in call.args if function == "os.path.join" else call.args[:1]:
         value = values.resolved(part)
         if isinstance(value, ast.Call) and called(value) in _SUBSTITUTIONS:
-            message = f"os.path.join rejects {called(value)}: its value is known only at run time"
-            help = "write PathJoinSubstitution([...]) with the same parts"
-            return rejected(part, message, help, values)
+            message = f"{function} rejects {called(value)}: its value is known only at run time"
+            return rejected(part, message, _OF_TEXTS[function], values)
     return None
 
 

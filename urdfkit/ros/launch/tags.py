@@ -27,6 +27,11 @@ SCOPES = (
 _OF_NODES = {"remap": "set_remap from=... to=.../", "param": "set_parameter name=... value=.../"}
 #: Tags that those apply to.
 _STARTING = ("group", "include", "load_composable_node", "node", "node_container")
+#: The tags in a node, where others are unknown.
+_CHILDREN: dict[int, dict[str, tuple[str, ...]]] = {
+    1: {"node": ("remap", "param", "rosparam", "env")},
+    2: {"node": ("remap", "param", "env"), "composable_node": ("remap", "param", "extra_arg")},
+}
 #: An argument in an expression of ROS 1.
 _EVAL_OF_ROS_1 = re.compile(r"""\$\(eval\b.*?\barg\(\s*["'](\w+)["']\s*\)""")
 
@@ -99,6 +104,10 @@ def _unknown_tag(element: Element, ros: int, frame: CallFrame | None) -> Iterato
     elif suggested := nearest(element.tag, _dialect(ros).attributes, TYPO):
         message = f"unknown tag <{element.tag}>"
         yield Problem("LAU010", element.span, message, f"did you mean <{suggested}>?", frame)
+    elif element.parent is not None and element.parent.tag in _CHILDREN[ros]:
+        message = f"unknown tag <{element.tag}> in <{element.parent.tag}>"
+        help = "write one of " + ", ".join(f"<{tag}>" for tag in _CHILDREN[ros][element.parent.tag])
+        yield Problem("LAU010", element.span, message, help, frame)
 
 
 def _attributes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
