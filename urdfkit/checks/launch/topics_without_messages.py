@@ -1,0 +1,151 @@
+"""Topics of a bridge without messages: nothing in Gazebo publishes or reads them."""
+
+import os
+import re
+from collections.abc import Iterator
+
+from urdfkit.core.suggest import nearest
+from urdfkit.errors import UnreadableFile
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
+from urdfkit.ros.gazebo.topics import GazeboTopic, are_all_known, topics
+from urdfkit.ros.gazebo.worlds import read_world
+from urdfkit.ros.launch.bridges import FROM_GAZEBO, SIGNS, TO_GAZEBO, BridgedTopic
+from urdfkit.ros.launch.worlds import worlds
+from urdfkit.text.comments import blank_comments
+from urdfkit.text.document import CallFrame
+
+#: Topics that Gazebo itself publishes: the simulation time, and the poses of all models.
+_OF_GAZEBO = (
+    *(GazeboTopic("Gazebo", "Clock", name) for name in ("clock", "world/*/clock")),
+    *(GazeboTopic("Gazebo", "Pose_V", f"world/*/{name}/info") for name in ("pose", "dynamic_pose")),
+)
+#: Message types that only robots and models of the world publish or read.
+_OF_ROBOTS = (
+    "CameraInfo", "IMU", "Image", "LaserScan", "Model", "NavSat", "Odometry", "PointCloudPacked",
+    "Twist",
+)  # fmt: skip
+#: A topic in a tag, such as ``<odom_topic>``, or in an argument of a macro.
+_TOPIC = rb"""<\w*topic\w*>\s*([\w/.-]+)\s*<|\b\w*topic\w*\s*=\s*["']([\w/.-]+)["']"""
+
+
+def topics_without_messages(
+    context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]
+) -> Findings:
+    """Topics that are unused in Gazebo, or bridged in the wrong direction."""
+    of_robot = list(_topics(context))
+    of_other_arguments = set(_topics_of_other_arguments(context))
+    names = {topic.topic for topic, _ in bridged}
+    unbridged = [gz for gz in of_robot if not any(map(gz.is_called, names))]
+    served = {gz.who for gz in of_robot if gz not in unbridged}
+    is_known = _is_known(context)
+    unnamed: set[str] = set()
+    for topic, frame in bridged:
+        own = [gz for gz in (*of_robot, *_OF_GAZEBO) if gz.is_called(topic.topic)]
+        name = topic.topic.strip("/")
+        if own:
+            if not any(_passes(topic, gz) for gz in own):
+                yield _wrong_direction(topic, own[0].who, frame)
+            continue
+        if not of_other_arguments.isdisjoint((name, name.rpartition("/")[0])):
+            continue
+        kind = topic.gz_type.rpartition(".")[2]
+        waiting = [gz for gz in unbridged if gz.message == kind and _passes(topic, gz)]
+        at = Location(topic.at("gz_topic_name", "topic_name", "ros_topic_name"), frame)
+        if waiting:
+            other = _nearest(topic.topic, waiting, served)
+            # A <topic> in this sensor names all its topics.
+            if not other.is_unnamed or other.who not in unnamed:
+                yield Finding(at, *_unknown_topic(topic.topic, other), severity=Severity.WARNING)
+            unnamed.add(other.who)
+        elif is_known and kind in _OF_ROBOTS:
+            verb = "reads" if topic.direction == TO_GAZEBO else "publishes"
+            message = f"nothing in Gazebo {verb} '{topic.topic}': the robot has no sensor and no "
+            message += f"system with {topic.gz_type}"
+            help = "add one to the robot, or remove the topic from the bridge"
+            yield Finding(at, message, help, severity=Severity.WARNING)
+
+
+def _passes(topic: BridgedTopic, gz: GazeboTopic) -> bool:
+    """True if the bridge forwards the messages of a topic of Gazebo, or those that it reads."""
+    return topic.direction != (FROM_GAZEBO if gz.is_read else TO_GAZEBO)
+
+
+def _wrong_direction(topic: BridgedTopic, who: str, frame: CallFrame | None) -> Finding:
+    is_read = topic.direction == FROM_GAZEBO
+    verb, right = ("reads", TO_GAZEBO) if is_read else ("publishes", FROM_GAZEBO)
+    return Finding(
+        Location(topic.at("direction"), frame),
+        f"wrong direction {topic.direction}: {who} {verb} '{topic.topic}'",
+        f"write {right if topic.places else SIGNS[right]}",
+        severity=Severity.WARNING,
+    )
+
+
+def _is_known(context: Context) -> bool:
+    """True if the robot alone publishes and reads topics in Gazebo."""
+    robots, started_worlds = list(context.described_robots), list(worlds(context.launch))
+    return (
+        len(robots) == len(started_worlds) == 1
+        and all(description.is_whole for description, _ in robots)
+        and all(are_all_known(robot.model) for _, robot in robots)
+        and (started_worlds[0].is_shipped or _is_bare(started_worlds[0].name, context))
+    )
+
+
+def _is_bare(path: str, context: Context) -> bool:
+    """True for a world whose models have no sensors and no systems."""
+    try:
+        world, _ = read_world(path, context.resolver) if os.path.isabs(path) else (None, ())
+    except UnreadableFile:
+        return False
+    elements = list(world.at.walk()) if world else []
+    plugins = [element for element in elements if element.tag == "plugin"]
+    is_foreign = any(element.tag in ("sensor", "include", "population") for element in elements)
+    return world is not None and not is_foreign and len(plugins) == len(world.plugins)
+
+
+def _nearest(topic: str, waiting: list[GazeboTopic], served: set[str]) -> GazeboTopic:
+    """The most similar topic; a lidar whose scan is bridged also has points, which few bridge."""
+    first = topic.strip("/").partition("/")[0]
+    likely = [gz for gz in waiting if gz.who not in served or gz.name.startswith(f"{first}/")]
+    known = {gz.name: gz for gz in likely or waiting}
+    return known[nearest(topic.strip("/"), known, 0) or next(iter(known))]
+
+
+def _unknown_topic(topic: str, other: GazeboTopic) -> tuple[str, str]:
+    """Message and help for a topic that the robot does not have; ``other`` is the nearest."""
+    nothing = f"no sensor or system of the robot has the topic '{topic}'"
+    if other.is_unnamed:
+        place = "plugin" if other.is_system else "sensor"
+        return (
+            f"{nothing}: {other.who} has no <{other.tag}>",
+            f"write <{other.tag}>{other.named(topic)}</{other.tag}> into the {place}",
+        )
+    message = f"{nothing}; the topic '/{other.name}' of {other.who} is not bridged"
+    if other.name.strip("'\"") != other.name:
+        return f"{message}: the quotes are part of it", "remove the quotes in the robot's <topic>"
+    return message, f"write /{other.name}"
+
+
+def _topics(context: Context) -> Iterator[GazeboTopic]:
+    """Topics of the robots whose descriptions are fully known."""
+    for description, robot in context.described_robots:
+        if description.is_whole:
+            yield from topics(robot.model)
+
+
+def _topics_of_other_arguments(context: Context) -> Iterator[str]:
+    """Topics in the xacro files of the robots that they only have with other arguments."""
+    for _, robot in context.described_robots:
+        if robot.reading.xacro is None:
+            continue
+        used = {
+            element.text.strip().strip("/")
+            for element in robot.document.root.walk()
+            if "topic" in element.tag
+        }
+        for source in robot.reading.xacro.sources:
+            for tag, argument in re.findall(_TOPIC, blank_comments(source.data)):
+                name = (tag or argument).decode("utf-8", "replace").strip("/")
+                if name not in used:
+                    yield name
