@@ -192,3 +192,14 @@ def test_the_package_of_a_kinematics_solver(tmp_path: Path, solver: str, name: s
     assert [one.help for one in found] == (
         [f"add <exec_depend>{name}</exec_depend> to package.xml"] if name else []
     )
+
+
+def test_a_package_by_the_name_of_its_directory(tmp_path: Path) -> None:
+    """A robot of Isaac Gym in the directory Pi, whose package is called pi."""
+    (tmp_path / "Hand").mkdir()
+    (tmp_path / "Hand" / "package.xml").write_text("<package><name>hand_v2</name></package>")
+    (tmp_path / "Hand" / "hand.xacro").write_text("<robot/>")
+    (found,) = reported(tmp_path, HAND.replace("hand)", "Hand)"))
+    manifest = tmp_path / "Hand" / "package.xml"
+    assert found.message == f"package 'Hand' is called 'hand_v2' in {manifest}"
+    assert (found.help, found.fix) == ("write hand_v2, or rename the package", None)

@@ -8,6 +8,9 @@ packages of the ROS distribution are reported, too: a smaller installation lacks
 packages do not declare them either: "class diff_drive_controller/DiffDriveController does not
 exist".
 
+A package that is found only by the name of its directory has another name in its `package.xml`: ROS
+does not find it.
+
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
 """
@@ -28,6 +31,7 @@ from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import Manifest, depends_on, manifest_of
 from urdfkit.workspace.package_references import references_of_package
+from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "bot_description/bot.urdf"
@@ -67,6 +71,10 @@ def check(context: Context) -> Findings:
         if name in seen or comes_with_ros(name):
             continue
         seen.add(name)
+        if other := _other_name(name, span, context.resolver):
+            message = f"package '{name}' is called '{other.package}' in {other.path}"
+            yield Finding(span, message, f"write {other.package}, or rename the package")
+            continue
         tag = "test_depend" if _is_test(span.source.path, manifest) else usual
         help_, fix = f"add <{tag}>{name}</{tag}> to package.xml", None
         if not depends_on(name, manifest.package, span.source.path, context.resolver):
@@ -83,6 +91,19 @@ def check(context: Context) -> Findings:
             group_key="undeclared" if fix else "",
             severity=Severity.INFO if is_of_launch else None,
         )
+
+
+def _other_name(name: str, span: Span, resolver: Resolver) -> Manifest | None:
+    """The manifest of a package that is only found by the name of its directory; None otherwise."""
+    try:
+        directory = resolver.package(name, span.source.path)
+    except PackageNotFound:
+        return None
+    manifest = manifest_of(resolver, os.path.join(directory, "package.xml"))
+    if manifest is None or manifest.package in ("", name):
+        return None
+    is_own = disk.real(os.path.dirname(os.path.abspath(manifest.path))) == disk.real(directory)
+    return manifest if is_own else None  # else that of the package around it
 
 
 def _is_test(path: str, manifest: Manifest) -> bool:
