@@ -5,12 +5,12 @@ import os
 from collections.abc import Callable
 from functools import partial
 
-from urdfkit.ros.launch import moveit
 from urdfkit.ros.launch.collect import Collector
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, StartedProgram
 from urdfkit.ros.launch.event_handlers import never_reached, started_twice, wrong_targets
 from urdfkit.ros.launch.launch_description import entry_point, not_started
+from urdfkit.ros.launch.moveit_builder import record_files
 from urdfkit.ros.launch.python_arguments import wrong_arguments
 from urdfkit.ros.launch.python_calls import wrong_calls
 from urdfkit.ros.launch.python_descriptions import (
@@ -86,7 +86,7 @@ class _PythonReader(PythonLaunchFile):
             elif called(call) in _SCOPES:
                 self.collector.has_scopes = True
             else:
-                moveit.record_files(call, self.values, self.collector)
+                record_files(call, self.values, self.collector)
         if self.frame is None:
             self._mistakes()
         self._mentions()

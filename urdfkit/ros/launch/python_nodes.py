@@ -3,7 +3,6 @@
 import ast
 from itertools import pairwise
 
-from urdfkit.ros.launch import moveit
 from urdfkit.ros.launch.contents import (
     FILE_PARAMETERS,
     PARAMETERS,
@@ -11,6 +10,8 @@ from urdfkit.ros.launch.contents import (
     StartedProgram,
     with_words,
 )
+from urdfkit.ros.launch.moveit_builder import is_configuration
+from urdfkit.ros.launch.moveit_parameters import missing_of_move_group, missing_of_rviz
 from urdfkit.ros.launch.python_descriptions import record_unexpanded
 from urdfkit.ros.launch.python_file import PythonLaunchFile
 from urdfkit.ros.launch.values import argument
@@ -52,11 +53,9 @@ def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
     )
     file.collector.start(program)
     if program.executable == "move_group":
-        problems = moveit.parameter_problems(call, file.tree, file.values, file.collector)
-        file.collector.problems += problems
+        file.collector.problems += missing_of_move_group(file, call)
     elif program.package == "rviz2":
-        problems = moveit.without_kinematics(call, file.tree, file.values, file.collector)
-        file.collector.problems += problems
+        file.collector.problems += missing_of_rviz(file, call)
 
 
 def _record_rviz_configuration(file: PythonLaunchFile, words: ast.expr | None) -> None:
@@ -111,7 +110,7 @@ def _parameters(
             is_whole = is_whole and path is not None
         else:
             is_whole = False
-            is_of_moveit = is_of_moveit and moveit.is_configuration(item, file.values)
+            is_of_moveit = is_of_moveit and is_configuration(item, file.values)
     values.pop("", None)
     is_of_moveit = is_of_moveit and not is_whole
     return GivenParameters(values, tuple(files), is_whole, lists, is_of_moveit)

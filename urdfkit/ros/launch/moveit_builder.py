@@ -1,7 +1,6 @@
-"""MoveIt's configuration in Python launch files: ``MoveItConfigsBuilder``, and dictionaries.
+"""``MoveItConfigsBuilder`` in Python launch files: the files that it reads.
 
-Sources: ``moveit_configs_builder.py`` of moveit_configs_utils, ``planning_pipeline.cpp`` and
-``kinematics_plugin_loader.cpp`` of moveit/moveit2.
+Source: ``moveit_configs_builder.py`` of moveit_configs_utils.
 """
 
 import ast
@@ -11,14 +10,14 @@ from collections.abc import Iterator
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.errors import UnreadableFile, UrdfkitError
+from urdfkit.errors import UnreadableFile
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.collect import UNKNOWN, Collector, frame_at
 from urdfkit.ros.launch.contents import MOVEIT, LaunchedDescription
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Tag
-from urdfkit.text.located_yaml import Key, Node, load, mapping
+from urdfkit.text.located_yaml import Key, load, mapping
 from urdfkit.text.source import Span
 
 #: Methods whose first argument is a file of the package.
@@ -33,15 +32,7 @@ _PIPELINES = ("chomp", "ompl", "pilz_industrial_motion_planner", "stomp")
 _PILZ = "pilz_industrial_motion_planner"
 #: The end of the name of a file of controllers.
 _CONTROLLERS = "_controllers.yaml"
-#: The display of RViz that has interactive markers for the end effectors.
-_DISPLAY = b"moveit_rviz_plugin/MotionPlanning"
-_DESCRIPTION = "robot_description"
-_SEMANTIC = "robot_description_semantic"
-_KINEMATICS = "robot_description_kinematics"
 _SECTION = "ros__parameters"
-_SOLVER = ".kinematics_solver"
-#: Statements that change a dictionary after its creation.
-_CHANGES = re.compile(rb"\.update\(|\]\s*=[^=]|\|=")
 #: Launches of moveit_configs_utils that need no planner.
 _NO_PLANNER = re.compile(
     rb"\bgenerate_(moveit_rviz|rsp|setup_assistant|spawn_controllers|static_virtual_joint_tfs"
@@ -51,9 +42,6 @@ _NO_PLANNER = re.compile(
 _PLANNER = re.compile(
     rb"\bgenerate_(demo|move_group)_launch\(|\.(to_dict\(|planning_pipelines\b(?!\s*\())"
 )
-_LOADS = ("safe_load", "load", "full_load")
-#: Placeholder of unknown keys.
-_OPEN = "*"
 
 
 def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
@@ -246,15 +234,6 @@ def _methods(call: ast.Call) -> dict[str, ast.Call]:
     return methods
 
 
-def _builder(call: ast.Call) -> ast.Call | None:
-    """The call that begins a chain of methods, if it creates a builder."""
-    node: ast.expr = call
-    while isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-        node = node.func.value
-    is_builder = isinstance(node, ast.Call) and called(node) == "MoveItConfigsBuilder"
-    return node if isinstance(node, ast.Call) and is_builder and node is not call else None
-
-
 def is_configuration(node: ast.expr | None, values: Values) -> bool:
     """True for parameters that ``MoveItConfigsBuilder`` made: all, or an attribute."""
     node = values.resolved(node)
@@ -264,112 +243,10 @@ def is_configuration(node: ast.expr | None, values: Values) -> bool:
     return isinstance(made, ast.Call) and _builder(made) is not None
 
 
-def parameter_problems(
-    node: ast.Call, tree: ast.Module, values: Values, collector: Collector
-) -> Iterator[Problem]:
-    """Missing parameters of a ``Node`` with move_group; empty unless all parameters are known."""
-    if _CHANGES.search(values.source.data):
-        return
-    reader = _Reader(tree, values, collector)
-    parameters = argument(node, None, "parameters")
-    items = values.items(parameters) if parameters else [None]
-    keys = {key for item in items for key in reader.keys(item)}
-    if _OPEN in keys:
-        return
-    if _DESCRIPTION in keys and _SEMANTIC not in keys:
-        message = f"move_group gets no {_SEMANTIC}, and so no planning groups"
-        help = f'add {{"{_SEMANTIC}": ...}} with the text of the SRDF'
-        yield Problem("LAU024", values.span(node), message, help, severity=Severity.WARNING)
-    for item in items:
-        for name, place in reader.pipelines(item):
-            plugins = (_OPEN, "planning_plugin", "planning_plugins")
-            if not keys.isdisjoint(f"{name}.{plugin}" for plugin in plugins):
-                continue
-            message = f"planning pipeline '{name}' has no planning plugin"
-            help = f'add "{name}" with planning_plugins, as in {name}_planning.yaml'
-            yield Problem("LAU024", values.span(place), message, help, severity=Severity.WARNING)
-    if any(key.endswith(_SOLVER) and key.count(".") == 1 for key in keys):
-        message = (
-            f"the kinematics solvers are not in {_KINEMATICS}: from ROS 2 Iron on, no planning "
-            "group has a solver"
-        )
-        help = f'write {{"{_KINEMATICS}": ...}} around them'
-        # MoveIt of Humble, for which a launch file may be, reads them there as well.
-        yield Problem("LAU024", values.span(node), message, help, severity=Severity.INFO)
-
-
-def without_kinematics(
-    node: ast.Call, tree: ast.Module, values: Values, collector: Collector
-) -> Iterator[Problem]:
-    """An RViz that gets the planning groups and not their solvers."""
-    words = [values.text(word) or "" for word in values.items(argument(node, None, "arguments"))]
-    file = next((word for word in words if word.endswith(".rviz")), "")
-    configuration = collector.resolver.readable(file) if os.path.isabs(file) else None
-    is_planner = configuration is not None and _DISPLAY in configuration.data
-    if not is_planner or _CHANGES.search(values.source.data):
-        return
-    reader = _Reader(tree, values, collector)
-    parameters = argument(node, None, "parameters")
-    names: set[str] = set()
-    for item in values.items(parameters) if parameters else ():
-        part = values.resolved(item)
-        names |= {part.attr} if isinstance(part, ast.Attribute) else reader.keys(item)
-    if _OPEN not in names and _SEMANTIC in names and _KINEMATICS not in names:
-        message = f"RViz has {_SEMANTIC}, but not {_KINEMATICS}: its MotionPlanning has no markers"
-        help = f"add {_KINEMATICS} to its parameters"
-        yield Problem("LAU024", values.span(node), message, help, severity=Severity.WARNING)
-
-
-class _Reader:
-    """Reads names in dictionaries, and in YAML files that a function of the launch file loads."""
-
-    def __init__(self, tree: ast.Module, values: Values, collector: Collector) -> None:
-        self._values = values
-        self._resolver = collector.resolver
-        self._functions = {
-            node.name
-            for node in tree.body
-            if isinstance(node, ast.FunctionDef)
-            and any(isinstance(n, ast.Call) and called(n) in _LOADS for n in ast.walk(node))
-        }
-
-    def keys(self, node: ast.expr | None) -> set[str]:
-        """The names of parameters, with dots between levels."""
-        node = self._values.resolved(node)
-        if isinstance(node, ast.Dict):
-            names: set[str] = set()
-            for key, value in self._values.pairs(node):
-                name = self._values.text(key)
-                if name is None:
-                    return {_OPEN}
-                names |= {name, *(f"{name}.{inner}" for inner in self.keys(value))}
-            return names
-        root = self._loaded(node) if isinstance(node, ast.Call) else None
-        if root is None:
-            return {_OPEN}
-        nested = {f"{key}.{inner}" for key, value in root.items() for inner in mapping(value)}
-        return {*map(str, root), *nested}
-
-    def pipelines(self, node: ast.expr | None) -> Iterator[tuple[str, ast.expr]]:
-        """The names in a list of planning pipelines, with their locations."""
-        for key, value in self._values.pairs(node):
-            is_pipelines = self._values.text(key) == "planning_pipelines"
-            for item in self._values.items(value) if is_pipelines else ():
-                if item is not None and (name := self._values.text(item)):
-                    yield name, item
-
-    def _loaded(self, call: ast.Call) -> dict[str, Node] | None:
-        """The YAML that a function of the launch file reads from a path, or a path in a package."""
-        texts = [self._values.text(argument) for argument in call.args]
-        if called(call) not in self._functions or call.keywords or None in texts:
-            return None
-        parts = [text or "" for text in texts]
-        try:
-            if len(parts) == 2:
-                parts[0] = self._resolver.package(parts[0], self._values.source.path)
-            path = os.path.join(*parts) if parts else ""
-            if not os.path.isabs(path) or not disk.is_file(path):
-                return None
-            return mapping(load(self._resolver.read(path)))
-        except UrdfkitError:
-            return None
+def _builder(call: ast.Call) -> ast.Call | None:
+    """The call that begins a chain of methods, if it creates a builder."""
+    node: ast.expr = call
+    while isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+        node = node.func.value
+    is_builder = isinstance(node, ast.Call) and called(node) == "MoveItConfigsBuilder"
+    return node if isinstance(node, ast.Call) and is_builder and node is not call else None
