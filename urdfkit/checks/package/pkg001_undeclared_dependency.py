@@ -26,7 +26,6 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.ros.catalog import data
 from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.located_yaml import Value, load, mapping
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.manifest import Manifest, depends_on, manifest_of
@@ -160,12 +159,16 @@ def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
 
 def _solvers(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
     """The packages of the kinematics solvers that a move_group of this launch file loads."""
-    groups = [each for each in context.launch.programs if each.package == _MOVE_GROUP]
-    source = context.resolver.readable(os.path.join(directory, _KINEMATICS)) if groups else None
-    for entry in mapping(load(source)).values() if source else ():
+    started = [node for node in context.launch.programs if node.package == _MOVE_GROUP]
+    source = context.resolver.readable(os.path.join(directory, _KINEMATICS)) if started else None
+    if source is None:
+        return
+    from urdfkit.text.located_yaml import Value, load, mapping  # for launch files of MoveIt
+
+    for entry in mapping(load(source)).values():
         solver = mapping(entry).get("kinematics_solver")
         if isinstance(solver, Value) and comes_with_ros(name := solver.text.partition("/")[0]):
-            yield name, groups[0].span
+            yield name, started[0].span
 
 
 def _is_brought(name: str, declared: frozenset[str]) -> bool:
