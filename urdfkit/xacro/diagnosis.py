@@ -20,8 +20,9 @@ from urdfkit.xacro.definitions import Definition, Definitions, annotations_of
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
 from urdfkit.xacro.locator import LocatedExpression, locate
-from urdfkit.xacro.messages import bare_property, explain, macro_of
+from urdfkit.xacro.messages import explain, macro_of
 from urdfkit.xacro.substitution import ForbiddenVariable
+from urdfkit.xacro.undefined_names import bare_property
 from urdfkit.xacro.yaml_files import YamlTooLarge
 
 _DEPRECATED = re.compile(r"Using (\w+)\(\) directly is deprecated\. Use ([\w.]+)\(\)")

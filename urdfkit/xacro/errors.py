@@ -1,5 +1,6 @@
 """Errors inside an expansion, and the value of an expression that failed."""
 
+from urdfkit.core.record import Record
 from urdfkit.text.source import Span
 
 
@@ -23,6 +24,13 @@ IN_CONDITION = "whose condition is false here"
 
 #: The only instance; its text is enclosed in private characters of Unicode.
 FAILED = FailedValue("\ue000failed\ue000")
+
+
+class MessageText(Record):
+    """A message with its help."""
+
+    message: str
+    help: str = ""  # the rule's own help if empty
 
 
 class DependsOnError(Exception):

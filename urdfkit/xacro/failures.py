@@ -13,7 +13,7 @@ from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import is_out_of_memory, root_cause
 from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expansion_log import ANY
-from urdfkit.xacro.messages import relative_to_caller
+from urdfkit.xacro.missing_files import relative_to_caller
 
 _UNBOUND_PREFIX = 27  # expat's XML_ERROR_UNBOUND_PREFIX
 

@@ -1,0 +1,106 @@
+"""Messages about files that xacro does not find."""
+
+import os
+from itertools import pairwise
+
+from urdfkit.core import disk
+from urdfkit.core.suggest import nearest_file_name
+from urdfkit.text.source import shown
+from urdfkit.workspace.install_rules import is_built, is_expanded
+from urdfkit.workspace.manifest import nearest_manifest
+from urdfkit.workspace.package_directories import package_name
+from urdfkit.xacro.errors import NOT_BUILT, ONLY_XACRODOC, MessageText
+
+#: Most directories in a help text.
+_MAX_DIRECTORIES = 10
+#: Most directories in the path of a file in a macro.
+_MAX_LEVELS = 5
+
+
+def missing_file(path: str) -> MessageText:
+    """The message for a file that is not found where xacro looks."""
+    _, scheme, reference = path.partition("package:/")
+    if scheme:
+        package, _, rest = reference.strip("/").partition("/")
+        message = f"xacro does not resolve package://{package}/{rest}"
+        return MessageText(message, f"write $(find {package})/{rest}")
+    if disk.is_file(f"{path}.in"):
+        message = f"{NOT_BUILT}: {shown(path)}, from {os.path.basename(path)}.in"
+        help = "build the workspace, or create the file with the values of CMake"
+        return MessageText(message, help)
+    if disk.is_file(f"{path}.xacro") and is_expanded(f"{path}.xacro"):
+        message = f"{NOT_BUILT}: {shown(path)}, from {os.path.basename(path)}.xacro"
+        return MessageText(message, "build the workspace, or include the xacro itself")
+    if is_built(path):
+        return MessageText(f"{NOT_BUILT}: {shown(path)}", "build the workspace")
+    if found := _from_parent(path):
+        directory, relative = found
+        message = f"{ONLY_XACRODOC}: {shown(path)}; only xacrodoc finds it, in {shown(directory)}"
+        return MessageText(message, f"write {relative}")
+    help = _below_package(os.path.abspath(path)) or _nearest_file(path)
+    return MessageText(f"file not found: {shown(path)}", help)
+
+
+def relative_to_caller(cause: BaseException, own: str) -> MessageText | None:
+    """The message for a missing file that is found from the file ``own``, in whose macro it is."""
+    if not isinstance(cause, FileNotFoundError) or not cause.filename:
+        return None
+    path, home = os.fspath(cause.filename), os.path.dirname(own)
+    name, above = os.path.basename(path), os.path.dirname(path)
+    for _ in range(_MAX_LEVELS):
+        is_other = os.path.abspath(above) != os.path.abspath(home)
+        if is_other and disk.is_file(os.path.join(home, name)):
+            message = f"file not found: {shown(path)}, relative to the file that calls the macro"
+            help = f"write $(find PACKAGE)/..., which finds {shown(home)}/{name} from everywhere"
+            return MessageText(message, help)
+        name, above = f"{os.path.basename(above)}/{name}", os.path.dirname(above)
+    return None
+
+
+def _below_package(path: str) -> str:
+    """The help for a path that is right from the directory of the package."""
+    file = nearest_manifest(path)
+    home = os.path.dirname(file) if file else ""
+    name = package_name(home) if file else None
+    parts = os.path.relpath(path, home).split(os.sep) if name else []
+    for number in range(1, len(parts) - 1):
+        if disk.is_file(os.path.join(home, *parts[number:])):
+            return f"write $(find {name})/{'/'.join(parts[number:])}"
+    return ""
+
+
+def _from_parent(path: str) -> tuple[str, str] | None:
+    """The directory from which a path is right, and the right path; None if there is none.
+
+    Such a path begins with the name of the directory that it is in: ``xacro/xacro/leg.xacro``.
+    """
+    parts = path.split(os.sep)
+    for number, (name, other) in enumerate(pairwise(parts)):
+        relative = parts[number + 2 :]
+        if name == other and disk.is_file(os.sep.join((*parts[: number + 1], *relative))):
+            return os.sep.join(parts[:number]) or os.curdir, "/".join(relative)
+    return None
+
+
+def _nearest_file(path: str) -> str:
+    """The help for a missing file: the missing directory in its path, or a similar file."""
+    directory, name = os.path.split(os.path.normpath(path))
+    last = name
+    while (
+        directory and not disk.is_directory(directory) and directory != os.path.dirname(directory)
+    ):
+        directory, name = os.path.split(directory)
+    if name != last and directory.startswith(os.sep) and directory.count(os.sep) == 1:
+        return "the path is of another computer: write $(find PACKAGE)/..."  # below / or /home
+    try:
+        siblings = disk.names(directory or os.curdir)
+    except OSError:
+        return ""
+    suggested = nearest_file_name(name, siblings)
+    hint = f"did you mean '{suggested}'?" if suggested else ""
+    if name == last:
+        return hint or "correct the path; a relative one begins at the directory of its file"
+    present = sorted(path for path in siblings if disk.is_directory(os.path.join(directory, path)))
+    if not hint and 0 < len(present) <= _MAX_DIRECTORIES:  # often the valid values of an argument
+        hint = f"available: {', '.join(present)}"
+    return f"directory '{name}' not found in {shown(directory)}" + (f"; {hint}" if hint else "")
