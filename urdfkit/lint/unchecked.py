@@ -26,14 +26,18 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
         why = f"it {failure}" + (f": {first.message} ({first.code})" if first else "")
         return why, f"urdfkit check {shown(source.path)} --select XML,XAC shows the errors"
     candidates = {name: found_values(name, reading.xacro, resolver) for name in names}
-    tried = "; ".join(f"{name}: {reported(each)}" for name, each in candidates.items() if each)
+    tried = "; ".join(
+        f"{name}: {reported(possible)}" for name, possible in candidates.items() if possible
+    )
     quoted = ", ".join(f"'{name}'" for name in names)
     why = f"it needs the argument{'s' * (len(names) > 1)} {quoted}"
     why += f" (found for {tried}, with which it does not expand)" if tried else ""
     config = nearest(source.path)
     directory = os.path.dirname(config) if config else resolver.packages.workspace(source.path)
     file = os.path.relpath(source.path, directory).replace(os.sep, "/")
-    values = {name: each.values[0] if each else "VALUE" for name, each in candidates.items()}
+    values = {
+        name: possible.values[0] if possible else "VALUE" for name, possible in candidates.items()
+    }
     words = " ".join(f"{name}:={value}" for name, value in values.items())
     lines = ["[[robot]]", f'file = "{file}"']
     lines += [f'arguments.{name} = "{value}"' for name, value in values.items()]

@@ -71,7 +71,11 @@ def reference_at(source: Source, offset: int) -> NameReference | None:
     """The reference at an offset in a YAML or launch file; None elsewhere."""
     if not source.path.endswith((*_YAML, *_LAUNCH, _PYTHON)):
         return None
-    candidates = (each for each in _in_file(source) if each.span.start <= offset <= each.span.end)
+    candidates = (
+        reference
+        for reference in _in_file(source)
+        if reference.span.start <= offset <= reference.span.end
+    )
     return next(candidates, None)
 
 

@@ -23,7 +23,9 @@ def claims(controller: Controller) -> list[tuple[list[str], list[Value]]]:
     """The command interfaces that a controller requires, with their joints."""
     if not controller.type.endswith("SteeringController"):
         return [(commands(controller), commanded_joints(controller))]
-    drives_front = any(one.text.lower() == "false" for one in controller.values(["front_steering"]))
+    drives_front = any(
+        value.text.lower() == "false" for value in controller.values(["front_steering"])
+    )
     steered, driven = ("rear", "front") if drives_front else ("front", "rear")
     return [
         (["position"], controller.values(["steering_joints_names", f"{steered}_wheels_names"])),

@@ -30,13 +30,13 @@ GOOD = xacro_xml('<xacro:arg name="prefix" default=""/>', '<link name="$(arg pre
 
 @rule(Severity.WARNING, needs=())
 def check(context: Context) -> Findings:
-    for one in context.unchecked:
+    for argument in context.unchecked:
         yield Finding(
             _top(context),
-            f"robot not checked with {len(one.values)} of {one.total} values of '{one.name}': "
-            f"{', '.join(one.values)}; {one.why}",
+            f"robot not checked with {len(argument.values)} of {argument.total} values of "
+            f"'{argument.name}': {', '.join(argument.values)}; {argument.why}",
             "list the robot's variants in urdfkit.toml, under [[robot]]",
-            group_key=one.name,
+            group_key=argument.name,
         )
     if context.is_readable:
         yield from _not_simulated(context)
@@ -51,7 +51,8 @@ def check(context: Context) -> Findings:
         f"robot not checked: {why}",
         help,
         related=tuple(
-            Related(one.span, f"argument '{one.argument}'") for one in context.reading.lacking
+            Related(problem.span, f"argument '{problem.argument}'")
+            for problem in context.reading.lacking
         ),
     )
 

@@ -29,11 +29,11 @@ def _is_read(context: Context, name: str, at: Element) -> bool:
     if at.tag == "sensor" and (at.child("topic") or at.child("plugin")):
         return True
     # One that moves the joint, as for a mimic, does not read its forces.
-    readers = [one.at for one in context.plugins if not (one.plugin and one.plugin.moves)]
+    readers = [use.at for use in context.plugins if not (use.plugin and use.plugin.moves)]
     if any(value.text.strip() == name for plugin in readers for value in plugin.children):
         return True
     sensors_of_control = [
-        one for block in context.model.ros2_controls for one in block.all("sensor")
+        sensor for block in context.model.ros2_controls for sensor in block.all("sensor")
     ]
-    interfaces = [state for one in sensors_of_control for state in one.all("state_interface")]
-    return any((one.get("name") or "").startswith(("force", "torque")) for one in interfaces)
+    interfaces = [state for sensor in sensors_of_control for state in sensor.all("state_interface")]
+    return any((state.get("name") or "").startswith(("force", "torque")) for state in interfaces)

@@ -82,7 +82,9 @@ def _of_other_kind(
 
 def _owners(handled: Mapping[str, Extension]) -> dict[str, str]:
     """``link`` or ``joint`` for each tag that a model does not have."""
-    owners = {tag: one.on for tag, one in handled.items() if one.on in ("link", "joint")}
+    owners = {
+        tag: extension.on for tag, extension in handled.items() if extension.on in ("link", "joint")
+    }
     of_model = set(copied("model"))
     for kind in ("joint", "link"):
         owners.update((tag, kind) for tag in copied(kind) if tag not in of_model)
@@ -121,14 +123,14 @@ def _without_reference(
     if not misplaced:
         return
     child, owner = misplaced[0], owners[misplaced[0].tag]
-    names = [f"<{tag}>" for tag in dict.fromkeys(one.tag for one in misplaced)]
+    names = [f"<{tag}>" for tag in dict.fromkeys(element.tag for element in misplaced)]
     what = ", ".join(names[:_MAX_NAMED]) + (" and others" if len(names) > _MAX_NAMED else "")
     yield Finding(
         block if len(misplaced) > 1 else child,
         f"{what} in a <gazebo> without a reference (ignored): it is for a {owner}",
         f'write <gazebo reference="...">, with the name of the {owner}',
         group_key=child.tag,
-        severity=None if {one.tag for one in misplaced} <= _HARMLESS else Severity.ERROR,
+        severity=None if {element.tag for element in misplaced} <= _HARMLESS else Severity.ERROR,
     )
 
 

@@ -80,7 +80,7 @@ def _flags(context: Context) -> Findings:
     names = {(name, tag.tag) for name, tag in flags}
     for name, tag in flags:
         into = context.gazebo.merged.get(name)
-        flagged = {one for one, other in names if other == tag.tag}
+        flagged = {name for name, other in names if other == tag.tag}
         if into and into not in flagged and _reaches(context, into, tag.tag, flagged):
             yield Finding(
                 tag,
@@ -92,7 +92,7 @@ def _flags(context: Context) -> Findings:
 
 def _reaches(context: Context, top: str, tag: str, flagged: set[str]) -> bool:
     """True if a flag affects a link of the merged body that does not set it."""
-    (simulated,) = (one for one in context.gazebo.links if one.name == top)
+    (simulated,) = (link for link in context.gazebo.links if link.name == top)
     others = [link for link, _ in simulated.body.links if link.name not in flagged]
     if tag in ("selfCollide", "self_collide"):
         return any(link.collisions for link in others)
@@ -154,7 +154,10 @@ def _lost_on_shapes(context: Context) -> Findings:
 
 def _tags(model: RobotModel, link: str, kind: str) -> list[Element]:
     """The tags of a link that its collisions, or its visuals, should have."""
-    known = {kind, *(tag for tag, one in extensions().items() if one.sdf.startswith(f"{kind}/"))}
+    known = {
+        kind,
+        *(tag for tag, extension in extensions().items() if extension.sdf.startswith(f"{kind}/")),
+    }
     blocks = (block for block in model.gazebo if block.get("reference") == link)
     return [child for block in blocks for child in block.children if child.tag in known]
 

@@ -71,12 +71,15 @@ def _foreign(attributes: list[Attribute]) -> Finding:
     """Attributes of another program; one finding for all elements of a tag that have them."""
     first = attributes[0]
     element = first.element
-    names = [f"'{name}'" for name in dict.fromkeys(one.name for one in attributes)]
+    names = [f"'{name}'" for name in dict.fromkeys(attribute.name for attribute in attributes)]
     kind = "attributes" if len(names) > 1 else "attribute"
     what = f"unknown {kind} {listed(names, _MAX_NAMED)} in <{element.tag}> (ignored)"
-    others = {one.element: one for one in attributes if one.element is not element}
+    others = {
+        attribute.element: attribute for attribute in attributes if attribute.element is not element
+    }
     message = f"{owner(element)}: {what}{more_like_this(len(others))}"
     related = tuple(
-        Related(one.span, owner(one.element)) for one in list(others.values())[:_MAX_NAMED]
+        Related(attribute.span, owner(attribute.element))
+        for attribute in list(others.values())[:_MAX_NAMED]
     )
     return Finding(first, message, related=related)

@@ -42,17 +42,17 @@ def _place(element: Element, text: bytes, sources: tuple[Source, ...]) -> Locati
     source, start, end = element.tag_at.inner_span
     inside = re.sub(_TAGS, _blank, source.data[start:end])
     written = dict.fromkeys((text, text.replace(b">", b"&gt;")))
-    for one in written:
-        if one in inside:
-            at = start + inside.find(one)
-            return Location(Span(source, at, at + len(one)), element.frame)
+    for spelling in written:
+        if spelling in inside:
+            at = start + inside.find(spelling)
+            return Location(Span(source, at, at + len(spelling)), element.frame)
     texts = {file: re.sub(_TAGS, _blank, file.data) for file in sources}  # a file may be included
     places = [(source, text) for source, bare in texts.items() for text in written if text in bare]
     if len(places) != 1 or texts[places[0][0]].count(places[0][1]) != 1:
         return element
-    source, one = places[0]
-    at = texts[source].find(one)
-    return Location(Span(source, at, at + len(one)), element.frame)
+    source, spelling = places[0]
+    at = texts[source].find(spelling)
+    return Location(Span(source, at, at + len(spelling)), element.frame)
 
 
 def _blank(tag: re.Match[bytes]) -> bytes:

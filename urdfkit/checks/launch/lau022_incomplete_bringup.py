@@ -139,4 +139,4 @@ def _without_joint_states(context: Context, programs: tuple[StartedProgram, ...]
 def _is_rigid(context: Context) -> bool:
     """True if the launch file starts robots, such as a sensor, of which no joint moves."""
     models = [robot.model for _, robot in context.described_robots]
-    return bool(models) and not any(can_move(joint) for one in models for joint in one.joints)
+    return bool(models) and not any(can_move(joint) for model in models for joint in model.joints)

@@ -71,10 +71,10 @@ def _text(node: NodeParameters, key: str, default: str = "") -> str:
 
 def mistyped_navigation(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Commands of Nav2 without stamps for a drive that reads them with stamps."""
-    expected = {each.topic: each for each in command_readers(context, started)}
+    expected = {reader.topic: reader for reader in command_readers(context, started)}
     launches = launches_of_workspace(context.source.path, context.resolver) if expected else ()
     places: set[Span] = set()
-    for output in (each for launch in launches for each in _outputs(launch, context.resolver)):
+    for output in (output for launch in launches for output in _outputs(launch, context.resolver)):
         reader, section = expected.get(output.topic), output.section
         switch = section.values.get(_STAMPED)
         is_stamped = _text(section, _STAMPED, "false").lower()
@@ -118,7 +118,9 @@ def unpublished_commands(context: Context) -> Findings:
     launches = launches_of_workspace(context.source.path, context.resolver)
     programs = [node for launch in launches for node in launch.programs]
     smoothers = [node for node in context.launch.programs if node.executable == _SMOOTHER]
-    is_whole = all(map(is_known_reader, programs)) and not any(each.has_scopes for each in launches)
+    is_whole = all(map(is_known_reader, programs)) and not any(
+        launch.has_scopes for launch in launches
+    )
     if not smoothers or not is_whole:
         return
     published = [topic for topic in _published(smoothers, programs) if topic]

@@ -112,13 +112,13 @@ def _missing_rows(node: NodeParameters) -> Findings:
         for key, value in node.values.items()
         if (match := CONFIGURATION.fullmatch(key))
     }
-    values = [one for _, given in inputs.values() for one in given]
-    if values and all(one.text.lower() == "false" for one in values):
+    values = [value for _, given in inputs.values() for value in given]
+    if values and all(value.text.lower() == "false" for value in values):
         message = f"'{node.name}' reads nothing: all values of its inputs are false"
         yield _warning(values[0], message, "write true for what the filter reads of a message")
     for key, (kind, given) in inputs.items():
         for row, title in enumerate(_ROWS) if len(given) == 3 * len(_ROWS) else ():
-            read = [one for one in given[3 * row : 3 * row + 3] if one.text.lower() == "true"]
+            read = [value for value in given[3 * row : 3 * row + 3] if value.text.lower() == "true"]
             if read and row not in _OF_MESSAGE[kind]:
                 yield _warning(
                     read[0],

@@ -26,17 +26,24 @@ def published_robots(context: Context) -> list[Context]:
         if not any(_NEEDING.fullmatch(node.package) for node in context.launch.programs):
             return []
         launches = launches_of_workspace(context.source.path, context.resolver)
-    launches = tuple(each for each in launches if any(map(_is_publisher, each.programs)))
-    publishers = [node for each in launches for node in each.programs if _is_publisher(node)]
+    launches = tuple(
+        launch_file for launch_file in launches if any(map(_is_publisher, launch_file.programs))
+    )
+    publishers = [
+        node for launch_file in launches for node in launch_file.programs if _is_publisher(node)
+    ]
     descriptions = {
-        (each.path, *sorted(each.arguments.items())): each
+        (description.path, *sorted(description.arguments.items())): description
         for launch in launches
-        for each in launch.descriptions
+        for description in launch.descriptions
     }
-    are_whole = all(each.is_whole for each in descriptions.values())
+    are_whole = all(description.is_whole for description in descriptions.values())
     if not are_whole or not all(map(_is_plain, publishers)) or len(descriptions) > _MAX_ROBOTS:
         return []
-    robots = [context.other_robot(each.path, each.arguments) for each in descriptions.values()]
+    robots = [
+        context.other_robot(description.path, description.arguments)
+        for description in descriptions.values()
+    ]
     return robots if all(robot.reading.document is not None for robot in robots) else []
 
 

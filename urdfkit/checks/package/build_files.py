@@ -85,7 +85,7 @@ def missing_directories(name: str, directory: str) -> Findings:
     source = _build_file_of_ament(directory)
     if source is None:
         return
-    text = re.sub(rb"#[^\n]*", lambda one: b" " * len(one[0]), source.data)
+    text = re.sub(rb"#[^\n]*", lambda comment: b" " * len(comment[0]), source.data)
     is_sure = not re.search(rb"\b(OPTIONAL|EXISTS)\b", text)
     is_ament = re.search(rb"(?m)^\s*find_package\s*\(\s*ament_cmake", text)
     if not (is_ament and is_sure) or InstallRules(directory, name).makes_files:

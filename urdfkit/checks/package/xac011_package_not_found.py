@@ -45,7 +45,11 @@ def check(context: Context) -> Findings:
         (name,) = re.findall(_NAME, problem.message)
         path = problem.span.source.path
         known = context.resolver.packages.known(context.source.path)
-        alike = [one for one in known if is_mistyped(name, one) or one.rstrip("0123456789") == name]
+        alike = [
+            package
+            for package in known
+            if is_mistyped(name, package) or package.rstrip("0123456789") == name
+        ]
         is_declared = is_known_dependency(name, path, context.resolver)
         severity = None if alike and not is_declared else Severity.WARNING
         reason = "is not found"
@@ -96,7 +100,7 @@ def _launched(context: Context) -> Findings:
         name = package.name
         if package.searched is None or is_known_dependency(name, path, resolver):
             continue
-        suggested = did_you_mean(name, [one for one in known if is_mistyped(name, one)])
+        suggested = did_you_mean(name, [package for package in known if is_mistyped(name, package)])
         undeclared, help = "", "fix the name"
         if manifest is not None:
             undeclared = " and not declared in package.xml"

@@ -78,7 +78,9 @@ def _missing(context: Context) -> Findings:
                 f"loads it ({control_plugin_libraries()[hardware.control]})",
             )
             return  # one plugin loads all blocks
-    transmissions = [each for each in context.model.transmissions if not is_of_pr2(each)]
+    transmissions = [
+        transmission for transmission in context.model.transmissions if not is_of_pr2(transmission)
+    ]
     may_load = any(use.plugin is None for use in context.plugins)
     if (
         transmissions

@@ -214,6 +214,10 @@ def _read_topic(context: Context, srdf: Srdf, topic: str) -> str:
     """The topic that a controller reads instead of another one below its name."""
     above, _, last = topic.rpartition("/")
     name = above.rpartition("/")[2]
-    kinds = {each.type for each in defined_controllers(context, srdf) if each.name == name}
+    kinds = {
+        controller.type
+        for controller in defined_controllers(context, srdf)
+        if controller.name == name
+    }
     expected = data("moveit")["servo_topics"].get(kinds.pop()) if len(kinds) == 1 else None
     return f"{above}/{expected}" if expected and expected != last else ""

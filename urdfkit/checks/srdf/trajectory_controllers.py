@@ -57,7 +57,9 @@ def _undefined(
     """A controller that is not defined, while another controller commands its joints."""
     joints = _joints(entry)
     controllers = chain.from_iterable(defined.values())
-    other = next((each for each in controllers if joints & _commanded(each)), None)
+    other = next(
+        (controller for controller in controllers if joints & _commanded(controller)), None
+    )
     if other is not None and joints.isdisjoint(served):
         yield Finding(
             key.span,
@@ -128,7 +130,7 @@ def _spawned(path: str, resolver: Resolver) -> dict[str, Word]:
     packages = [package for launch in launches for package in launch.packages]
     programs = [program for launch in launches for program in launch.programs]
     spawners = [program for program in programs if program.package in (MANAGER, "")]
-    is_whole = all(each.searched is None or comes_with_ros(each.name) for each in packages)
+    is_whole = all(package.searched is None or comes_with_ros(package.name) for package in packages)
     if not is_whole or any(word.text is None for node in spawners for word in node.words):
         return {}
     return {spawned.word.text or "": spawned.word for spawned in spawned_controllers(spawners)}
@@ -136,7 +138,9 @@ def _spawned(path: str, resolver: Resolver) -> dict[str, Word]:
 
 def _omitted_joints(model: RobotModel, srdf: Srdf) -> set[str]:
     """The joints that MoveIt omits from trajectories."""
-    joints = {each.name for each in model.joints if each.kind == "fixed" or each.mimic is not None}
+    joints = {
+        joint.name for joint in model.joints if joint.kind == "fixed" or joint.mimic is not None
+    }
     elements = (*srdf.root.all("virtual_joint"), *srdf.root.all("passive_joint"))
     return joints.union(element.get("name") or "" for element in elements)
 
@@ -146,12 +150,19 @@ def _other_joints(
 ) -> Findings:
     """A trajectory controller with other joints, which rejects each trajectory."""
     joints = _joints(entry)
-    known = [each for each in same if each.type == _TRAJECTORY and _commanded(each)]
+    known = [
+        controller
+        for controller in same
+        if controller.type == _TRAJECTORY and _commanded(controller)
+    ]
     partial = filter(_is_partial, same)
-    if not joints or not known or any(_commanded(each) >= joints for each in partial):
+    if not joints or not known or any(_commanded(controller) >= joints for controller in partial):
         return
     moved = joints - unmoved
-    if any(_commanded(each) in (joints, moved) or _has_unknown_joints(each) for each in known):
+    if any(
+        _commanded(controller) in (joints, moved) or _has_unknown_joints(controller)
+        for controller in known
+    ):
         return
     commanded = _commanded(known[0])
     differing = few([*sorted(moved - commanded), *sorted(commanded - joints)], 4)
@@ -165,7 +176,7 @@ def _other_joints(
 
 def _action(key: Key, entry: dict[str, Node], same: list[Controller]) -> Findings:
     """A type or an action that the controller does not have."""
-    kinds = {tuple(data("moveit")["actions"].get(each.type, ())) for each in same}
+    kinds = {tuple(data("moveit")["actions"].get(controller.type, ())) for controller in same}
     action = kinds.pop() if len(kinds) == 1 else ()
     for name, expected in zip(("type", "action_ns"), action, strict=False):
         value = entry.get(name)

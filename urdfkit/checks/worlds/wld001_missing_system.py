@@ -73,7 +73,7 @@ _CONFIGURED = b"SERVER_CONFIG_PATH"
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    files = {each.span.source.path: each.span.source for each in context.launch.includes}
+    files = {include.span.source.path: include.span.source for include in context.launch.includes}
     if any(_CONFIGURED in file.data for file in (context.source, *files.values())):
         return
     required = _required(context)
@@ -133,7 +133,9 @@ def _without_factory(context: Context, opened: OpenedWorld) -> Findings:
 def _required(context: Context) -> list[tuple[Plugin, Sensor]]:
     """Systems that sensors of the robots require, each with the first sensor."""
     required: dict[str, tuple[Plugin, Sensor]] = {}
-    systems = [each for each in all_plugins() if each.generation == GZ and "world" in each.kinds]
+    systems = [
+        plugin for plugin in all_plugins() if plugin.generation == GZ and "world" in plugin.kinds
+    ]
     for _, robot in context.described_robots:
         for sensor in sensors(robot.model):
             kind = types().get(sensor.type)

@@ -99,7 +99,9 @@ def _is_written_out(definition: Definition, written: set[float]) -> bool:
 
 def _undefined(xacro: Xacro) -> frozenset[str]:
     """Names that nothing defines: xacro did not evaluate their uses; empty if they are many."""
-    defined = {one.name.removeprefix("**") for one in (*xacro.properties, *xacro.arguments)}
+    defined = {
+        definition.name.removeprefix("**") for definition in (*xacro.properties, *xacro.arguments)
+    }
     undefined = xacro.usage.names - defined
     return frozenset(undefined) if len(undefined) <= _MAX_UNDEFINED else frozenset()
 

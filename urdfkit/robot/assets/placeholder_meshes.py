@@ -66,8 +66,10 @@ class GeneratedMeshes(Record):
 
     @classmethod
     def of(cls, results: Sequence[GeneratedMesh | NotGenerated]) -> GeneratedMeshes:
-        generated = tuple(each for each in results if isinstance(each, GeneratedMesh))
-        return cls(generated, tuple(each for each in results if isinstance(each, NotGenerated)))
+        generated = tuple(result for result in results if isinstance(result, GeneratedMesh))
+        return cls(
+            generated, tuple(result for result in results if isinstance(result, NotGenerated))
+        )
 
 
 class NoSuchMesh(UrdfkitError):

@@ -87,8 +87,8 @@ def diagnose_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
 
 def _fit_as_written(link: LinkInertia, masses: Masses) -> bool:
     """True if the tensors of most other links fit their shapes in kg·m²."""
-    others = [each for each in masses.inertias if each is not link and each.is_measured]
-    fit = sum(bool(each.expected and each.fits(each.expected, _ROUGH_RATIO)) for each in others)
+    others = [other for other in masses.inertias if other is not link and other.is_measured]
+    fit = sum(bool(other.expected and other.fits(other.expected, _ROUGH_RATIO)) for other in others)
     return 2 * fit > len(others)
 
 

@@ -39,7 +39,7 @@ def _matching(known: Mapping[str, str], name: str) -> str | None:
     if name in known:
         return known[name]
     parts = name.split(".")
-    for pattern in (each.split(".") for each in known if "*" in each):
+    for pattern in (key.split(".") for key in known if "*" in key):
         if len(pattern) == len(parts) and all(
             p in ("*", q) for p, q in zip(pattern, parts, strict=True)
         ):

@@ -66,7 +66,7 @@ def _of_node(node: NodeParameters) -> dict[str, str]:
     if inputs := [match.group(1) for key in node.values if (match := CONFIGURATION.fullmatch(key))]:
         by_type: dict[str, str] = data("node_parameters")["filter"]
         of_filter = [(name, kind) for kind, names in by_type.items() for name in names.split()]
-        return {name.replace("*", each): kind for name, kind in of_filter for each in inputs}
+        return {name.replace("*", topic): kind for name, kind in of_filter for topic in inputs}
     return _types("nodes", kind_of(node))
 
 

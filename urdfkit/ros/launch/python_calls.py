@@ -90,7 +90,7 @@ def _missing(call: ast.Call, values: Values) -> Iterator[Problem]:
     """Arguments that a class must have: Python stops without them."""
     required = data("launch_python")["required"].get(called(call), "").split()
     given = {keyword.arg or "**" for keyword in call.keywords}
-    is_open = "**" in given or any(isinstance(each, ast.Starred) for each in call.args)
+    is_open = "**" in given or any(isinstance(value, ast.Starred) for value in call.args)
     known = data("launch_python")["keywords"].get(called(call), "").split()
     if is_open or (known and given.difference(known)):
         return  # one of them may be misspelt

@@ -132,7 +132,7 @@ def _called(tree: ast.Module) -> set[str]:
         name = waiting.pop()
         if name not in called:
             called.add(name)
-            waiting += [inner for one in functions.get(name, ()) for inner in _names(one)]
+            waiting += [inner for function in functions.get(name, ()) for inner in _names(function)]
     return called
 
 

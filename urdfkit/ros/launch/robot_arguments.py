@@ -115,7 +115,10 @@ def is_handed_on(robot: str, argument: str, resolver: Resolver) -> bool:
     return any(
         named.search(source.data)
         and given.search(source.data)
-        and all(disk.real(one.path) != real for one in read_launch(source, resolver).descriptions)
+        and all(
+            disk.real(description.path) != real
+            for description in read_launch(source, resolver).descriptions
+        )
         for directory, mentioned in directories_of_launch_files(robot, resolver)
         for source in launch_files(directory, mentioned, resolver)
     )
