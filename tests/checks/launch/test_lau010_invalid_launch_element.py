@@ -242,6 +242,10 @@ def described(first: str, entities: str) -> str:
     [
         (described(SPAWNER, HANDLED.format("a, b, ")), "'b' is started twice: launch stops at the"),
         (described(LASTING, HANDLED.format("a, ")), "started when robot_state_publisher"),
+        (
+            described(SPAWNER, HANDLED.replace("[b]", "[a]").format("b, ")),
+            "starts when it has exited itself",
+        ),
         (described(SPAWNER, "LaunchDescription([a, TimerAction(actions=b)])"), "actions of Timer"),
         (described(SPAWNER, "LaunchDescription(a)"), "initial_entities of LaunchDescription is"),
         (PROGRAM.format("LaunchDescription([])"), "generate_launch_description() returns nothing"),

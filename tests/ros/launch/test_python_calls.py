@@ -46,6 +46,11 @@ def program(entities: str, before: str = "") -> str:
             "write screen or log or both or own_log or full",
         ),
         (
+            program("node, Node(package='c', executable='d', extra_arguments=[])"),
+            "Node has no argument 'extra_arguments'",
+            "remove it: it is an argument of ComposableNode",
+        ),
+        (
             program("node, Node(package='c')"),
             "Node has no executable",
             "write executable=...",
@@ -144,3 +149,29 @@ def test_functions_of_python_that_expect_a_text(tmp_path: Path, call: str, funct
     assert [(one.message, one.severity) for one in found] == (
         [(message, Severity.ERROR)] if function else []
     )
+
+
+COMPONENT = "from launch_ros.descriptions import ComposableNode\n"
+
+
+@pytest.mark.parametrize(
+    ("package", "plugin", "help"),
+    [
+        ("image_proc", "image_proc/RectifyNode", "write image_proc::RectifyNode"),
+        ("image_proc", "image_proc::RectifyNod", "write image_proc::RectifyNode"),
+        ("image_proc", "image::RectifyNode", "write image_proc::RectifyNode"),
+        ("image_proc", "image_proc::RectifyNode", ""),
+        ("image_proc", "image_proc::Other", ""),
+        ("mine", "mine::Node", ""),
+    ],
+)
+def test_classes_of_composable_nodes(tmp_path: Path, package: str, plugin: str, help: str) -> None:
+    call = f"ComposableNode(package='{package}', plugin='{plugin}')"
+    text = COMPONENT + program("node", f"    print({call})\n")
+    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert [one.help for one in found] == ([help] if help else [])
+    (tmp_path / "xml").mkdir()
+    element = f'<composable_node pkg="{package}" plugin="{plugin}"/>'
+    container = f'<node_container pkg="r" exec="c" name="n" namespace="">{element}</node_container>'
+    found = reported(tmp_path / "xml", "LAU010", "a.launch.xml", container)
+    assert [one.help for one in found] == ([help] if help else [])

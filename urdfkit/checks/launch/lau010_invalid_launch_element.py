@@ -37,6 +37,8 @@
   LaunchConfiguration) to str"; or a function of Python gets a substitution, such as `os.path.join`
   or `open`: "expected str, bytes or os.PathLike object". The directory of a package and a path are
   joined without a slash.
+- A composable node names a class with a slash or another one than its package has (error), or an
+  event handler starts an action when it has exited itself.
 - In ROS 1, an argument has both a value and a default. In both versions, a condition is a
   comparison (error): `if="$(arg gui) == true"` is not a boolean. Write `$(eval ...)`.
 - `generate_launch_description` is misspelt or returns nothing (error).

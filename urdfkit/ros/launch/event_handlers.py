@@ -41,6 +41,22 @@ def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
             )
 
 
+def waits_for_itself(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+    """Actions that a handler starts when they have exited themselves."""
+    for call in calls:
+        target = argument(call, None, "target_action")
+        waiting = argument(call, None, "on_exit")
+        if called(call) != "OnProcessExit" or target is None or waiting is None:
+            continue
+        action = values.resolved(target)
+        for item in _listed(waiting, values):
+            if _is_action(item, values) and values.resolved(item) is action:
+                message = "starts when it has exited itself: launch starts an action only once"
+                help = "name the preceding action as target_action"
+                span = values.span(target)
+                yield Problem("LAU010", span, message, help, severity=Severity.WARNING)
+
+
 def wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Event handlers of a process for an action that is no process."""
     for call in calls:

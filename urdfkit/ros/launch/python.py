@@ -8,7 +8,12 @@ from functools import partial
 from urdfkit.ros.launch.collect import Collector
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, StartedProgram
-from urdfkit.ros.launch.event_handlers import never_reached, started_twice, wrong_targets
+from urdfkit.ros.launch.event_handlers import (
+    never_reached,
+    started_twice,
+    waits_for_itself,
+    wrong_targets,
+)
 from urdfkit.ros.launch.launch_description import entry_point, not_started
 from urdfkit.ros.launch.moveit_builder import record_files
 from urdfkit.ros.launch.python_arguments import wrong_arguments
@@ -112,6 +117,7 @@ class _PythonReader(PythonLaunchFile):
         problems += never_reached(self.calls, self.values)
         problems += started_twice(self.calls, self.values)
         problems += wrong_targets(self.calls, self.values)
+        problems += waits_for_itself(self.calls, self.values)
 
     def _declare(self, call: ast.Call) -> None:
         name = self.values.text(argument(call, 0, "name"))

@@ -3,8 +3,9 @@
 import ast
 from collections.abc import Iterator
 
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import is_typo, nearest
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.components import wrong_component
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import nodes, string
@@ -50,6 +51,7 @@ def wrong_calls(tree: ast.Module, calls: list[ast.Call], values: Values) -> Iter
             yield from _keywords(call, values)
             yield from _missing(call, values)
             yield from _output(call, values)
+            yield from _component(call, values)
         yield from _no_actions(call, values)
         yield from _without_effect(call, values)
         yield from _no_list(call, tree, values)
@@ -82,6 +84,10 @@ def _keywords(call: ast.Call, values: Values) -> Iterator[Problem]:
         if given and given not in known and not given.startswith(_FORMER):
             match = nearest(given, known)
             help = f"write {match}" if match else f"{name} has {', '.join(sorted(known))}"
+            every = data("launch_python")["keywords"].items()
+            owner = next((other for other, names in every if given in names.split()), "")
+            if owner and not (match and (given in match or is_typo(given, match))):
+                help = f"remove it: it is an argument of {owner}"
             message = f"{name} has no argument '{given}'"
             yield _error(keyword.value, message, help, values)
 
@@ -137,6 +143,15 @@ def _output(call: ast.Call, values: Values) -> Iterator[Problem]:
     if node is not None and text is not None and text not in known:
         message = f"output is '{text}', which launch does not know"
         yield _error(node, message, f"write {' or '.join(known)}", values)
+
+
+def _component(call: ast.Call, values: Values) -> Iterator[Problem]:
+    node = argument(call, None, "plugin")
+    if node is None or called(call) != "ComposableNode":
+        return
+    package = values.text(argument(call, None, "package"))
+    if wrong := wrong_component(package, values.text(node)):
+        yield _error(node, *wrong, values)
 
 
 def _no_actions(call: ast.Call, values: Values) -> Iterator[Problem]:

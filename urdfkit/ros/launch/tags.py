@@ -9,6 +9,7 @@ from functools import cache
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.ros.catalog import data, record
+from urdfkit.ros.launch.components import wrong_component
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, CallFrame, Element
 
@@ -89,9 +90,18 @@ def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Pr
             message = f"<{element.tag}> has no {name}"
             help = f'write {name}="..."'
             yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
+    if element.tag == "composable_node":
+        yield from _component(element, frame)
     if element.tag != "launch":  # whose attributes are not read
         yield from _misplaced(element, frame) if ros == 2 else _given_twice(element, frame)
         yield from _attributes(element, ros, frame)
+
+
+def _component(element: Element, frame: CallFrame | None) -> Iterator[Problem]:
+    plugin = element.attributes.get("plugin")
+    wrong = wrong_component(element.get("pkg"), plugin.value) if plugin is not None else None
+    if plugin is not None and wrong:
+        yield Problem("LAU010", plugin.span, *wrong, frame, severity=Severity.ERROR)
 
 
 def _unknown_tag(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:

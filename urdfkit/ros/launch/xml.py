@@ -105,11 +105,14 @@ class _XmlReader(XmlLaunchFile):
             self.collector.problems += without_effect(parent, self.frame)
         handles: dict[str, Callable[[Element], None]] = {
             "arg": self._arg,
+            "composable_node": self._children,
             "executable": partial(start_executable, self),
             "group": self._children,
             "include": self._include,
             "let": self._arg,
+            "load_composable_node": self._children,
             "node": self._node,
+            "node_container": self._children,
             "param": partial(read_param, self),
             "rosparam": partial(read_rosparam, self),
             "test": self._node,
