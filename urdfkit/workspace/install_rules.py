@@ -14,7 +14,6 @@ from urdfkit.core.paths import upwards
 from urdfkit.text.comments import without_comments
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.installs import MAX_BYTES, built_targets, known_variables, read_rules
-from urdfkit.workspace.python_installs import place_of
 
 #: Commands with unknown results that may install files: other CMake files, functions of packages.
 _UNCLEAR = (
@@ -75,6 +74,8 @@ class InstallRules:
         """
         wanted = f"share/{self._package}/{relative}"
         if self.file.endswith(".py") and not re.search(_WALK, self._text):
+            from urdfkit.workspace.python_installs import place_of  # for Python packages
+
             place = place_of(self._directory, self._package, relative)
             return "" if place == wanted else place
         if not self.file.endswith(".txt") or self._has_unclear_commands:

@@ -44,7 +44,6 @@ from urdfkit.checks.package.build_files import (
     missing_directories,
     not_finished,
     not_registered,
-    not_runnable,
     other_build_type,
     other_name,
 )
@@ -59,6 +58,7 @@ from urdfkit.text.document import Element
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
+from urdfkit.workspace.install_rules import build_file
 from urdfkit.workspace.manifest import REQUIRED, known_tags, nearest_manifest
 from urdfkit.workspace.package_references import have_references
 from urdfkit.workspace.ros_packages import comes_with_ros
@@ -95,7 +95,10 @@ def check(context: Context) -> Findings:
         yield from finds_catkin(home[1])
         yield from not_finished(home[1])
         yield from other_build_type(home[1])
-        yield from not_runnable(*home)
+        if build_file(home[1]).endswith(".py"):
+            from urdfkit.checks.package.python_executables import not_runnable  # for few robots
+
+            yield from not_runnable(*home)
     file = nearest_manifest(path)
     if file is None or disk.is_link(file):  # a link may refer to any file
         return
