@@ -541,3 +541,170 @@ def test_the_robot_of_another_launch_file(tmp_path: Path, topic: str, count: int
     files = {"a.rviz": rviz, "launch/robot.launch.py": STATE.format("")}
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
     assert ["nothing publishes a robot there" in one.message for one in found] == [True] * count
+
+
+LIDAR = (
+    '<robot name="r"><link name="l"/><gazebo reference="l"><sensor name="s" type="gpu_lidar">'
+    "{}</sensor></gazebo></robot>"
+)
+BRIDGE = NODE.format("ros_gz_bridge", "parameter_bridge", "arguments=['{}']")
+SCAN = BRIDGE.format("{}@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan")
+
+
+@pytest.mark.parametrize(
+    ("tags", "bridge", "more", "words"),
+    [
+        ("<topic>scan</topic>", SCAN.format("/scan"), "", ""),
+        (
+            "<topic>scan</topic>",
+            BRIDGE.format("/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"),
+            "",
+            "no bridge forwards the topic '/scan' of sensor 's'",
+        ),
+        ("<topic>scan</topic>", "", "", ""),  # another simulator
+        (
+            "<topic>scan</topic>",
+            BRIDGE.format("/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"),
+            NODE.format("sllidar_ros2", "sllidar_node", ""),
+            "",
+        ),
+        (
+            "<topic>scan</topic>",
+            SCAN.format("/rear"),
+            "",
+            "no bridge forwards the topic '/scan' of sensor 's'",
+        ),
+        ("<topic>front</topic>", SCAN.format("/rear"), "", "LaserScan messages are on '/rear'"),
+    ],
+)
+def test_a_sensor_that_is_not_bridged(
+    tmp_path: Path, tags: str, bridge: str, more: str, words: str
+) -> None:
+    text = (
+        STATE.format(
+            f", parameters=[{{'robot_description': open('{tmp_path}/r.urdf').read(), "
+            "'use_sim_time': True}]"
+        )
+        + bridge
+        + more
+        + NODE.format(
+            "nav2_amcl", "amcl", "parameters=[{'scan_topic': 'scan', 'use_sim_time': True}]"
+        )
+        + NODE.format(
+            "slam_toolbox", "async_slam_toolbox_node", f"parameters=['{tmp_path}/slam.yaml']"
+        )
+    )
+    slam = "slam_toolbox: {ros__parameters: {scan_topic: /scan, use_sim_time: true}}\n"
+    files = {"r.urdf": LIDAR.format(tags), "slam.yaml": slam}
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    found = [one for one in found if "waits for" in one.message]
+    assert [words in one.message for one in found] == [True] * bool(words)
+
+
+@pytest.mark.parametrize(
+    ("remappings", "count"),
+    [([("cloud_in", "/points")], 0), ([], 1), ([("cloud_in", "/cloud")], 1)],
+)
+def test_default_topics_of_a_program(
+    tmp_path: Path, remappings: list[tuple[str, str]], count: int
+) -> None:
+    points = "/points@sensor_msgs/msg/PointCloud2[gz.msgs.PointCloudPacked"
+    text = BRIDGE.format(points) + NODE.format(
+        "pointcloud_to_laserscan", "pointcloud_to_laserscan_node", f"remappings={remappings}"
+    )
+    found = reported(tmp_path, "LAU022", "a.launch.py", text)
+    assert [one.help for one in found] == ["remap cloud_in to /points"] * count
+
+
+@pytest.mark.parametrize(
+    ("info", "mask", "words"),
+    [
+        ("/filter_info", "/mask", ""),
+        ("/info", "/mask", "CostmapFilterInfo messages are on '/filter_info'"),
+        ("/filter_info", "/masks", "OccupancyGrid messages are on '/mask'"),
+    ],
+)
+def test_filters_of_a_costmap(tmp_path: Path, info: str, mask: str, words: str) -> None:
+    yaml = (
+        "global_costmap: {global_costmap: {ros__parameters: {filters: [keep], keep: "
+        f"{{plugin: 'nav2_costmap_2d::KeepoutFilter', filter_info_topic: {info}}}}}}}}}\n"
+    )
+    server = f"parameters=[{{'filter_info_topic': '/filter_info', 'mask_topic': '{mask}'}}]"
+    text = (
+        NODE.format(
+            "nav2_map_server", "map_server", "name='masks', parameters=[{'topic_name': '/mask'}]"
+        )
+        + NODE.format("nav2_map_server", "costmap_filter_info_server", server)
+        + NODE.format("nav2_planner", "planner_server", f"parameters=['{tmp_path}/nav2.yaml']")
+    )
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, {"nav2.yaml": yaml})
+    assert [words in one.message for one in found] == [True] * bool(words)
+
+
+OUT = "collision_monitor: {{ros__parameters: {{cmd_vel_out_topic: {}, use_sim_time: true}}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("topic", "other", "count"),
+    [
+        ("drive/cmd_vel", "", 0),
+        ("drive/cmd_vels", "", 1),
+        ("cmd_vel_nav", "", 0),  # of the smoother
+        ("mux/nav", "mux: {ros__parameters: {topics: {nav: {topic: mux/nav}}}}\n", 0),
+    ],
+)
+def test_output_of_the_collision_monitor(
+    tmp_path: Path, topic: str, other: str, count: int
+) -> None:
+    files = {"nav2.yaml": OUT.format(topic) + other}
+    remapped = MUX.format("remappings=[('cmd_vel_out', '/drive/cmd_vel')]")
+    text = NAVIGATION.format(tmp_path) + COMMANDS + remapped
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    expected = ["write drive/cmd_vel"] * count
+    assert [one.help for one in found if "collision_monitor" in one.message] == expected
+
+
+def test_a_mux_does_not_read_its_own_output(tmp_path: Path) -> None:
+    yaml = "mux: {ros__parameters: {use_stamped: false, topics: {nav: {topic: /cmd_vel_nav}}}}\n"
+    given = f"remappings=[('cmd_vel_out', '/cmd_vel_x')], parameters=['{tmp_path}/mux.yaml']"
+    text = MUX.format(given) + COMMANDS
+    (found,) = reported(tmp_path, "LAU022", "a.launch.py", text, {"mux.yaml": yaml})
+    assert found.help == "remap /cmd_vel_x to /drive/cmd_vel"
+
+
+@pytest.mark.parametrize(
+    ("of_filter", "of_drive", "more", "count"),
+    [
+        ("false", "false", "", 1),
+        ("true", "false", "", 0),
+        ("false", "true", "", 0),
+        ("false", "false", NODE.format("rf2o_laser_odometry", "rf2o", ""), 0),
+        (
+            "false",
+            "false",
+            BRIDGE.format("/tf@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V"),
+            0,
+        ),
+    ],
+)
+def test_nothing_publishes_odometry(
+    tmp_path: Path, of_filter: str, of_drive: str, more: str, count: int
+) -> None:
+    drive = DRIVE.replace("right_wheel", f"enable_odom_tf: {of_drive}, right_wheel")
+    files = {
+        "c.yaml": drive,
+        "ekf.yaml": f"ekf: {{ros__parameters: {{publish_tf: {of_filter}, "
+        "odom0: base/odom, odom0_config: [true]}}\n",
+    }
+    text = (
+        NODE.format("controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']")
+        + SPAWNER.format(["base"])
+        + NODE.format(
+            "robot_localization", "ekf_node", f"name='ekf', parameters=['{tmp_path}/ekf.yaml']"
+        )
+        + more
+    )
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    assert [one.help for one in found if "odometry to the robot" in one.message] == [
+        "write publish_tf: true"
+    ] * count

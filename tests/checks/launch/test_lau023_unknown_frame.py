@@ -111,6 +111,27 @@ def test_rviz(tmp_path: Path, fixed: str, is_on: str, frame: str, started: str, 
     assert len(messages(tmp_path, PUBLISHER.format("") + started, v_rviz=view)) == count
 
 
+SLAM = "Node(package='slam_toolbox', executable='async_slam_toolbox_node')\n"
+
+
+@pytest.mark.parametrize(
+    ("more", "count"),
+    [
+        (SLAM, 1),
+        ("", 0),  # not localized
+        (
+            SLAM + "Node(package='mocap', executable='node')\n",
+            0,
+        ),
+        (SLAM + STATIC.format("world", "map"), 0),
+    ],
+)
+def test_the_world_in_rviz(tmp_path: Path, more: str, count: int) -> None:
+    view = VIEW.format("world", "true", "lidar")
+    found = messages(tmp_path, PUBLISHER.format("") + RVIZ + more, v_rviz=view)
+    assert sum("'world'" in one for one in found) == count
+
+
 @pytest.mark.parametrize(("parent", "count"), [("base_link", 0), ("map", 0), ("chassis", 1)])
 def test_static_transforms(tmp_path: Path, parent: str, count: int) -> None:
     text = PUBLISHER.format("") + STATIC.format(parent, "tag") + STATIC.format("tag", "eye")

@@ -119,7 +119,7 @@ def test_plugins_of_a_costmap(tmp_path: Path, plugins: str, section: str, count:
     ],
 )
 def test_layers_behind_the_inflation(tmp_path: Path, plugins: str, names: list[str]) -> None:
-    yaml = COSTMAP.format(f"plugins: {plugins}") + "".join(
+    yaml = COSTMAP.format(f"rolling_window: true\n      plugins: {plugins}") + "".join(
         f"      {name}: {{plugin: {kind}}}\n"
         for name, kind in (
             ("inflation", "nav2_costmap_2d::InflationLayer"),
@@ -661,6 +661,7 @@ VALID = {
         ("origin", "[0.0, 0.0]", "origin has 2 values"),
         ("mode", "trinary", ""),
         ("mode", "trinery", "unknown mode 'trinery'; did you mean 'trinary'?"),
+        ("occupied_thresh", "65", "occupied_thresh is 65, above 1"),
         ("free_thresh", "0.7", "free_thresh 0.7 is above occupied_thresh 0.65"),
         ("negate", None, "the map has no negate"),
     ],
@@ -786,12 +787,16 @@ def test_heights_of_obstacles(tmp_path: Path, bound: str, count: int) -> None:
     [
         ("nav2_controller", "/move_base_simple/goal", 1),
         ("nav2_controller", "/goal_pose", 0),
+        ("nav2_controller", "/goal", 0),  # of an own program
+        ("nav2_controller", "/initialpose", 0),
+        ("nav2_controller", "/initial_pose", 1),
         ("other", "/move_base_simple/goal", 0),
     ],
 )
 def test_goals_of_rviz(tmp_path: Path, package: str, topic: str, count: int) -> None:
+    kind = "SetInitialPose" if "initial" in topic else "SetGoal"
     rviz = (
-        "Visualization Manager:\n  Tools:\n  - Class: rviz_default_plugins/SetGoal\n"
+        f"Visualization Manager:\n  Tools:\n  - Class: rviz_default_plugins/{kind}\n"
         f"    Topic: {{Value: {topic}}}\n"
     )
     text = (
@@ -872,3 +877,100 @@ def test_points_of_a_polygon(tmp_path: Path) -> None:
     (tmp_path / "jazzy").mkdir()
     (found,) = messages(tmp_path / "jazzy", CONTROLLER, '"controller_server"', yaml + JAZZY)
     assert "points is a list, must be a string" in found
+
+
+LAYERS = "plugins: [a, i], a: {{plugin: 'nav2_costmap_2d::{}'}}, i: {{plugin: n::InflationLayer}}"
+GLOBAL = "global_costmap: {{global_costmap: {{ros__parameters: {{{}}}}}}}\n"
+STATIC = LAYERS.format("StaticLayer")
+LOCALIZED = "amcl: {{ros__parameters: {{global_frame_id: {}}}}}\n"
+PURSUIT = (
+    "'nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController', "
+    "allow_reversing: true"
+)
+ROUND = COSTMAP_OF.format("rolling_window: true, robot_radius: 0.2")
+MPPI_OF = f"{PLAIN_MPPI}, model_dt: 0.1, critics: [CostCritic], CostCritic: "
+CONSIDERED = SERVER.format(MPPI_OF + "{consider_footprint: true}")
+VERTICAL = (
+    "ekf: {{ros__parameters: {{imu0: imu, imu0_config: ["
+    + "false, " * 12
+    + "true, true, {}]{}}}}}\n"
+)
+MASKS = "{}k: {{plugin: 'nav2_costmap_2d::KeepoutFilter', enabled: {}}}"
+
+
+@pytest.mark.parametrize(
+    ("yaml", "words"),
+    [
+        (COSTMAP_OF.format(LAYERS.format("VoxelLayer")), "does not move with the robot"),
+        (COSTMAP_OF.format(f"rolling_window: true, {LAYERS.format('VoxelLayer')}"), ""),
+        (COSTMAP_OF.format(f"rolling_window: $(roll), {LAYERS.format('VoxelLayer')}"), ""),
+        (COSTMAP_OF.format(STATIC), ""),
+        (COSTMAP_OF.format(LAYERS.format("OwnLayer")), ""),
+        (GLOBAL.format(LAYERS.format("ObstacleLayer")), "does not move with the robot"),
+        (GLOBAL.format(f"width: 100, height: 100, {LAYERS.format('ObstacleLayer')}"), ""),
+        (
+            GLOBAL.format(f"global_frame: odom, {STATIC}") + LOCALIZED.format("map"),
+            "has the map in 'odom' without a transform",
+        ),
+        (GLOBAL.format(f"global_frame: odom, {STATIC}") + LOCALIZED.format("hall"), ""),
+        (GLOBAL.format(f"global_frame: odom, {STATIC}"), ""),
+        (
+            GLOBAL.format(f"rolling_window: true, global_frame: odom, {STATIC}")
+            + LOCALIZED.format("map"),
+            "",
+        ),
+        (COSTMAP_OF.format("rolling_window: true, footprint: '[[9, 9], [-9, 0], [9, -9]]'"), "12."),
+        (COSTMAP_OF.format("rolling_window: true, footprint: '[[1, 1], [-1, 0], [1, -1]]'"), ""),
+        (COSTMAP_OF.format("footprint: '[[9, 9], [-9, 0], [9, -9]]'"), ""),
+        (SERVER.format(f"{PURSUIT}, use_rotate_to_heading: true"), "does not reverse"),
+        (SERVER.format(f"{PURSUIT}, use_rotate_to_heading: false"), ""),
+        (ROUND + CONSIDERED, "CostCritic has consider_footprint, but"),
+        (ROUND + CONSIDERED.replace("true", "false"), ""),
+        (ROUND.replace("robot_radius: 0.2", SQUARE) + CONSIDERED, ""),
+        (VERTICAL.format("true", ""), "contains that of gravity"),
+        (VERTICAL.format("false", ""), ""),
+        (VERTICAL.format("true", ", two_d_mode: true"), ""),
+        (VERTICAL.format("true", ", imu0_remove_gravitational_acceleration: true"), ""),
+        (GLOBAL.format(MASKS.format("", "true")), "does not load 'k'"),
+        (GLOBAL.format(MASKS.format("", "false")), ""),
+        (GLOBAL.format(MASKS.format("filters: [k], ", "true")), ""),
+        (WATCH.format("near", "circle, footprint_topic: /local_costmap/footprint"), "published_"),
+        (WATCH.format("near", "circle, footprint_topic: /own/footprint"), ""),
+        (
+            "behavior_server: {ros__parameters: {local_costmap_topic: local_costmap/costmap}}\n",
+            "is not 'costmap_raw'",
+        ),
+    ],
+)
+def test_geometry_and_topics_of_a_costmap(tmp_path: Path, yaml: str, words: str) -> None:
+    found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
+    assert [words in one for one in found] == [True] * bool(words)
+
+
+RELATIVE = COSTMAP_OF.format(OBSTACLES.format(SOURCE.format("topic: scan")))
+
+
+@pytest.mark.parametrize(
+    ("yaml", "severity"),
+    [
+        (RELATIVE, ""),
+        (RELATIVE + JAZZY, "info"),
+        (RELATIVE + JAZZY.replace("::", "/"), "warning"),
+        (RELATIVE + JAZZY.replace("spin:", "introspection_mode: disabled, spin:"), ""),
+        (RELATIVE.replace("topic: scan", "topic: /scan") + JAZZY, ""),
+    ],
+)
+def test_relative_topics_of_a_costmap(tmp_path: Path, yaml: str, severity: str) -> None:
+    text = PROGRAM.format(CONTROLLER, '"controller_server"')
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, {"a.yaml": yaml})
+    assert ["in its namespace" in one.message for one in found] == [True] * bool(severity)
+    assert [one.severity.value for one in found] == [severity] * bool(severity)
+
+
+def test_a_relative_topic_that_another_launch_file_remaps(tmp_path: Path) -> None:
+    text = PROGRAM.format(CONTROLLER, '"controller_server"')
+    files = {
+        "a.yaml": RELATIVE + JAZZY,
+        "launch/nav2.launch.py": "SetRemap('/local_costmap/scan', '/scan')\n",
+    }
+    assert reported(tmp_path / "arm", "LAU024", "a.launch.py", text, files) == []

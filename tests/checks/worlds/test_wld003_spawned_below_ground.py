@@ -113,3 +113,31 @@ def test_classic(tmp_path: Path) -> None:
     assert "0.3 m below" in one
     high = launch.replace("-model c", "-model c -z 0.4")
     assert messages(tmp_path, CODE, robot=wheeled(), launch=high, name="robot.launch") == []
+
+
+SOLID = (
+    "<model>{}<pose>{} 0 0.5 0 0 0</pose><link><collision><geometry>{}</geometry></collision>"
+    "</link></model>"
+)
+BOX, MESH = "<box><size>1 1 1</size></box>", "<mesh><uri>hall.dae</uri></mesh>"
+
+
+@pytest.mark.parametrize(
+    ("static", "x", "geometry", "count"),
+    [
+        ("<static>true</static>", "0", BOX, 0),
+        ("<static>true</static>", "4", BOX, 1),
+        ("<static>true</static>", "4", "<box><size>9 9 1</size></box>", 0),
+        ("<static>true</static>", "4", MESH, 0),
+        ("", "0", BOX, 1),  # it falls, too
+    ],
+)
+def test_solids_beside_the_robot(
+    static: str, x: str, geometry: str, count: int, tmp_path: Path
+) -> None:
+    launch = INCLUDE + SPAWN.format(TOPIC + ', "-z", "0.5"')
+    world = SOLID.format(static, x, geometry)
+    found = messages(tmp_path, CODE, robot=wheeled(), launch=launch, world=world)
+    assert found == [
+        "world 'hall' has no collision geometry below the robot, so the robot falls"
+    ] * (count)

@@ -137,6 +137,20 @@ def not_inflated(node: NodeParameters) -> Findings:
             )
 
 
+def unlisted_filters(node: NodeParameters) -> Findings:
+    """A filter that a costmap does not load; an info, as it may be left for later use."""
+    listed = {name.text for key in ("plugins", "filters") for name in scalars(node.values.get(key))}
+    for name, section in node.values.items() if node.name in COSTMAPS else ():
+        kind = _active_class(mapping(section))
+        if kind.endswith("Filter") and isinstance(name, Key) and name not in listed:
+            yield Finding(
+                name.span,
+                f"'{node.name}' does not load '{name}', which filters does not have",
+                f'write filters: ["{name}"]',
+                severity=Severity.INFO,
+            )
+
+
 def _active_class(layer: dict[str, Node]) -> str:
     """The class of a layer without its package; empty if unknown, or if it is disabled."""
     plugin, enabled = layer.get("plugin"), layer.get("enabled")

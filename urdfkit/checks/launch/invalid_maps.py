@@ -78,7 +78,17 @@ def _problems(source: Source, values: dict[str, Node]) -> Iterator[tuple[Span, s
 
 
 def _thresholds(values: dict[str, Node]) -> Findings:
-    """A cell cannot be free and occupied."""
+    """A cell cannot be free and occupied; thresholds are shares of black, not percent."""
+    for key in _NUMBERS[1:]:
+        value = values.get(key)
+        share = number(value.text) if isinstance(value, Value) else None
+        if isinstance(value, Value) and share is not None and share > 1:
+            yield Finding(
+                value.span,
+                f"{key} is {share:g}, above 1: it is the share of black of a cell",
+                f"write {share / 100:g}" if share <= 100 else "write a number from 0 to 1",
+                severity=Severity.WARNING,
+            )
     free, occupied = values.get("free_thresh"), values.get("occupied_thresh")
     if isinstance(free, Value) and isinstance(occupied, Value):
         low, high = number(free.text), number(occupied.text)

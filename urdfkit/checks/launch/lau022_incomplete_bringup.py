@@ -23,8 +23,12 @@
 - A filter, a costmap or all displays of RViz read odometry, an IMU, images or a scan from a topic
   that nothing publishes, while such messages are published on another topic. Reported only if all
   programs of the workspace, and the publishers of the robot in RViz, are known.
-- Nothing reads the velocity commands of twist_mux or a teleoperation node, while a drive reads them
-  on another topic. Reported only if all programs of the workspace are known.
+- Such a topic is published in Gazebo by a sensor of the robot, but no bridge forwards it.
+- The mask of a filter, or its `filter_info_topic`, is on another topic than its server says.
+- robot_localization and the controller of the wheels both leave the transform from odometry to the
+  robot to the other one.
+- Nothing reads the velocity commands of twist_mux, Nav2 or a teleoperation node, while a drive
+  reads them on another topic. Reported only if all programs of the workspace are known.
 - A teleoperation node, or Nav2, publishes `Twist` on the topic of a drive that reads
   `TwistStamped`, as those of ros2_control do: no message arrives, without an error.
 - The collision monitor of Nav2 reads commands on another topic than that of the velocity smoother.
@@ -45,6 +49,7 @@ Sources:
 from urdfkit.checks.launch import mismatched_names, simulation
 from urdfkit.checks.launch.defined_controllers import defined_controllers
 from urdfkit.checks.launch.navigation_commands import mistyped_navigation, unpublished_commands
+from urdfkit.checks.launch.unpublished_odometry import unpublished_odometry
 from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
 from urdfkit.checks.launch.unread_commands import is_part_of_ros, mistyped_commands, unread_commands
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
@@ -102,6 +107,7 @@ def check(context: Context) -> Findings:
         yield from simulation.unpublished_joint_states(context, programs)
         yield from unpublished_inputs(context)
         yield from unread_commands(context)
+        yield from unpublished_odometry(context)
         yield from mistyped_commands(context, programs)
         yield from mistyped_navigation(context, programs)
         yield from unpublished_commands(context)

@@ -11,7 +11,8 @@ Checked are:
 - `base_link_frame`, `base_link_output_frame`, `robot_base_frame`, `base_frame`, `base_frame_id` and
   `sensor_frame`. slam_toolbox and AMCL without such a parameter use `base_footprint`.
 - RViz's fixed frame and the frames of its displays. `map`, `odom` and `world` as the fixed frame
-  are reported if a launch file starts only RViz with joint_state_publisher.
+  are reported if a launch file starts only RViz with joint_state_publisher, and `world` in one that
+  starts only navigation.
 - Parents of static transforms, unless the launch file starts drivers that are not in the workspace,
   which may publish other frames.
 - The `global_frame` of a costmap, only for typos of `map` or `odom`.
@@ -157,7 +158,8 @@ def _frames_of_filters(launch: Launch, frames: list[NamedFrame]) -> frozenset[st
 
 
 def _finding(frame: NamedFrame, known: frozenset[str]) -> Finding:
-    published = sorted(_GLOBAL if frame.key == GLOBAL else known - WELL_KNOWN)
+    is_global = frame.key == GLOBAL or (frame.name in WELL_KNOWN - known and "map" in known)
+    published = sorted(_GLOBAL if is_global else known - WELL_KNOWN)
     is_default = frame.named_at is None
     prefixed = next((name for name in published if name.endswith(f"/{frame.name}")), "")
     help = f"{f'set {frame.key} to' if is_default else 'name'} a frame that is published: "

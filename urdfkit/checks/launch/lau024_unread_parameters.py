@@ -19,7 +19,9 @@
   of obstacles, or no source clears them; a minimum is above its maximum; an initial pose is given
   without `set_initial_pose`; the heights of obstacles exclude all lidars of the robot; a row of
   `imu0_config` is of values that an IMU does not have (all warnings but the first). With a
-  `transform_publish_period` of 0 slam_toolbox publishes no transform (info).
+  `transform_publish_period` of 0 slam_toolbox publishes no transform (info). A filter reads the
+  acceleration of an IMU with that of gravity (info). A critic of MPPI considers the footprint of a
+  robot that has only a radius.
 - A name is that of an earlier release, while other files are for Jazzy: `recoveries_server`,
   `progress_checker_plugin`, Nav2's own libraries in `plugin_lib_names`, a twist_mux without
   `use_stamped` (warnings). Nodes of Nav2 differ in `enable_stamped_cmd_vel` (warning).
@@ -29,6 +31,12 @@
   and of odometry are swapped (warnings).
 - A costmap layer has an unknown class or an unsupported `data_type`. Or an obstacle layer stands
   behind the last inflation layer, which does not inflate its obstacles (warning).
+- A costmap without a map does not move with the robot (`rolling_window`), is smaller than its
+  footprint, or has the map in the frame of odometry. A server of Nav2 reads the footprint or the
+  costs from a topic that a costmap does not publish, or `allow_reversing` of the regulated pure
+  pursuit is given with `use_rotate_to_heading` (warnings). A layer reads a relative topic, which up
+  to Jazzy is in the namespace of the costmap (warning; an info for Jazzy). A filter is not in
+  `filters` (info).
 - The parameters of a costmap are not below its name twice: `local_costmap: local_costmap:`.
 - A value has another type than the declared one, such as an integer for a double: "expected
   [double] got [integer]". A list contains lists. A planner or controller of Nav2 is misspelt
@@ -42,7 +50,7 @@
   of ROS 1 (warning): the display stays empty. Or it shows a robot whose meshes have paths, such as
   `$(find PACKAGE)/mesh.stl`, or Gazebo's `model://`: "Could not load resource" (warning). Or its
   display of the map is volatile, and misses what map_server published before (warning). Or its tool
-  for goals has the topic of ROS 1 (warning).
+  for goals or for the initial pose has the topic of ROS 1 or a misspelt one (warning).
 - A planning pipeline of MoveIt has no plugin (warning), neither in the file of MoveItConfigsBuilder
   nor in the dictionaries that the launch file passes to move_group ("Planning plugin name is empty
   or not defined in namespace 'ompl'"). Or `default_planning_pipeline` is not in
@@ -72,12 +80,17 @@ Sources:
 import os
 from itertools import chain
 
-from urdfkit.checks.launch import costmap_parameters, parameter_names, parameter_types
+from urdfkit.checks.launch import (
+    costmap_geometry,
+    costmap_parameters,
+    parameter_names,
+    parameter_types,
+)
 from urdfkit.checks.launch.invalid_maps import invalid_maps, missing_maps
 from urdfkit.checks.launch.lifecycle import inactive_mapping, not_activated, not_started
 from urdfkit.checks.launch.navigation_commands import mixed_stamps
 from urdfkit.checks.launch.obstacle_heights import discarded_scans
-from urdfkit.checks.launch.parameter_relations import contradictions
+from urdfkit.checks.launch.parameter_relations import contradictions, without_footprint
 from urdfkit.checks.launch.parameter_sections import misnamed_sections
 from urdfkit.checks.launch.plugin_parameters import unloadable_plugins
 from urdfkit.checks.launch.renamed_parameters import outdated
@@ -157,9 +170,15 @@ def check(context: Context) -> Findings:
             yield from parameter_names.unread_inputs(section)
             yield from costmap_parameters.misplaced(section)
             yield from costmap_parameters.not_inflated(section)
+            yield from costmap_parameters.unlisted_filters(section)
+            yield from costmap_geometry.unmoved(section)
+        yield from costmap_geometry.misread_costmaps(section)
     for own in files.values():
         yield from costmap_parameters.mixed_names(own)
     yield from outdated(context, sections)
+    yield from costmap_geometry.untransformed_map(sections)
+    yield from costmap_geometry.relative_topics(context, sections)
+    yield from without_footprint(sections)
     yield from mixed_stamps(sections)
     yield from discarded_scans(context, sections)
     yield from _lists(context)
@@ -169,6 +188,11 @@ def check(context: Context) -> Findings:
     yield from not_activated(context)
     yield from not_started(context)
     yield from inactive_mapping(context)
+    yield from _of_programs(context)
+
+
+def _of_programs(context: Context) -> Findings:
+    """What RViz shows, remappings and arguments."""
     yield from unknown_classes(context)
     yield from meshes_without_uri(context)
     yield from volatile_maps(context)

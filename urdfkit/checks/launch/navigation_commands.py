@@ -115,13 +115,15 @@ def _sections(launch: Launch, resolver: Resolver) -> Iterator[NodeParameters]:
 
 def unpublished_commands(context: Context) -> Findings:
     """A collision monitor that reads commands on a topic on which nothing publishes them."""
+    smoothers = [node for node in context.launch.programs if node.executable == _SMOOTHER]
+    if not smoothers:
+        return
     launches = launches_of_workspace(context.source.path, context.resolver)
     programs = [node for launch in launches for node in launch.programs]
-    smoothers = [node for node in context.launch.programs if node.executable == _SMOOTHER]
     is_whole = all(map(is_known_reader, programs)) and not any(
         launch.has_scopes for launch in launches
     )
-    if not smoothers or not is_whole:
+    if not is_whole:
         return
     published = [topic for topic in _published(smoothers, programs) if topic]
     for section in _sections(context.launch, context.resolver):

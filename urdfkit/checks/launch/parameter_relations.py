@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from math import hypot
+from math import hypot, inf
 
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.robot.values import number
@@ -23,7 +23,10 @@ _MIN = re.compile(r"(?<![^_])min(?=imum_|_|$)")
 _RANGES = (("obstacle_max_range", "raytrace_max_range"), ("obstacle_range", "raytrace_range"))
 _CONTROLLER, _MPPI = "controller_server", "nav2_mppi_controller::MPPIController"
 _FREQUENCY, _STEP = 20.0, 0.05  # Hz and s, if not given
+_CONSIDERED, _OF_FOOTPRINT = "consider_footprint", ("CostCritic", "ObstaclesCritic")
 _TOLERANCE = 1e-6
+_SIDE = 5.0  # m, of a costmap, if not given
+_PURSUIT = "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"
 _INFLATION = "InflationLayer"
 #: The rows of three values in a configuration, and those that a message has.
 _ROWS = ("position", "angles", "velocity", "angular velocity", "acceleration")
@@ -39,8 +42,10 @@ def contradictions(node: NodeParameters) -> Findings:
     yield from _long_period(node)
     yield from _no_transform(node)
     yield from _missing_rows(node)
+    yield from _gravity(node)
     for layer in map(mapping, node.values.values()):
         yield from _never_cleared(node, layer)
+        yield from _not_reversing(node, layer)
     if node.name.endswith("_costmap"):
         yield from _radii(node)
 
@@ -128,6 +133,45 @@ def _missing_rows(node: NodeParameters) -> Findings:
                 )
 
 
+def _gravity(node: NodeParameters) -> Findings:
+    """A vertical acceleration with that of gravity; an info, as a driver may have removed it."""
+    for key, value in node.values.items():
+        match, given = CONFIGURATION.fullmatch(key), scalars(value)
+        is_imu = match is not None and match.group(2) == "imu" and len(given) == 3 * len(_ROWS)
+        if not is_imu or given[-1].text.lower() != "true" or _is(node.values, "two_d_mode", "true"):
+            continue
+        switch = f"{key.removesuffix('_config')}_remove_gravitational_acceleration"
+        if switch not in node.values or _is(node.values, switch, "false"):
+            message = (
+                f"'{node.name}' reads the vertical acceleration of an IMU, which contains that "
+            )
+            message += f"of gravity, without {switch}: the robot rises"
+            yield Finding(given[-1].span, message, f"write {switch}: true", severity=Severity.INFO)
+
+
+def without_footprint(sections: list[NodeParameters]) -> Findings:
+    """A critic of MPPI that considers the footprint of a robot that has only a radius."""
+    costmaps = [node.values for node in sections if node.name == "local_costmap"]
+    has_radius = len(costmaps) == 1 and "robot_radius" in costmaps[0]
+    footprint = costmaps[0].get("footprint") if has_radius else None
+    if not has_radius or (
+        footprint and (not isinstance(footprint, Value) or footprint.text != "[]")
+    ):
+        return
+    for node in sections:
+        for plugin in map(mapping, node.values.values()) if node.name == _CONTROLLER else ():
+            for name, critic in plugin.items():
+                switch = mapping(critic).get(_CONSIDERED)
+                is_on = isinstance(switch, Value) and switch.text.lower() == "true"
+                if isinstance(switch, Value) and is_on and name in _OF_FOOTPRINT:
+                    yield Finding(
+                        switch.span,
+                        f"'{node.name}' stops: {name} has {_CONSIDERED}, but local_costmap has "
+                        "robot_radius and no footprint",
+                        f"write {_CONSIDERED}: false, or give local_costmap a footprint",
+                    )
+
+
 def _never_cleared(node: NodeParameters, layer: dict[str, Node]) -> Findings:
     """Sources of an obstacle layer that mark cells which no ray clears."""
     listed = layer.get("observation_sources")
@@ -150,12 +194,34 @@ def _never_cleared(node: NodeParameters, layer: dict[str, Node]) -> Findings:
         yield _warning(switches[0], message, "write clearing: true")
 
 
+def _not_reversing(node: NodeParameters, section: dict[str, Node]) -> Findings:
+    """Reversing, which the regulated pure pursuit does not do if it rotates on the spot."""
+    plugin, switch = section.get("plugin"), section.get("allow_reversing")
+    is_pursuit = isinstance(plugin, Value) and plugin.text.replace("/", "::") == _PURSUIT
+    names = ("allow_reversing", "use_rotate_to_heading")
+    if is_pursuit and all(_is(section, name, "true") for name in names):
+        yield _warning(
+            switch,
+            f"'{node.name}' does not reverse: allow_reversing is not used with "
+            "use_rotate_to_heading",
+            "write use_rotate_to_heading: false, or remove allow_reversing",
+        )
+
+
 def _radii(node: NodeParameters) -> Findings:
     """An inflation radius within the robot, and a radius that a footprint replaces."""
     radius, footprint = node.values.get("robot_radius"), node.values.get("footprint")
     points = _points(footprint.text) if isinstance(footprint, Value) else []
     inscribed, circumscribed = _radii_of(points) if points else (_number(radius), None)
     given = _number(radius)
+    if isinstance(footprint, Value) and circumscribed and circumscribed > _size(node):
+        yield _warning(
+            footprint,
+            f"'{node.name}': the footprint reaches {circumscribed:.3g} m from the robot, beyond "
+            f"the costmap of {_size(node):g} m",
+            "write the footprint in metres",
+        )
+        return
     if (
         given
         and inscribed
@@ -179,6 +245,13 @@ def _radii(node: NodeParameters) -> Findings:
                 f"robot, {inscribed:.3g} m",
                 f"write more than {inscribed:.3g}",
             )
+
+
+def _size(node: NodeParameters) -> float:
+    """The greater side of a costmap that moves with the robot, otherwise infinite."""
+    if not _is(node.values, "rolling_window", "true"):
+        return inf
+    return max(_number(node.values.get(side), _SIDE) or inf for side in ("width", "height"))
 
 
 def _points(text: str) -> list[tuple[float, float]]:

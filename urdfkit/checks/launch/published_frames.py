@@ -21,6 +21,13 @@ _RVIZ = ("rviz", "rviz2")
 _SLIDERS = ("joint_state_publisher", "joint_state_publisher_gui")
 #: Packages that do not localize the robot.
 _VIEWERS = (_PUBLISHER, *_SLIDERS, *_RVIZ)
+#: Packages that publish the frame of the map, and those that publish no other one above it.
+_LOCALIZATION = ("nav2_amcl", "slam_toolbox")
+_OF_NAVIGATION = re.compile(
+    r"nav2_\w+|slam_toolbox|robot_localization|robot_state_publisher|rviz2|twist_mux|joy"
+    r"|teleop_twist_(joy|keyboard)|tf2_ros"
+)
+_WORLD, _NAMES_WORLD = "world", re.compile(rb":\s*[\"']?/?world\b")
 #: Packages of ROS whose nodes publish other frames, of a sensor or a recording.
 _PUBLISHERS_OF_ROS = ("mavros", "realsense2_camera", "rosbag", "rosbag2")
 #: Most robots of a workspace that are expanded for their links.
@@ -45,7 +52,21 @@ def published_frames(context: Context) -> frozenset[str]:
     children = {transform.child.name for transform in transforms}
     above = {transform.parent.name for transform in transforms if transform.child.name in links}
     is_viewer = _is_viewer(launch) and not is_included(context.source.path, context.resolver)
-    return links.union(children, above, () if is_viewer else WELL_KNOWN)
+    well_known = frozenset() if is_viewer else WELL_KNOWN
+    if _has_map_alone(context) and all(transform.parent.name != _WORLD for transform in transforms):
+        well_known -= {_WORLD}
+    return links.union(children, above, well_known)
+
+
+def _has_map_alone(context: Context) -> bool:
+    """True if the root of all frames is that of localization: no node names another one."""
+    programs = context.launch.programs
+    if not all(_OF_NAVIGATION.fullmatch(node.package) for node in programs):
+        return False
+    sources = (context.resolver.readable(file.path) for file in context.launch.parameters)
+    names_world = any(_NAMES_WORLD.search(source.data) for source in sources if source)
+    is_localized = any(node.package in _LOCALIZATION for node in programs)
+    return is_localized and not names_world and not _includes_unavailable(context)
 
 
 def links_of_robots(context: Context, launches: tuple[Launch, ...]) -> frozenset[str]:

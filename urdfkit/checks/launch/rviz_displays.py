@@ -7,7 +7,7 @@ Humble to Rolling; kobuki-base/kobuki_ros#51.
 import os
 from collections.abc import Iterator
 
-from urdfkit.core.suggest import TYPO, nearest
+from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.ros.launch.contents import FileUse
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
@@ -19,6 +19,8 @@ from urdfkit.text.source import Span
 _PLUGINS = "rviz_default_plugins"
 #: The topic of goals in ROS 1.
 _OLD_GOAL = "move_base_simple/goal"
+#: The topics of tools that Nav2 reads.
+_READ_BY_NAV2 = {"SetGoal": "goal_pose", "SetInitialPose": "initialpose"}
 
 
 def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], str]]:
@@ -75,7 +77,7 @@ def volatile_maps(context: Context) -> Findings:
 
 
 def unread_goals(context: Context) -> Findings:
-    """Tools of RViz that publish on the topics of ROS 1, while Nav2 is started."""
+    """Tools of RViz whose topics Nav2, which is started, does not read: of ROS 1, misspelt."""
     if not any(node.package.startswith("nav2_") for node in context.launch.programs):
         return
     if has_other_topics(context):
@@ -84,10 +86,13 @@ def unread_goals(context: Context) -> Findings:
         source = context.resolver.readable(file.path) if file.path.endswith(".rviz") else None
         for tool in tools(source) if source else ():
             kind, topic = tool.get("Class"), topic_of(tool)
-            is_goal = isinstance(kind, Value) and kind.text.endswith("/SetGoal")
-            if is_goal and topic is not None and topic.text.strip("/") == _OLD_GOAL:
-                message = f"SetGoal of RViz publishes '{topic.text}', which Nav2 does not read"
-                yield _finding(topic.span, message, "write /goal_pose", file)
+            if not isinstance(kind, Value) or topic is None:
+                continue
+            class_name, name = kind.text.rpartition("/")[2], topic.text.strip("/")
+            right = _READ_BY_NAV2.get(class_name, name)
+            if name == _OLD_GOAL or (name != right and is_typo(name, right)):
+                message = f"{class_name} of RViz publishes '{topic.text}', which Nav2 does not read"
+                yield _finding(topic.span, message, f"write /{right}", file)
 
 
 def unpublished_models(context: Context, published: dict[str, Span]) -> Findings:

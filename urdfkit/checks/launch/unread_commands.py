@@ -52,6 +52,7 @@ _SMOOTHED = ("/cmd_vel", "/cmd_vel_nav", "/cmd_vel_smoothed", "/cmd_vel_raw")
 DRIVE = re.compile(r"\w*(DiffDrive|Mecanum|OmniWheel|Tricycle|Steering)\w*Controller")
 #: The parameter of a drive for stamped commands, and the suffix of the topic without stamps.
 _STAMPED, _PLAIN = "use_stamped_vel", "_unstamped"
+_MONITOR, _OUT = "collision_monitor", "cmd_vel_out_topic"
 _MUX, _MUX_STAMPED = "twist_mux", "use_stamped"
 _COMMAND = re.compile(r"cmd_vel|reference")
 _TWIST, _TWIST_STAMPED = "Twist", "TwistStamped"
@@ -63,10 +64,11 @@ class Reader(Record):
     topic: str
     message: str  # Twist or TwistStamped
     at: Span
+    is_mux: bool = False  # True for an input of twist_mux
 
 
 def unread_commands(context: Context) -> Findings:
-    """Nodes whose velocity commands nothing reads."""
+    """Nodes whose velocity commands nothing reads, and outputs of Nav2."""
     sources = list(command_sources(context.launch.programs))
     if not sources or is_included(context.source.path, context.resolver):
         return
@@ -80,13 +82,18 @@ def unread_commands(context: Context) -> Findings:
         return  # unknown controllers may read any topic
     if not all(are_all_known(robot.model) for robot in robots_of_workspace(context)):
         return
-    readers = {reader.topic: reader.at for reader in command_readers(context, programs)}
+    all_readers = list(command_readers(context, programs))
+    readers = {reader.topic: reader.at for reader in all_readers}
+    drives = {reader.topic: reader.at for reader in all_readers if not reader.is_mux}
     read = {topic.removesuffix(_PLAIN) for topic in readers}
+    if drives:
+        yield from _unread_outputs(context, launches, drives, read)
     if any(node.package in _SMOOTHERS for node in programs):
         read.update(_SMOOTHED)
     for node, topic in sources if readers else ():
         if topic.removesuffix(_PLAIN) not in read and not _is_named(topic, launches, context):
-            other = nearest(topic, readers, 0) or next(iter(readers))
+            known = drives if node.package == _MUX and drives else readers
+            other = nearest(topic, known, 0) or next(iter(known))
             yield Finding(
                 node.at,
                 f"'{node.executable}' publishes '{topic}', which nothing reads; velocity commands "
@@ -94,6 +101,31 @@ def unread_commands(context: Context) -> Findings:
                 f"remap {topic} to {other}",
                 related=(Related(readers[other], "the reader"),),
             )
+
+
+def _unread_outputs(
+    context: Context, launches: Iterable[Launch], readers: dict[str, Span], read: set[str]
+) -> Findings:
+    """Outputs of the collision monitor of Nav2 that nothing reads."""
+    programs = [node for launch in launches for node in launch.programs]
+    if any(node.package in _SMOOTHERS and node.is_remapped for node in programs):
+        return
+    for file in context.launch.parameters:
+        source = context.resolver.readable(file.path)
+        for node in node_parameters(source) if source else ():
+            value = node.values.get(_OUT) if node.name == _MONITOR and not node.namespace else None
+            if not isinstance(value, Value) or not re.fullmatch(r"[\w/]+", value.text):
+                continue
+            topic = resolve_name(value.text, "")
+            if topic not in {*read, *_SMOOTHED} and not _is_named(topic, launches, context, 1):
+                other = nearest(topic, readers, 0) or next(iter(readers))
+                yield Finding(
+                    value.span,
+                    f"'{_MONITOR}' publishes '{topic}', which nothing reads; velocity commands "
+                    f"are read on '{other}'",
+                    f"write {other.strip('/')}",
+                    related=(Related(readers[other], "the reader"),),
+                )
 
 
 def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
@@ -192,12 +224,17 @@ def _read_by_mux(node: StartedProgram, context: Context) -> Iterator[Reader]:
             for entry in mapping(section.values.get("topics")).values():
                 topic = mapping(entry).get("topic")
                 if isinstance(topic, Value):
-                    yield Reader(resolve_name(topic.text, node.namespace), message, topic.span)
+                    name = resolve_name(topic.text, node.namespace)
+                    yield Reader(name, message, topic.span, is_mux=True)
 
 
-def _is_named(topic: str, launches: Iterable[Launch], context: Context) -> bool:
-    """True if a parameter file contains the topic, so that a node may read it."""
+def _is_named(topic: str, launches: Iterable[Launch], context: Context, own: int = 0) -> bool:
+    """True if a parameter file contains the topic, so that a node may read it.
+
+    Args:
+        own: how often the publisher itself contains it.
+    """
     written = re.compile(rb"(?<![\w/])/?%b(?![\w/])" % re.escape(topic.strip("/").encode()))
     paths = {file.path for launch in launches for file in launch.parameters}
     sources = filter(None, map(context.resolver.readable, paths))
-    return any(written.search(source.data) for source in sources)
+    return sum(len(written.findall(source.data)) for source in sources) > own

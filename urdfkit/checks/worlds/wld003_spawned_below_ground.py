@@ -4,7 +4,7 @@ The pose of the node that spawns the robot is that of its root link. If the whee
 0.1 m below the floor, the physics ejects the robot, which may tip over or fall through a thin
 floor. With 0.01 to 0.1 m it jumps (info). Spawn it higher, or add a `base_footprint` on the ground.
 
-A world without any collision geometry has no floor: the robot falls for ever.
+A world without any collision geometry below the robot has no floor: the robot falls for ever.
 
 Robots with legs, robots that are fixed to the world, and worlds whose floor is not a single level
 plane are not checked.
@@ -15,15 +15,18 @@ Sources:
     ROS, base_footprint: https://www.ros.org/reps/rep-0120.html#base-footprint
 """
 
+from math import hypot, inf
+
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import collision_xml, element_xml, joint_xml
 from urdfkit.robot.stability import is_freestanding, standing_verdict
-from urdfkit.robot.values import number
+from urdfkit.robot.values import number, numbers
 from urdfkit.ros.gazebo.samples import solid_xml
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawning import model_spawner, options
 from urdfkit.ros.launch.worlds import CLASSIC, worlds
+from urdfkit.text.document import Element
 
 NAME = "launch/robot.launch.py"
 BAD = """\
@@ -61,6 +64,10 @@ FILES = {
 #: Worlds of gz sim with a floor.
 _WITH_FLOOR = ("default.sdf", "empty.sdf")
 _DESCRIPTION = "robot_description"
+#: What may have a floor in it, besides models.
+_FLOORS = ("heightmap", "include", "population", "actor", "road")
+#: How far a robot reaches beyond its origin, in m.
+_MARGIN = 1.0
 #: Depths in m: below the first the robot does not visibly jump; above the second it is ejected.
 TOLERANCE, EJECTION_DEPTH = 0.01, 0.1
 
@@ -74,7 +81,7 @@ def check(context: Context) -> Findings:
     (robot,) = robots
     spawners = list(filter(model_spawner, context.launch.programs))
     if len(spawners) == 1:
-        yield from _without_floor(opened[0], robot)
+        yield from _without_floor(opened[0], robot, spawners[0])
     ground = _ground(opened[0])
     if ground is None:
         return
@@ -96,19 +103,66 @@ def check(context: Context) -> Findings:
             )
 
 
-def _without_floor(opened: OpenedWorld, robot: Context) -> Findings:
-    """A world without a floor: it has no collision geometry and includes no models."""
-    world = opened.world
+def _without_floor(opened: OpenedWorld, robot: Context, spawner: StartedProgram) -> Findings:
+    """A world without a floor: no collision geometry carries the robot, and it includes nothing."""
+    world, place = opened.world, _position(spawner)
     if world is None or b"uoyancy" in world.source.data or _lowest(robot) is None:
         return
-    solid = ("collision", "heightmap", "include", "population")
-    if not world.is_weightless and not any(element.tag in solid for element in world.at.walk()):
+    has_others = any(element.tag in _FLOORS for element in world.at.walk())
+    if world.is_weightless or has_others:
+        return
+    models = [model for model in world.at.all("model") if _has_collision(model)]
+    if not models or (place and not any(_may_carry(model, place) for model in models)):
+        what = "no collision geometry below the robot" if models else "no collision geometry"
         yield Finding(
             world.at.span,
-            f"world '{opened.name}' has no collision geometry, so the robot falls",
+            f"world '{opened.name}' has {what}, so the robot falls",
             "add a model with a plane, visual and collision, or include a ground plane",
             related=opened.note,
         )
+
+
+def _has_collision(model: Element) -> bool:
+    return any(element.tag == "collision" for element in model.walk())
+
+
+def _may_carry(model: Element, place: tuple[float, float]) -> bool:
+    """False for a model that falls itself, and for solids beside the robot."""
+    static = model.child("static")
+    if static is None or static.text.strip().lower() not in ("true", "1"):
+        return any(element.tag == "joint" for element in model.walk())
+    poses = [element for element in model.walk() if element.tag == "pose"]
+    origins = [numbers(pose.text) or () for pose in poses if pose.text.strip()]
+    sizes = [_extent(element) for element in model.walk() if element.tag == "geometry"]
+    if any(pose.get("relative_to") for pose in poses) or not all(map(len, origins)):
+        return True
+    own = model.child("pose")
+    x, y = (numbers(own.text) or (0.0, 0.0))[:2] if own is not None else (0.0, 0.0)
+    # The poses of its parts are in the frame of the model.
+    reach = sum(hypot(*origin[:3]) for origin in origins) - hypot(x, y)
+    return hypot(x - place[0], y - place[1]) <= reach + max(sizes, default=inf) + _MARGIN
+
+
+def _extent(geometry: Element) -> float:
+    """The radius of a sphere around a solid, in m; infinite for others, such as a mesh."""
+    (solid,) = geometry.children or (geometry,)
+    values = [numbers(part.text) for part in solid.children]
+    if solid.tag not in ("box", "cylinder", "sphere") or not all(values):
+        return inf
+    reach = sum(hypot(*value) for value in values if value)
+    return reach / 2 if solid.tag == "box" else reach
+
+
+def _position(program: StartedProgram) -> tuple[float, float] | None:
+    """The x and y in m at which a node spawns the robot; None if unknown."""
+    spawner = model_spawner(program)
+    arguments, is_known = options(program, spawner) if spawner else ({}, False)
+    parameters = program.parameters.every
+    if not is_known or parameters is None:
+        return None
+    texts = dict(parameters) | {name: word.text for name, word in arguments.items()}
+    x, y = (number(texts.get(name, "0") or "") for name in ("x", "y"))
+    return None if x is None or y is None else (x, y)
 
 
 def _ground(opened: OpenedWorld) -> float | None:

@@ -1,0 +1,147 @@
+"""Costmaps that do not move with the robot, are smaller than it, or have the map in another frame.
+
+Sources: ``costmap_2d_ros.cpp``, ``layered_costmap.cpp``, ``static_layer.cpp`` and
+``obstacle_layer.cpp`` of nav2_costmap_2d, humble to rolling; ros-navigation/navigation2#1214.
+"""
+
+from __future__ import annotations
+
+import re
+
+from urdfkit.checks.launch.costmap_parameters import COSTMAPS
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.ros.launch.releases import is_for_jazzy
+from urdfkit.ros.node_parameters import NodeParameters
+from urdfkit.text.located_yaml import Node, Value, mapping, scalars
+from urdfkit.workspace.launch_files import launch_files
+
+_STATIC = "StaticLayer"
+#: Layers that take the size of the costmap as it is.
+_SIZELESS = ("InflationLayer", "ObstacleLayer", "VoxelLayer", "SpatioTemporalVoxelLayer")
+#: The frame of the map in the parameters of the nodes that localize.
+_MAP_FRAMES = {"amcl": "global_frame_id", "slam_toolbox": "map_frame", "map_server": "frame_id"}
+#: What a costmap publishes, by the ending of the parameter that names it, and its readers.
+_PUBLISHED = {"costmap_topic": "costmap_raw", "footprint_topic": "published_footprint"}
+_READERS = ("behavior_server", "collision_monitor", "docking_server", "smoother_server")
+#: Names of plugins up to Iron, and parameters of Kilted and later.
+_OLD = re.compile(rb"\bnav2_(behaviors|navfn_planner|smac_planner|recoveries)/")
+_NEW = re.compile(rb"\b(introspection_mode|bond_heartbeat_period|allow_parameter_qos_overrides)\b")
+
+
+def unmoved(node: NodeParameters) -> Findings:
+    """A costmap that stays where the robot started, without a map that gives it a size."""
+    layers = scalars(node.values.get("plugins")) if node.name in COSTMAPS else []
+    classes = [_class(node, layer) for layer in layers]
+    has_size = "width" in node.values and "height" in node.values
+    if not classes or not set(classes) <= {*_SIZELESS} or _rolls(node) is not False:
+        return
+    if node.name == COSTMAPS[0] or not has_size:
+        switch = node.values.get("rolling_window")
+        at = switch.span if isinstance(switch, Value) else node.at
+        yield Finding(
+            at,
+            f"'{node.name}' does not move with the robot, which leaves it: rolling_window is "
+            f"false, and no layer is a {_STATIC}",
+            f"write rolling_window: true, or add a {_STATIC}",
+            severity=Severity.WARNING,
+        )
+
+
+def untransformed_map(sections: list[NodeParameters]) -> Findings:
+    """A costmap with the map in the frame of odometry: only a rolling one transforms the map."""
+    frames = {
+        value.text.strip("/")
+        for node in sections
+        if isinstance(value := node.values.get(_MAP_FRAMES.get(node.name, "")), Value)
+    }
+    for node in sections if frames == {"map"} else ():
+        frame = node.values.get("global_frame")
+        layers = scalars(node.values.get("plugins")) if node.name in COSTMAPS else []
+        has_map = _STATIC in [_class(node, layer) for layer in layers] and _rolls(node) is False
+        if has_map and isinstance(frame, Value) and frame.text.strip("/") == "odom":
+            yield Finding(
+                frame.span,
+                f"'{node.name}' has the map in '{frame.text}' without a transform from 'map', "
+                "as it does not roll",
+                "write global_frame: map",
+                severity=Severity.WARNING,
+            )
+
+
+def misread_costmaps(node: NodeParameters) -> Findings:
+    """A topic of a costmap that it does not publish, or publishes for RViz alone."""
+    stack: list[dict[str, Node]] = [node.values] if node.name in _READERS else []
+    while stack:
+        section = stack.pop()
+        stack += [inner for inner in section.values() if isinstance(inner, dict)]
+        for key, value in section.items():
+            topic = next((name for end, name in _PUBLISHED.items() if key.endswith(end)), "")
+            parts = value.text.strip("/").split("/") if isinstance(value, Value) else []
+            is_of_costmap = topic and len(parts) > 1 and parts[-2] in COSTMAPS
+            if is_of_costmap and isinstance(value, Value) and parts[-1] != topic:
+                right = value.text.removesuffix(parts[-1]) + topic
+                yield Finding(
+                    value.span,
+                    f"'{node.name}': {key} '{value.text}' is not '{topic}', which a costmap "
+                    "publishes for it",
+                    f"write {right}",
+                    severity=Severity.WARNING,
+                )
+
+
+def relative_topics(context: Context, sections: list[NodeParameters]) -> Findings:
+    """Topics of layers without a slash, which are in the namespace of the costmap up to Jazzy."""
+    sources = {node.at.source.path: node.at.source.data for node in sections}
+    if any(_NEW.search(text) for text in sources.values()):
+        return
+    is_old = any(_OLD.search(text) for text in sources.values())
+    if not is_old and not is_for_jazzy(context.source.path, context.resolver, sources):
+        return
+    told: set[str] = set()
+    for node in sections if not context.launch.has_scopes else ():
+        for topic in _relative(node):
+            name = f"{node.name}/{topic.text}"
+            if name not in told and not _is_renamed(topic.text, context):
+                told.add(name)
+                yield Finding(
+                    topic.span,
+                    f"'{node.name}' reads '/{node.name}/{topic.text}', as up to Jazzy a relative "
+                    "topic is in its namespace",
+                    f"write /{topic.text}",
+                    severity=Severity.WARNING if is_old else Severity.INFO,
+                )
+
+
+def _is_renamed(topic: str, context: Context) -> bool:
+    """True if a launch file of the workspace remaps the topic, in the costmap or everywhere."""
+    directory = context.resolver.packages.workspace(context.source.path)
+    renamed = [node.remappings for node in context.launch.programs]
+    in_costmap = f"_costmap/{topic}".encode()
+    return any(names is None or topic in names for names in renamed) or any(
+        in_costmap in source.data for source in launch_files(directory, "", context.resolver)
+    )
+
+
+def _relative(node: NodeParameters) -> list[Value]:
+    """The relative topics of the sources of a costmap's layers."""
+    found: list[Value] = []
+    for layer in map(mapping, node.values.values()) if node.name in COSTMAPS else ():
+        listed = layer.get("observation_sources")
+        for name in listed.text.split() if isinstance(listed, Value) else ():
+            topic = mapping(layer.get(name)).get("topic")
+            if isinstance(topic, Value) and re.match(r"\w", topic.text):
+                found.append(topic)
+    return found
+
+
+def _rolls(node: NodeParameters) -> bool | None:
+    """None if it is not known."""
+    value = node.values.get("rolling_window")
+    text = value.text.lower() if isinstance(value, Value) else "false" if value is None else ""
+    return {"true": True, "false": False}.get(text)
+
+
+def _class(node: NodeParameters, layer: Value) -> str:
+    """The class of a layer without its package; empty if unknown."""
+    plugin = mapping(node.values.get(layer.text)).get("plugin")
+    return re.split("::|/", plugin.text)[-1] if isinstance(plugin, Value) else ""

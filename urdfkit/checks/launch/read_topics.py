@@ -1,0 +1,142 @@
+"""Topics that nodes and RViz read, by the messages that they expect.
+
+Sources: ``ros_filter.cpp`` of robot_localization, ``obstacle_layer.cpp`` of nav2_costmap_2d,
+``costmap_filter_info_server.cpp`` of nav2_map_server (all of humble to rolling).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from urdfkit.checks.launch.rviz_displays import has_other_topics, read_by_rviz
+from urdfkit.core.record import Record
+from urdfkit.lint.rules import Context, Location
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.given_parameters import given_parameter
+from urdfkit.ros.launch.rviz import topic_of
+from urdfkit.ros.launch.spawned_controllers import topic_name
+from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.text.located_yaml import Node, Value, mapping
+from urdfkit.text.source import Span
+
+GRID, FILTER_INFO = "OccupancyGrid", "CostmapFilterInfo"
+#: The node that tells the filters of a costmap where their mask is, and its topics.
+FILTER_SERVER = "costmap_filter_info_server"
+INFO_TOPIC, _MASK_TOPIC = "filter_info_topic", "mask_topic"
+_DEFAULT_TOPICS = {INFO_TOPIC: "/costmap_filter_info", _MASK_TOPIC: "/filter_mask"}
+_SCAN_TOPIC = "scan_topic"
+_INPUT = re.compile(r"(odom|imu)\d+")
+_MESSAGES = {"odom": "Odometry", "imu": "Imu"}
+#: A node whose sources are those of a costmap, and its words for messages.
+_MONITOR = "collision_monitor"
+_MONITORED = {"scan": "LaserScan", "pointcloud": "PointCloud2", "range": "Range"}
+#: The displays of RViz that are named after their message.
+_SHOWN = ("Image", "LaserScan", "Odometry", "PointCloud2")
+
+
+class ReadTopic(Record):
+    """A topic that a node reads."""
+
+    topic: str
+    at: Span | Location  # of the topic; of the node for a default
+    message: str  # without its package
+    who: str
+    others: tuple[str, ...] = ()  # further topics of the same message; one of them is enough
+    remedy: str = "write "  # the start of the help, before another topic
+    is_of_workspace: bool = False  # True if any launch file may start the publisher
+
+
+def read_topics(context: Context) -> Iterator[ReadTopic]:
+    """The topics that the nodes of a launch file read, and RViz."""
+    yield from _read_by_nodes(context)
+    yield from _read_by_defaults(context)
+    yield from _read_by_programs(context)
+    yield from _read_by_rviz(context)
+
+
+def _read_by_nodes(context: Context) -> Iterator[ReadTopic]:
+    """Topics in parameter files."""
+    inputs: dict[str, str] = data("nodes")["inputs"]
+    for file in context.launch.parameters:
+        source = context.resolver.readable(file.path)
+        for node in node_parameters(source) if source else ():
+            if node.name == _MONITOR:
+                yield from _read_by_layer(node.values, node.name, "type")
+            for key, value in node.values.items():
+                if isinstance(value, dict):
+                    yield from _read_by_layer(value, node.name)
+                    yield from _read_by_filter(value, node.name)
+                    map_topic = value.get("map_topic")
+                    if isinstance(map_topic, Value) and map_topic.text:
+                        yield ReadTopic(map_topic.text, map_topic.span, GRID, node.name)
+                match = _INPUT.fullmatch(key) if f"{key}_config" in node.values else None
+                message = _MESSAGES[match[1]] if match else inputs.get(f"{node.name}/{key}")
+                if message and isinstance(value, Value):
+                    yield ReadTopic(value.text, value.span, message, node.name)
+
+
+def _read_by_defaults(context: Context) -> Iterator[ReadTopic]:
+    """Topics that nodes of the file itself read because no parameter is given."""
+    for program in context.launch.programs if not context.launch.has_scopes else ():
+        is_own = program.frame is None and program.is_sure and program.remappings == {}
+        topic = data("nodes")["defaults"].get(program.package, {}).get(_SCAN_TOPIC)
+        is_read = topic and is_own and program.namespace == ""
+        if is_read and given_parameter(program, _SCAN_TOPIC, context.resolver) == "":
+            who = program.executable
+            remedy = f"set {_SCAN_TOPIC}: "
+            yield ReadTopic(topic, program.span, "LaserScan", who, remedy=remedy)
+
+
+def _read_by_programs(context: Context) -> Iterator[ReadTopic]:
+    """Topics that nodes read by default, with their remappings."""
+    for program in context.launch.programs if not context.launch.has_scopes else ():
+        if not program.is_sure:
+            continue
+        read = data("nodes")["readers"].get(f"{program.package}/{program.executable}", {})
+        for topic, message in read.items():
+            if name := topic_name(topic, program):
+                remedy = f"remap {topic} to "
+                yield ReadTopic(name, program.at, message, program.title, remedy=remedy)
+        if program.executable == FILTER_SERVER:
+            mask = topic_parameter(program, _MASK_TOPIC, context)
+            if mask:
+                yield ReadTopic(
+                    mask, program.at, GRID, program.title, (), f"set {_MASK_TOPIC}: ", True
+                )
+
+
+def _read_by_filter(section: dict[str, Node], who: str) -> Iterator[ReadTopic]:
+    """The topic from which a filter of a costmap learns of its mask."""
+    topic = section.get(INFO_TOPIC)
+    if isinstance(topic, Value) and "plugin" in section:
+        # A relative name is in the namespace of the costmap up to Jazzy.
+        others = (f"{who}/{topic.text}",)
+        yield ReadTopic(topic.text, topic.span, FILTER_INFO, who, others, is_of_workspace=True)
+
+
+def _read_by_layer(layer: dict[str, Node], who: str, key: str = "data_type") -> Iterator[ReadTopic]:
+    for source in layer.values() if "observation_sources" in layer else ():
+        topic, message = mapping(source).get("topic"), mapping(source).get(key)
+        if isinstance(topic, Value) and isinstance(message, Value):
+            kind = _MONITORED.get(message.text, message.text)
+            yield ReadTopic(topic.text, topic.span, kind, who)
+
+
+def _read_by_rviz(context: Context) -> Iterator[ReadTopic]:
+    """Topics of RViz's displays, by message; some displays may be for other robots."""
+    topics_by_message: dict[str, list[Value]] = {}
+    for _, display, name in () if has_other_topics(context) else read_by_rviz(context):
+        message = name.rpartition("/")[2]
+        if message in _SHOWN and (topic := topic_of(display)):
+            topics_by_message.setdefault(message, []).append(topic)
+    for message, shown in topics_by_message.items():
+        others = tuple(topic.text for topic in shown)
+        yield ReadTopic(shown[0].text, shown[0].span, message, "RViz", others)
+
+
+def topic_parameter(program: StartedProgram, name: str, context: Context) -> str | None:
+    """The topic that a parameter of costmap_filter_info_server names; None if unknown."""
+    value = given_parameter(program, name, context.resolver)
+    return None if value is None else topic_name(value or _DEFAULT_TOPICS[name], program)

@@ -1,0 +1,97 @@
+"""Sensors of a robot in Gazebo whose topic a node reads, and that no bridge forwards."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator
+
+from urdfkit.checks.launch.read_topics import ReadTopic
+from urdfkit.checks.launch.unread_commands import is_part_of_ros
+from urdfkit.lint.rules import Context, Finding
+from urdfkit.ros.gazebo.topics import GazeboTopic, topics
+from urdfkit.ros.launch.bridges import is_bridge
+from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.workspace.launch_files import launch_files
+
+_IMAGE_BRIDGE = "ros_gz_image"
+_BRIDGES = ("ros_gz_bridge", "ros_ign_bridge", _IMAGE_BRIDGE)
+#: Bridges that are not read: actions of launch, components, and launch files with bridges.
+_OTHER_BRIDGE = re.compile(rb"RosGzBridge|<gz_bridge|ros_gz_(bridge|spawn_model)\.launch|ros_ign_")
+#: The message of Gazebo for one of ROS; the package of those of ROS that are not in sensor_msgs.
+_IN_GAZEBO = {"Imu": "IMU", "NavSatFix": "NavSat", "PointCloud2": "PointCloudPacked"}
+_IN_GAZEBO |= {name: name for name in ("CameraInfo", "Image", "LaserScan", "Odometry")}
+_IN_ROS = {"Odometry": "nav_msgs"}
+#: Most robots of a workspace that are expanded for their sensors.
+_MAX_ROBOTS = 8
+
+
+def sensors_of_workspace(context: Context, launches: tuple[Launch, ...]) -> list[GazeboTopic]:
+    """What the robots of launch files publish in Gazebo; empty if a bridge may be unknown."""
+    if not _has_known_bridges(context, launches):
+        return []
+    distinct = {
+        (description.path, *sorted(description.arguments.items())): description
+        for launch in launches
+        for description in launch.descriptions
+        if description.is_whole
+    }
+    found: list[GazeboTopic] = []
+    for description in distinct.values() if len(distinct) <= _MAX_ROBOTS else ():
+        robot = context.other_robot(description.path, description.arguments)
+        if robot.reading.document is not None:
+            found += (topic for topic in topics(robot.model) if not topic.is_read)
+    return found
+
+
+def unbridged_sensor(
+    sensors: Iterable[GazeboTopic], read: ReadTopic, published: Collection[str]
+) -> GazeboTopic | None:
+    """What publishes a topic in Gazebo.
+
+    If nothing publishes such messages in ROS, its topic may have another name.
+    """
+    for sensor in sensors:
+        is_meant = not published or sensor.is_called(read.topic)
+        if is_meant and sensor.message == _IN_GAZEBO.get(read.message):
+            return sensor
+    return None
+
+
+def unbridged(read: ReadTopic, name: str, sensor: GazeboTopic) -> Finding:
+    kind = f"{_IN_ROS.get(read.message, 'sensor_msgs')}/msg/{read.message}"
+    of_sensor = "" if sensor.is_unnamed else f" '/{sensor.name}'"
+    return Finding(
+        read.at,
+        f"'{read.who}' waits for '{name}', which nothing publishes: no bridge forwards the topic"
+        f"{of_sensor} of {sensor.who}",
+        f"add it to the bridge, with {kind} and gz.msgs.{sensor.message}",
+    )
+
+
+def _has_known_bridges(context: Context, launches: tuple[Launch, ...]) -> bool:
+    """True if the workspace has bridges, all of whose topics are known."""
+    bridges = list(_bridges(launches))
+    directory = context.resolver.packages.workspace(context.source.path)
+    return (
+        bool(bridges)
+        and all(_is_known_bridge(node, context) for node in bridges)
+        and all(is_part_of_ros(path) for launch in launches for path in launch.unread)
+        and not any(
+            _OTHER_BRIDGE.search(source.data)
+            for source in launch_files(directory, "", context.resolver)
+        )
+    )
+
+
+def _bridges(launches: Iterable[Launch]) -> Iterator[StartedProgram]:
+    programs = (node for launch in launches for node in launch.programs)
+    return (node for node in programs if node.package in _BRIDGES)
+
+
+def _is_known_bridge(program: StartedProgram, context: Context) -> bool:
+    """False if some topics of a bridge are known only at run time."""
+    given = program.parameters.every
+    path = (given or {}).get("config_file", "")
+    is_read = path == "" or (path is not None and context.resolver.readable(path) is not None)
+    is_plain = is_bridge(program) or program.package == _IMAGE_BRIDGE
+    return is_plain and given is not None and is_read and all(word.text for word in program.words)

@@ -1,0 +1,60 @@
+"""No program publishes the transform from odometry to the robot, which localization needs.
+
+Source: REP 105; pal-robotics/tiago_simulation#37.
+"""
+
+from __future__ import annotations
+
+from urdfkit.checks.launch.defined_controllers import controllers_of_workspace
+from urdfkit.checks.launch.unread_commands import DRIVE, is_known_reader
+from urdfkit.lint.rules import Context, Finding, Findings, Related
+from urdfkit.ros.launch.argument_checks import is_included
+from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
+from urdfkit.ros.launch.given_parameters import given_parameter
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.spawned_controllers import spawned_controllers
+from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.text.located_yaml import Value
+
+_FILTER, _SWITCH, _OF_DRIVE = "robot_localization", "publish_tf", "enable_odom_tf"
+_FILTERS = ("ekf_node", "ukf_node")
+_TRANSFORMS = "TFMessage"
+
+
+def unpublished_odometry(context: Context) -> Findings:
+    """A filter and a drive, both of which leave the transform to the other one."""
+    filters = [node for node in context.launch.programs if node.executable in _FILTERS]
+    if len(filters) != 1 or is_included(context.source.path, context.resolver):
+        return
+    launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
+    programs = [node for launch in launches for node in launch.programs]
+    if not all(is_known_reader(node) and node.package != "tf2_ros" for node in programs):
+        return
+    others = [node for node in programs if node.executable in _FILTERS]
+    given = [given_parameter(node, _SWITCH, context.resolver) or "" for node in others]
+    if not all(text.lower() == "false" for text in given):
+        return
+    is_bridged = any(
+        topic.ros_type.endswith(_TRANSFORMS) and topic.direction != TO_GAZEBO
+        for node in programs
+        for topic in bridged_topics(node, context.resolver)
+    )
+    defined = controllers_of_workspace(context)
+    known = [defined.get(spawned.name) for spawned in spawned_controllers(programs)]
+    drives = [drive for drive in known if drive and DRIVE.fullmatch(drive.type.rpartition("/")[2])]
+    switches = [switch for drive in drives for switch in drive.section.values(_OF_DRIVE)]
+    is_off = bool(drives) and all(known) and len(switches) >= len(drives)
+    if is_bridged or not is_off or any(switch.text.lower() != "false" for switch in switches):
+        return
+    for path in filters[0].parameters.files:
+        source = context.resolver.readable(path)
+        for node in node_parameters(source) if source else ():
+            value = node.values.get(_SWITCH)
+            if isinstance(value, Value) and value.text.lower() == "false":
+                yield Finding(
+                    value.span,
+                    f"nothing publishes the transform from odometry to the robot: {_SWITCH} of "
+                    f"'{node.name}' and {_OF_DRIVE} of '{drives[0].name}' are false",
+                    f"write {_SWITCH}: true",
+                    related=(Related(switches[0].span, "the other one"),),
+                )
