@@ -64,6 +64,17 @@ def test_an_info_is_fixed_only_if_its_code_is_selected(
     assert "Fixes of infos need --select JNT020\n" in out
 
 
+def test_fixes_that_another_fix_reveals_are_not_counted(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A file that cannot be read has no infos yet: the summary named their codes."""
+    robot.write_text(robot.read_text().replace("</robot>", "<!-- a -- b --></robot>", 1))
+    assert main(["check", str(robot)]) == 1
+    out = capsys.readouterr().out
+    assert "1 fixable with --fix\n" in out
+    assert "Fixes of infos" not in out
+
+
 def test_a_check_counts_fixable_findings(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     robot.write_text(robot.read_text().replace("<robot", "<!-- do not edit -->\n<robot", 1))
     assert main(["check", str(robot), "--select", "JNT020,RCT029"]) == 1

@@ -29,7 +29,10 @@ def fixable(report: Report, options: Options, files: Iterable[str | os.PathLike[
     from urdfkit.lint.fix import session  # most reports have no safe fix
 
     fixes = session(files, options, unsafe=False, force=False).run()
-    return counted(fixes.left)._replace(safe=len(fixes.applied))
+    reported = {diagnostic.code for diagnostic in report.diagnostics}
+    # The fix of a file that cannot be read reveals others, which the report does not have.
+    shown = [unapplied for unapplied in fixes.left if unapplied.diagnostic.code in reported]
+    return counted(shown)._replace(safe=len(fixes.applied))
 
 
 def counted(left: Iterable[UnappliedFix]) -> Fixable:
