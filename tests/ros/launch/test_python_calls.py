@@ -175,3 +175,47 @@ def test_classes_of_composable_nodes(tmp_path: Path, package: str, plugin: str, 
     container = f'<node_container pkg="r" exec="c" name="n" namespace="">{element}</node_container>'
     found = reported(tmp_path / "xml", "LAU010", "a.launch.xml", container)
     assert [one.help for one in found] == ([help] if help else [])
+
+
+EXPRESSION = "from launch.substitutions import PythonExpression\n"
+ARGUMENT = "    x = LaunchConfiguration('x')\n    DeclareLaunchArgument('x', default_value='{}')\n"
+
+
+@pytest.mark.parametrize(
+    ("parts", "default", "count"),
+    [
+        ("x, ' and True'", "true", 1),
+        ("'not ', x", "false", 1),
+        ("\"'\", x, \"' == 'true'\"", "true", 0),
+        ("'not ', x", "True", 0),
+        ("'not ', unknown(), x", "true", 0),
+        ("x, ' > 1'", "2", 0),
+    ],
+)
+def test_expressions_with_a_text_of_yaml(
+    tmp_path: Path, parts: str, default: str, count: int
+) -> None:
+    before = ARGUMENT.format(default) + f"    print(PythonExpression([{parts}]))\n"
+    before += "    unknown = len\n"
+    found = reported(tmp_path, "LAU010", "a.launch.py", EXPRESSION + program("node", before))
+    message = f"the expression contains {default}, which is no name of Python"
+    assert [one.message for one in found] == [message] * count
+
+
+@pytest.mark.parametrize(
+    ("test", "default", "count"),
+    [
+        ("x.perform(context)", "false", 1),
+        ("not x.perform(context)", "True", 1),
+        ("x.perform(context) == 'true'", "true", 0),
+        ("x.perform(context)", "", 0),
+        ("x.perform(context)", "name", 0),
+    ],
+)
+def test_texts_of_arguments_as_conditions(
+    tmp_path: Path, test: str, default: str, count: int
+) -> None:
+    before = ARGUMENT.format(default) + f"    context = 1\n    if {test}:\n        print()\n"
+    found = reported(tmp_path, "LAU010", "a.launch.py", program("node", before))
+    message = f"the text '{default}' is true in Python, and 'false' is, too"
+    assert [one.message for one in found] == [message] * count

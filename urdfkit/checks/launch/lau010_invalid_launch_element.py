@@ -39,6 +39,8 @@
   joined without a slash.
 - A composable node names a class with a slash or another one than its package has (error), or an
   event handler starts an action when it has exited itself.
+- A `PythonExpression` contains the text `true` without quotes (error): "name 'true' is not
+  defined". Python takes the text `false` of an argument for true.
 - In ROS 1, an argument has both a value and a default. In both versions, a condition is a
   comparison (error): `if="$(arg gui) == true"` is not a boolean. Write `$(eval ...)`.
 - `generate_launch_description` is misspelt or returns nothing (error).

@@ -55,6 +55,7 @@ def wrong_calls(tree: ast.Module, calls: list[ast.Call], values: Values) -> Iter
         yield from _no_actions(call, values)
         yield from _without_effect(call, values)
         yield from _no_list(call, tree, values)
+        yield from _evaluated(call, values)
     yield from _compared(tree, values)
 
 
@@ -212,6 +213,36 @@ def _compared(tree: ast.Module, values: Values) -> Iterator[Problem]:
                 message = f"a {_UNKNOWN} is always true in Python: it has no value yet"
                 help = "pass condition=IfCondition(...), or ask its .perform(context) in an "
                 yield _always_same(test, message, f"{help}OpaqueFunction", values)
+            elif text := _performed(test, values):
+                message = f"the text '{text}' is true in Python, and 'false' is, too"
+                yield _always_same(test, message, "compare its .lower() with 'true'", values)
+
+
+def _performed(node: ast.expr, values: Values) -> str:
+    """The text of a boolean argument whose text Python takes for its value."""
+    call = values.resolved(node)
+    if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Attribute):
+        return ""
+    owner = call.func.value
+    is_text = call.func.attr == "perform" and _is_configuration(owner, values)
+    text = values.text(owner) or "" if is_text else ""
+    return text if text.lower() in ("true", "false") else ""
+
+
+def _evaluated(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """The text of a boolean argument in an expression of Python, which has no ``true``."""
+    if called(call) != "PythonExpression":
+        return
+    before: str | None = ""  # None if unknown
+    for item in values.items(argument(call, 0, "expression")):
+        text = values.text(item)
+        is_open = before is not None and not before.rstrip().endswith(("'", '"'))
+        is_name = text in ("true", "false") and is_open
+        if item is not None and is_name and _is_configuration(item, values):
+            message = f"the expression contains {text}, which is no name of Python"
+            help = "write it in quotes, and compare: \"'\", ..., \"' == 'true'\""
+            yield _error(item, message, help, values)
+        before = text
 
 
 def _is_configuration(node: ast.expr, values: Values) -> bool:
