@@ -34,7 +34,12 @@ def test_existing_file_is_accepted(tmp_path):
 
 @pytest.mark.parametrize(
     "cmake",
-    ["add_subdirectory(doc)", "configure_file(a.in a)", "file(GENERATE OUTPUT a CONTENT b)"],
+    [
+        "add_subdirectory(doc)",
+        "configure_file(a.in a)",
+        "file(GENERATE OUTPUT a CONTENT b)",
+        "execute_process(COMMAND gunzip -k config/made.yaml.gz)",
+    ],
 )
 def test_generated_file_is_accepted(tmp_path: Path, cmake: str) -> None:
     files = {"CMakeLists.txt": cmake}

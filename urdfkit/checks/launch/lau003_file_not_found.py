@@ -35,7 +35,7 @@ from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import Value, load, mapping
 from urdfkit.text.source import Span
 from urdfkit.workspace.gitignore import is_ignored
-from urdfkit.workspace.install_rules import InstallRules
+from urdfkit.workspace.install_rules import InstallRules, is_built
 from urdfkit.workspace.resolve import OUTSIDE
 
 NAME = "robot.launch"
@@ -176,7 +176,7 @@ def _may_exist_elsewhere(context: Context, path: str) -> bool:
     Also if the name is unknown: an argument is empty by default (``$(arg model).yaml``), or
     arguments result in an expression (``$(arg dollar)(find robot)``).
     """
-    if os.path.basename(path).startswith(".") or "$(" in path or is_ignored(path):
+    if os.path.basename(path).startswith(".") or "$(" in path or is_ignored(path) or is_built(path):
         return True
     packages = context.resolver.packages
     home = packages.enclosing(path)
