@@ -88,7 +88,7 @@ def check(context: Context) -> Findings:
     suggestions = MeshSuggestions(context.files)
     for mesh in context.files.meshes:
         scheme, colon, rest = mesh.at.value.partition("://")
-        if "\\" in mesh.at.value or _DRIVE.match(mesh.at.value):
+        if "\\" in mesh.at.value or (_DRIVE.match(mesh.at.value) and id(mesh) in missing):
             yield _of_windows(context, mesh, suggestions)
         elif (match := _CUT_SCHEME.match(mesh.at.value)) and id(mesh) in missing:
             yield _cut_scheme(mesh, match)
