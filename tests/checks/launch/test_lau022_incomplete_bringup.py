@@ -601,6 +601,24 @@ def test_a_sensor_that_is_not_bridged(
     assert [words in one.message for one in found] == [True] * bool(words)
 
 
+@pytest.mark.parametrize("topic", ["/camera/points", "/camera/cloud"])
+def test_the_nearest_sensor_that_is_not_bridged(tmp_path: Path, topic: str) -> None:
+    camera = '<sensor name="eye" type="rgbd_camera"><topic>camera</topic></sensor>'
+    model = LIDAR.format("<topic>scan</topic>").replace("</gazebo>", f"{camera}</gazebo>")
+    text = (
+        STATE.format(f", parameters=[{{'robot_description': open('{tmp_path}/r.urdf').read()}}]")
+        + SCAN.format("/scan")
+        + NODE.format(
+            "nav2_controller", "controller_server", f"parameters=['{tmp_path}/nav2.yaml']"
+        )
+    )
+    nav2 = COSTMAP.format("PointCloud2").replace("/points", topic)
+    files = {"r.urdf": model, "nav2.yaml": nav2}
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    words = "no bridge forwards the topic '/camera/points' of sensor 'eye'"
+    assert [one.message.partition(": ")[2] for one in found if topic in one.message] == [words]
+
+
 @pytest.mark.parametrize(
     ("remappings", "count"),
     [([("cloud_in", "/points")], 0), ([], 1), ([("cloud_in", "/cloud")], 1)],

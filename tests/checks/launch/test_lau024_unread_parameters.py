@@ -550,6 +550,8 @@ def rows(row: int) -> str:
         (MPPI.format("30.0", ""), ""),
         (MPPI.format("10.0", ""), "below the period of 0.1 s"),
         ("slam_toolbox: {ros__parameters: {transform_publish_period: 0.0}}\n", "no transform"),
+        ("slam_toolbox: {ros__parameters: {mode: localization}}\n", "starts without a map"),
+        ("slam_toolbox: {ros__parameters: {mode: localization, map_file_name: /a}}\n", ""),
         (AMCL.format("min_particles: 900, max_particles: 500"), "min_particles is 900, above"),
         (AMCL.format("laser_min_range: 0.1, laser_max_range: -1.0"), ""),
         (AMCL.format("initial_pose: {x: 0.0, y: 0.0}"), "initial_pose is not read"),

@@ -11,10 +11,12 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.launch.contents import MAP, StartedProgram
+from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Node, Value, load, mapping, scalars
 from urdfkit.text.source import Source, Span
+from urdfkit.workspace.launch_files import launch_files
 
-_MAP = "yaml_filename"
+_MAP, _GRAPH = "yaml_filename", "map_file_name"
 _REQUIRED = ("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh")
 _NUMBERS = ("resolution", "occupied_thresh", "free_thresh")
 _MODES = ("trinary", "scale", "raw")
@@ -43,6 +45,23 @@ def missing_maps(context: Context) -> Findings:
                 f"map_server stops: parameter '{_MAP}' is not given",
                 f"set {_MAP} to the YAML file of a map",
                 severity=Severity.WARNING,
+            )
+
+
+def missing_graphs(context: Context, sections: list[NodeParameters]) -> Findings:
+    """Localization of slam_toolbox without a map; an info, as RViz or a service may load it."""
+    directory = context.resolver.packages.workspace(context.source.path)
+    for node in sections:
+        mode = node.values.get("mode") if node.name == "slam_toolbox" else None
+        is_localizing = isinstance(mode, Value) and mode.text == "localization"
+        if not isinstance(mode, Value) or not is_localizing or _GRAPH in node.values:
+            continue
+        if not any(launch_files(directory, _GRAPH, context.resolver)):
+            yield Finding(
+                mode.span,
+                f"'slam_toolbox' starts without a map to localize in: {_GRAPH} is not given",
+                "write the path of a serialized map, without .posegraph, or mode: mapping",
+                severity=Severity.INFO,
             )
 
 

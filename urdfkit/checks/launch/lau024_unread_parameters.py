@@ -19,7 +19,8 @@
   of obstacles, or no source clears them; a minimum is above its maximum; an initial pose is given
   without `set_initial_pose`; the heights of obstacles exclude all lidars of the robot; a row of
   `imu0_config` is of values that an IMU does not have (all warnings but the first). With a
-  `transform_publish_period` of 0 slam_toolbox publishes no transform (info). A filter reads the
+  `transform_publish_period` of 0 slam_toolbox publishes no transform, and for `localization` it
+  needs a `map_file_name` (infos). A filter reads the
   acceleration of an IMU with that of gravity (info). A critic of MPPI considers the footprint of a
   robot that has only a radius.
 - A name is that of an earlier release, while other files are for Jazzy: `recoveries_server`,
@@ -86,7 +87,7 @@ from urdfkit.checks.launch import (
     parameter_names,
     parameter_types,
 )
-from urdfkit.checks.launch.invalid_maps import invalid_maps, missing_maps
+from urdfkit.checks.launch.invalid_maps import invalid_maps, missing_graphs, missing_maps
 from urdfkit.checks.launch.lifecycle import inactive_mapping, not_activated, not_started
 from urdfkit.checks.launch.navigation_commands import mixed_stamps
 from urdfkit.checks.launch.obstacle_heights import discarded_scans
@@ -185,6 +186,7 @@ def check(context: Context) -> Findings:
     yield from misnamed_sections(context, files)
     yield from invalid_maps(context)
     yield from missing_maps(context)
+    yield from missing_graphs(context, sections)
     yield from not_activated(context)
     yield from not_started(context)
     yield from inactive_mapping(context)

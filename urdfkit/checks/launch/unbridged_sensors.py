@@ -7,9 +7,10 @@ from collections.abc import Collection, Iterable, Iterator
 
 from urdfkit.checks.launch.read_topics import ReadTopic
 from urdfkit.checks.launch.unread_commands import is_part_of_ros
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding
 from urdfkit.ros.gazebo.topics import GazeboTopic, topics
-from urdfkit.ros.launch.bridges import is_bridge
+from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.workspace.launch_files import launch_files
 
@@ -26,7 +27,7 @@ _MAX_ROBOTS = 8
 
 
 def sensors_of_workspace(context: Context, launches: tuple[Launch, ...]) -> list[GazeboTopic]:
-    """What the robots of launch files publish in Gazebo; empty if a bridge may be unknown."""
+    """What robots publish in Gazebo and no bridge forwards; empty if a bridge may be unknown."""
     if not _has_known_bridges(context, launches):
         return []
     distinct = {
@@ -40,21 +41,31 @@ def sensors_of_workspace(context: Context, launches: tuple[Launch, ...]) -> list
         robot = context.other_robot(description.path, description.arguments)
         if robot.reading.document is not None:
             found += (topic for topic in topics(robot.model) if not topic.is_read)
-    return found
+    names = [
+        topic.topic
+        for node in _bridges(launches)
+        for topic in bridged_topics(node, context.resolver)
+    ]
+    return [topic for topic in found if not any(map(topic.is_called, names))]
 
 
 def unbridged_sensor(
     sensors: Iterable[GazeboTopic], read: ReadTopic, published: Collection[str]
 ) -> GazeboTopic | None:
-    """What publishes a topic in Gazebo.
+    """What publishes a topic in Gazebo, of the same name or below the same first part.
 
-    If nothing publishes such messages in ROS, its topic may have another name.
+    If nothing publishes such messages in ROS, its topic may have any name.
     """
-    for sensor in sensors:
-        is_meant = not published or sensor.is_called(read.topic)
-        if is_meant and sensor.message == _IN_GAZEBO.get(read.message):
-            return sensor
-    return None
+    message, name = _IN_GAZEBO.get(read.message), read.topic.strip("/")
+    likely = [sensor for sensor in sensors if sensor.message == message]
+    called = [sensor for sensor in likely if sensor.is_called(name)]
+    first = name.partition("/")[0]
+    below = [sensor for sensor in likely if sensor.name.startswith(f"{first}/")]
+    if published:
+        is_typo = nearest(f"/{name}", published, CLOSE_TYPO) is not None
+        return next(iter(called or ([] if is_typo else below)), None)
+    by_name = {sensor.name: sensor for sensor in called or below or likely}
+    return by_name[nearest(name, by_name, 0) or next(iter(by_name))] if by_name else None
 
 
 def unbridged(read: ReadTopic, name: str, sensor: GazeboTopic) -> Finding:
