@@ -3,6 +3,8 @@
 Source: ``rcl_yaml_param_parser`` of ros2/rcl.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.record import Record

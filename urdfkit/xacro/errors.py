@@ -1,5 +1,7 @@
 """Errors inside an expansion, and the value of an expression that failed."""
 
+from __future__ import annotations
+
 from urdfkit.core.record import Record
 from urdfkit.text.source import Span
 

@@ -9,6 +9,7 @@ from urdfkit.text.source import Source, Span, shown
 from urdfkit.workspace.includes import top_includer
 from urdfkit.workspace.packages import Packages
 from urdfkit.xacro.dom import Dom, Node
+from urdfkit.xacro.errors import FAILED
 
 #: Most names in a message.
 _MAX_NAMED = 3
@@ -56,8 +57,10 @@ def _is_fragment(root: Node, missing: int) -> bool:
     """True if all links have a parent; for a ``<robot>`` without a name, if it lacks many names."""
     links = {link.getAttribute("name") for link in root.getElementsByTagName("link")}
     children = {child.getAttribute("link") for child in root.getElementsByTagName("child")}
-    is_unnamed = not root.hasAttribute("name")
-    return bool(links) and (links <= children or (is_unnamed and missing >= _MIN_MISSING))
+    have_parents = bool(links) and links <= children
+    if root.hasAttribute("name"):
+        return have_parents and not any(FAILED in name for name in links)  # unknown names are equal
+    return have_parents or (bool(links) and missing >= _MIN_MISSING)
 
 
 def _missing(problem: Problem) -> str:

@@ -22,6 +22,8 @@ Sources:
     PilzDE/pilz_robots#16: https://github.com/PilzDE/pilz_robots/issues/16
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 from urdfkit.core.grouping import by_key

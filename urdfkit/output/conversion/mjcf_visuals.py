@@ -1,5 +1,7 @@
 """The visual geoms of a robot in MJCF: one for each material, with its colour or texture."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 
 import numpy as np
