@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 OWN_FAMILY = "checking"
 
 #: Families of rules that apply to launch files.
-LAUNCH_FAMILIES = frozenset(("checking", "launch", "package", "worlds"))
+LAUNCH_FAMILIES = frozenset(("bringup", "checking", "launch", "package", "worlds"))
 
 #: Most findings of one rule in one file.
 MAX_FINDINGS = 1000

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfkit.checks.launch.rviz_displays import has_other_topics, read_by_rviz
+from urdfkit.checks.bringup.rviz_displays import has_other_topics, read_by_rviz
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Location
 from urdfkit.ros.catalog import data

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.checks.launch.costmap_parameters import COSTMAPS
+from urdfkit.checks.bringup.costmap_parameters import COSTMAPS
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.node_parameters import NodeParameters

@@ -29,9 +29,9 @@ Sources:
 
 from math import dist
 
-from urdfkit.checks.launch import duplicate_programs
-from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.checks.launch.published_robots import published_robots
+from urdfkit.checks.bringup import duplicate_programs
+from urdfkit.checks.bringup.defined_controllers import defined_controllers
+from urdfkit.checks.bringup.published_robots import published_robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.tree import KinematicTree

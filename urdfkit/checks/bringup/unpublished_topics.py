@@ -11,8 +11,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfkit.checks.launch.defined_controllers import controllers_of_workspace
-from urdfkit.checks.launch.read_topics import (
+from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
+from urdfkit.checks.bringup.read_topics import (
     FILTER_INFO,
     FILTER_SERVER,
     GRID,
@@ -21,12 +21,12 @@ from urdfkit.checks.launch.read_topics import (
     read_topics,
     topic_parameter,
 )
-from urdfkit.checks.launch.unbridged_sensors import (
+from urdfkit.checks.bringup.unbridged_sensors import (
     sensors_of_workspace,
     unbridged,
     unbridged_sensor,
 )
-from urdfkit.checks.launch.unread_remappings import renamed_topics
+from urdfkit.checks.bringup.unread_remappings import renamed_topics
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data

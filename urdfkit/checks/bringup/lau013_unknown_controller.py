@@ -15,7 +15,7 @@ Sources:
 from collections.abc import Iterator
 from itertools import islice
 
-from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.checks.bringup.defined_controllers import defined_controllers
 from urdfkit.core.suggest import Suggester, is_typo
 from urdfkit.core.words import few
 from urdfkit.lint.rules import (

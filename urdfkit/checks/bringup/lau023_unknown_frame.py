@@ -35,7 +35,7 @@ Sources:
 
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.launch.published_frames import (
+from urdfkit.checks.bringup.published_frames import (
     WELL_KNOWN,
     links_of_robots,
     may_have_other_publishers,

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator
 
-from urdfkit.checks.launch.read_topics import ReadTopic
-from urdfkit.checks.launch.unread_commands import is_part_of_ros
+from urdfkit.checks.bringup.read_topics import ReadTopic
+from urdfkit.checks.bringup.unread_commands import is_part_of_ros
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding
 from urdfkit.ros.gazebo.topics import GazeboTopic, topics

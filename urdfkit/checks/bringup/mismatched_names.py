@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from urdfkit.checks.launch.rviz_displays import unpublished_models
+from urdfkit.checks.bringup.rviz_displays import unpublished_models
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from urdfkit.checks.launch.odometry import OdometryTransform, of_bridges, of_drives, of_filters
-from urdfkit.checks.launch.published_robots import published_robots
+from urdfkit.checks.bringup.odometry import OdometryTransform, of_bridges, of_drives, of_filters
+from urdfkit.checks.bringup.published_robots import published_robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.bridges import is_bridge
 from urdfkit.ros.launch.contents import StartedProgram

@@ -30,7 +30,7 @@ Sources:
 import re
 from collections.abc import Iterator
 
-from urdfkit.checks.launch.topics_without_messages import topics_without_messages
+from urdfkit.checks.bringup.topics_without_messages import topics_without_messages
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import (
     Context,

@@ -5,8 +5,8 @@ Source: REP 105; pal-robotics/tiago_simulation#37.
 
 from __future__ import annotations
 
-from urdfkit.checks.launch.defined_controllers import controllers_of_workspace
-from urdfkit.checks.launch.unread_commands import DRIVE, is_known_reader
+from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
+from urdfkit.checks.bringup.unread_commands import DRIVE, is_known_reader
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics

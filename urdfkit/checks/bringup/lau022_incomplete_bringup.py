@@ -46,12 +46,16 @@ Sources:
     ROS 2, clock and time: https://design.ros2.org/articles/clock_and_time.html
 """
 
-from urdfkit.checks.launch import mismatched_names, simulation
-from urdfkit.checks.launch.defined_controllers import defined_controllers
-from urdfkit.checks.launch.navigation_commands import mistyped_navigation, unpublished_commands
-from urdfkit.checks.launch.unpublished_odometry import unpublished_odometry
-from urdfkit.checks.launch.unpublished_topics import unpublished_inputs
-from urdfkit.checks.launch.unread_commands import is_part_of_ros, mistyped_commands, unread_commands
+from urdfkit.checks.bringup import mismatched_names, simulation
+from urdfkit.checks.bringup.defined_controllers import defined_controllers
+from urdfkit.checks.bringup.navigation_commands import mistyped_navigation, unpublished_commands
+from urdfkit.checks.bringup.unpublished_odometry import unpublished_odometry
+from urdfkit.checks.bringup.unpublished_topics import unpublished_inputs
+from urdfkit.checks.bringup.unread_commands import (
+    is_part_of_ros,
+    mistyped_commands,
+    unread_commands,
+)
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_limits import can_move
 from urdfkit.ros.launch.bridges import bridged_topics

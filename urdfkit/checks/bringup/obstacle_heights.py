@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.checks.launch.published_robots import published_robots
+from urdfkit.checks.bringup.published_robots import published_robots
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.robot.values import number

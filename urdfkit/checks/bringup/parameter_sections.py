@@ -2,7 +2,7 @@
 
 from itertools import chain
 
-from urdfkit.checks.launch.costmap_parameters import COSTMAPS
+from urdfkit.checks.bringup.costmap_parameters import COSTMAPS
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.ros.catalog import data

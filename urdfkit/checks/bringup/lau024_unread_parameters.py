@@ -81,27 +81,27 @@ Sources:
 import os
 from itertools import chain
 
-from urdfkit.checks.launch import (
+from urdfkit.checks.bringup import (
     costmap_geometry,
     costmap_parameters,
     parameter_names,
     parameter_types,
 )
-from urdfkit.checks.launch.invalid_maps import invalid_maps, missing_graphs, missing_maps
-from urdfkit.checks.launch.lifecycle import inactive_mapping, not_activated, not_started
-from urdfkit.checks.launch.navigation_commands import mixed_stamps
-from urdfkit.checks.launch.obstacle_heights import discarded_scans
-from urdfkit.checks.launch.parameter_relations import contradictions, without_footprint
-from urdfkit.checks.launch.parameter_sections import misnamed_sections
-from urdfkit.checks.launch.plugin_parameters import unloadable_plugins
-from urdfkit.checks.launch.renamed_parameters import outdated
-from urdfkit.checks.launch.rviz_displays import (
+from urdfkit.checks.bringup.invalid_maps import invalid_maps, missing_graphs, missing_maps
+from urdfkit.checks.bringup.lifecycle import inactive_mapping, not_activated, not_started
+from urdfkit.checks.bringup.navigation_commands import mixed_stamps
+from urdfkit.checks.bringup.obstacle_heights import discarded_scans
+from urdfkit.checks.bringup.parameter_relations import contradictions, without_footprint
+from urdfkit.checks.bringup.parameter_sections import misnamed_sections
+from urdfkit.checks.bringup.plugin_parameters import unloadable_plugins
+from urdfkit.checks.bringup.renamed_parameters import outdated
+from urdfkit.checks.bringup.rviz_displays import (
     meshes_without_uri,
     unknown_classes,
     unread_goals,
     volatile_maps,
 )
-from urdfkit.checks.launch.unread_remappings import (
+from urdfkit.checks.bringup.unread_remappings import (
     read_own_output,
     reversed_remappings,
     unread_remappings,

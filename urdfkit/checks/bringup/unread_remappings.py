@@ -9,7 +9,7 @@ Sources: ros-controls/ros2_controllers#262 and #1246, ros-controls/ros2_control_
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.launch.defined_controllers import defined_controllers, robots_of_workspace
+from urdfkit.checks.bringup.defined_controllers import defined_controllers, robots_of_workspace
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram

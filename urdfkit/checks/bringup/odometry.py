@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.launch.defined_controllers import defined_controllers
+from urdfkit.checks.bringup.defined_controllers import defined_controllers
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Location
 from urdfkit.ros.gazebo.topics import of_plugin

@@ -13,11 +13,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.launch.defined_controllers import (
+from urdfkit.checks.bringup.defined_controllers import (
     controllers_of_workspace,
     robots_of_workspace,
 )
-from urdfkit.checks.launch.unread_remappings import renamed_topics
+from urdfkit.checks.bringup.unread_remappings import renamed_topics
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.launch.unread_commands import (
+from urdfkit.checks.bringup.unread_commands import (
     command_readers,
     command_sources,
     is_known_reader,
