@@ -174,12 +174,15 @@ def is_built(path: str) -> bool:
     file = _cmake_file(path)
     if not file:
         return False
+    text = read_head(file, MAX_BYTES).decode("utf-8", "replace")
+    if "BINARY_DIR" not in text and os.path.basename(path) not in text:
+        return False
     directory = os.path.dirname(file)
     relative = os.path.relpath(path, directory).replace(os.sep, "/")
     targets = built_targets(directory)
     if any(relative == target or relative.startswith(f"{target}/") for target in targets):
         return True
-    text = re.sub(r"#.*", "", read_head(file, MAX_BYTES).decode("utf-8", "replace"))
+    text = re.sub(r"#.*", "", text)
     name = rf"""(?:^|[\s/"'(]){re.escape(os.path.basename(path))}(?![\w-])"""
     return any(re.search(name, command) for command in re.findall(_MADE, text))
 

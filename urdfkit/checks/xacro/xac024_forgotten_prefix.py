@@ -18,7 +18,6 @@ Sources:
 import re
 from collections.abc import Iterator
 
-from urdfkit.checks.xacro.forgotten_condition import forgotten_conditions
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.document import Attribute, CallFrame, Element
@@ -46,9 +45,12 @@ _NAMING = ("frame", "link", "joint", "body")
 
 @rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL))
 def check(context: Context) -> Findings:
-    if not context.is_part:
-        yield from _forgotten_prefixes(context)
-        yield from forgotten_conditions(context)
+    if context.is_part or not context.xacro.defaults:
+        return
+    from urdfkit.checks.xacro.forgotten_condition import forgotten_conditions  # needs arguments
+
+    yield from _forgotten_prefixes(context)
+    yield from forgotten_conditions(context)
 
 
 def _forgotten_prefixes(context: Context) -> Findings:
