@@ -239,3 +239,18 @@ def test_a_mesh_that_git_ignores(
     (found,) = robot(tmp_path / "r.urdf", "meshes/wrist_camera.stl")
     assert found.severity is severity
     assert found.message.endswith("; git ignores it") == (severity is Severity.WARNING)
+
+
+@pytest.mark.parametrize(
+    ("mesh", "is_fixed"),
+    [
+        ("robots/iiwa/meshes/link_7.stl", True),
+        ("apps/widget_demo/mesh/link_7.stl", False),  # the mesh of a demo, by chance of that name
+    ],
+)
+def test_a_file_far_away_is_not_surely_meant(tmp_path: Path, mesh: str, is_fixed: bool) -> None:
+    (tmp_path / ".git").mkdir()
+    put(tmp_path, mesh)
+    (finding,) = robot(tmp_path / "robots" / "iiwa" / "urdf" / "iiwa.urdf", "visual/link_7.stl")
+    assert "link_7.stl" in finding.help
+    assert (finding.fix is not None) is is_fixed

@@ -7,6 +7,7 @@ import re
 from functools import cache, cached_property
 
 from urdfkit.core.grouping import by_key
+from urdfkit.core.paths import is_within
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import SIMILAR_FILE, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX
@@ -112,7 +113,8 @@ class MeshSuggestions:
         """The file of the expected name in the package.
 
         Of several, the only one that shares the most parent directories with the missing file, or
-        of these the only one that is nearest to the model, which is not certain.
+        of these the only one that is nearest to the model, which is not certain. Without a package
+        only a file below the parent directory of the model is certain.
         """
         base = located.directory or self._searched(located)
         directory, expected = os.path.split(located.relative)
@@ -128,11 +130,15 @@ class MeshSuggestions:
         best = max(by_common, default=0)
         files = by_common.get(best, [])
         is_only = len(files) == 1 and (len(by_common) == 1 or best >= MIN_COMMON_DIRECTORIES)
+        here = self._files.directory
         if len(files) > 1:
-            here = self._files.directory
             by_steps = by_key((relative_path(path, here).count("/"), path) for path in files)
             files = by_steps[min(by_steps)]
-        return Candidate(files[0], is_only and not any_format) if len(files) == 1 else None
+        if len(files) != 1:
+            return None
+        home = located.directory or self._files.resolver.packages.enclosing(self._files.top)
+        is_near = bool(home) or is_within(files[0], os.path.dirname(here))
+        return Candidate(files[0], is_only and is_near and not any_format)
 
     def _searched(self, located: ResolvedReference) -> str:
         """The package of an absolute path, else that of the model, else its workspace."""
