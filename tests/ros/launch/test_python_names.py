@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.growth import executed_lines
 from tests.launched import reported
 from urdfkit import Severity
 
@@ -86,3 +87,12 @@ def test_a_name_under_a_condition_is_a_warning(tmp_path: Path) -> None:
 )
 def test_defined_names(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU010", "a.launch.py", text) == []
+
+
+def test_the_work_grows_like_the_names(tmp_path: Path) -> None:
+    def work(count: int) -> int:
+        text = HEAD + "".join(f"name_{n} = nane_{n}\n" for n in range(count)) + DONE
+        return executed_lines(lambda: reported(tmp_path, "LAU010", "a.launch.py", text))
+
+    work(1)  # imports
+    assert work(800) < 3 * work(400)

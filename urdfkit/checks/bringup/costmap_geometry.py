@@ -97,12 +97,12 @@ def relative_topics(context: Context, sections: list[NodeParameters]) -> Finding
     is_old = any(_OLD.search(text) for text in sources.values())
     if not is_old and not is_for_jazzy(context.source.path, context.resolver, sources):
         return
-    told: set[str] = set()
+    reported: set[str] = set()
     for node in sections if not context.launch.has_scopes else ():
         for topic in _relative(node):
             name = f"{node.name}/{topic.text}"
-            if name not in told and not _is_renamed(topic.text, context):
-                told.add(name)
+            if name not in reported and not _is_renamed(topic.text, context):
+                reported.add(name)
                 yield Finding(
                     topic.span,
                     f"'{node.name}' reads '/{node.name}/{topic.text}', as up to Jazzy a relative "

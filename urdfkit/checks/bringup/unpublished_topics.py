@@ -71,7 +71,7 @@ def unpublished_inputs(context: Context) -> Findings:
         if node.package == _FILTER
     }
     types = _bridged_types(context, of_workspace)
-    told: set[str] = set()
+    reported: set[str] = set()
     sensors: list[GazeboTopic] | None = None
     for read in inputs:
         started = () if read.is_of_workspace else (context.launch,)
@@ -85,9 +85,9 @@ def unpublished_inputs(context: Context) -> Findings:
         if sensors is None:
             sensors = sensors_of_workspace(context, of_workspace)
         sensor = None if name in types else unbridged_sensor(sensors, read, published)
-        if sensor and sensor.who not in told:
+        if sensor and sensor.who not in reported:
             yield unbridged(read, name, sensor)
-            told.add(sensor.who)
+            reported.add(sensor.who)
         if sensor or not published:
             continue
         if len(names) == 1 and name in types:

@@ -5,7 +5,7 @@ import builtins
 from collections.abc import Iterator
 
 from urdfkit.core.grouping import by_key
-from urdfkit.core.suggest import CLOSE_TYPO, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, Suggester, nearest
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.values import Values
 from urdfkit.text.diagnostic import Problem, Severity
@@ -30,13 +30,13 @@ def wrong_names(tree: ast.Module, values: Values) -> Iterator[Problem]:
     if "*" in bound or not _imports_launch(tree):
         return
     known = bound | _OF_MODULES | set(dir(builtins))
-    reported: set[str] = set()
+    suggester = Suggester(bound)
     for node, is_sure in _run(tree):
         is_read = isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
-        if isinstance(node, ast.Name) and is_read and node.id not in known | reported:
-            reported.add(node.id)
+        if isinstance(node, ast.Name) and is_read and node.id not in known:
+            known.add(node.id)  # each name is reported once
             message = f"name '{node.id}' is not defined"
-            problem = _error(node, message, _definition(node.id, bound), values)
+            problem = _error(node, message, _definition(node.id, suggester), values)
             yield problem if is_sure else problem._replace(severity=Severity.WARNING)
 
 
@@ -48,14 +48,14 @@ def _imports_launch(tree: ast.Module) -> bool:
     )
 
 
-def _definition(name: str, bound: set[str]) -> str:
+def _definition(name: str, suggester: Suggester) -> str:
     """How to define a name: by an import, or the name that it stands for."""
     if name in _MODULES:
         return f"write import {name}"
     module = next(iter(_modules_of(name)), None)
     if module:
         return f"write from {module} import {name}"
-    suggested = nearest(name, bound)
+    suggested = suggester.suggested(name)
     return f"did you mean '{suggested}'?" if suggested else "define or import it"
 
 
