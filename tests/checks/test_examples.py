@@ -10,6 +10,7 @@ from typing import Any, NoReturn
 import pytest
 
 import urdfkit
+from tests import update_wording
 from urdfkit.core.libraries import missing_for_meshes
 from urdfkit.lint import engine, rule_examples, rule_index
 from urdfkit.lint.context import Context
@@ -92,7 +93,7 @@ def example(rule: Rule, which: str) -> str:
 
 @cache
 def of_bad(code: str) -> tuple[Diagnostic, ...]:
-    """What a rule says about its BAD; three tests look at it."""
+    """What a rule says about its BAD; several tests look at it."""
     return tuple(alone(rule_index.get(code), "BAD"))
 
 
@@ -128,6 +129,11 @@ def test_bad_is_found(code: str) -> None:
     among_others = [one for one in report.diagnostics if one.code == code]
     assert places(among_others) == sorted(places(found))
     assert report.crashed == ()
+
+
+def test_what_is_said_about_bad(code: str) -> None:
+    """If it is meant: python -m tests.update_wording."""
+    assert update_wording.wording(of_bad(code)) == update_wording.read()[code]
 
 
 def test_good_is_good(code: str) -> None:

@@ -3,6 +3,7 @@ from pathlib import Path
 import pytest
 
 from tests.jointed import joint, robot
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
 from urdfkit.text.schema import JOINT_TYPES
@@ -27,8 +28,7 @@ def test_an_unknown_type_is_reported_and_fixed_if_it_is_a_typo(
     kind: str, suggested: str | None
 ) -> None:
     text = robot(joint("j", kind, LIMIT))
-    hint = f"; did you mean '{suggested}'?" if suggested else ""
-    assert messages("JNT001", text) == [f"joint 'j': unknown type '{kind}'{hint}"]
+    assert messages("JNT001", text) == [naming("j", kind, *([suggested] if suggested else []))]
     assert places("JNT001", text) == [(4, kind)]
     if suggested:
         assert f'type="{suggested}"' in fixed("JNT001", text)

@@ -4,23 +4,24 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.jointed import joint, mimic, robot
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Severity
 
 CASES = {
-    ("revolute", ""): ["joint 'j' is revolute and has no <limit>"],
-    ("prismatic", ""): ["joint 'j' is prismatic and has no <limit>"],
+    ("revolute", ""): [naming("j", "revolute", "<limit>")],
+    ("prismatic", ""): [naming("j", "prismatic", "<limit>")],
     ("continuous", ""): [],
     ("fixed", ""): [],
     ("floating", ""): [],
     ("planar", ""): [],
-    ("revolute", "<limit/>"): ["joint 'j': <limit> has no effort and no velocity"],
-    ("revolute", '<limit lower="0" upper="1" effort="1"/>'): ["joint 'j': <limit> has no velocity"],
-    ("continuous", '<limit velocity="1"/>'): ["joint 'j': <limit> has no effort"],
-    ("fixed", '<limit velocity="1"/>'): ["joint 'j': <limit> has no effort"],
-    ("floating", '<limit effort="1"/>'): ["joint 'j': <limit> has no velocity"],
+    ("revolute", "<limit/>"): [naming("j", "<limit>", "effort", "velocity")],
+    ("revolute", '<limit lower="0" upper="1" effort="1"/>'): [naming("j", "<limit>", "velocity")],
+    ("continuous", '<limit velocity="1"/>'): [naming("j", "<limit>", "effort")],
+    ("fixed", '<limit velocity="1"/>'): [naming("j", "<limit>", "effort")],
+    ("floating", '<limit effort="1"/>'): [naming("j", "<limit>", "velocity")],
     ("revolute", '<limit effort="1" velocity="1"/>'): [],
     ("continuous", '<limit effort="1" velocity="1"/>'): [],
 }
@@ -51,16 +52,17 @@ def test_the_place_is_the_limit_or_else_the_joint() -> None:
     [
         (
             "revolute",
-            "add <limit> with lower and upper in rad, effort in N·m and velocity in rad/s",
+            naming("<limit>", "lower", "upper", "effort", "N·m", "velocity", "rad/s"),
         ),
-        ("prismatic", "add <limit> with lower and upper in m, effort in N and velocity in m/s"),
+        ("prismatic", naming("<limit>", "lower", "upper", "effort", "velocity", "m/s")),
     ],
 )
 def test_the_help_has_the_units(kind: str, help: str) -> None:
     assert [found.help for found in reported("JNT002", robot(joint("j", kind)))] == [help]
     short = robot(joint("j", kind, "<limit/>"))
     effort, velocity = ("N·m", "rad/s") if kind == "revolute" else ("N", "m/s")
-    assert reported("JNT002", short)[0].help == f"add effort in {effort} and velocity in {velocity}"
+    units = f"effort in {effort} and velocity in {velocity}"
+    assert reported("JNT002", short)[0].help.endswith(units)
 
 
 LIMIT = '<limit effort="100" velocity="20"/>'
@@ -70,7 +72,7 @@ def test_a_wheel_next_to_one_with_limits() -> None:
     text = robot(joint("a", "continuous"), joint("b", "continuous", LIMIT))
     (found,) = reported("JNT002", text)
     assert found.severity is Severity.INFO
-    assert "'b' on the same link has both" in found.message
+    assert found.message == naming("a", "effort", "velocity", "b", "both")
     assert places("JNT002", text) == [(4, '<joint name="a" type="continuous">')]
     assert [other.span.text for other in found.related] == [LIMIT]
 

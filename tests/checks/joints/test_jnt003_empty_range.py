@@ -1,6 +1,7 @@
 import pytest
 
 from tests.jointed import joint, limit, robot
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 
 
@@ -8,7 +9,7 @@ from tests.reported import fixed, messages, places, reported
 def test_a_lower_limit_above_the_upper_one(kind: str, unit: str) -> None:
     text = robot(joint("j", kind, limit("2.5", "-1.5")))
     assert messages("JNT003", text) == [
-        f"joint 'j': lower limit 2.5 {unit} is above upper limit -1.5 {unit}"
+        naming("j", "lower", f"2.5 {unit}", "upper", f"-1.5 {unit}")
     ]
     assert places("JNT003", text) == [(4, limit("2.5", "-1.5"))]
     assert limit("-1.5", "2.5") in fixed("JNT003", text)
@@ -21,9 +22,8 @@ def test_a_lower_limit_above_the_upper_one(kind: str, unit: str) -> None:
 def test_what_is_not_written_is_0(written: str, ends: tuple[str, str], missing: str) -> None:
     content = f'<limit {written} effort="1" velocity="1"/>'
     (found,) = reported("JNT003", robot(joint("j", "revolute", content)))
-    assert found.message == (
-        f"joint 'j': lower limit {ends[0]} rad is above upper limit {ends[1]} rad "
-        f"({missing} is not written, so it is 0)"
+    assert found.message == naming(
+        "j", "lower", f"{ends[0]} rad", "upper", f"{ends[1]} rad", missing, "0"
     )
     assert found.fix is None
 
@@ -35,7 +35,7 @@ def test_a_joint_that_is_free_in_pybullet_is_not_turned_into_one_that_is_not(
     for kind, remedy in (("revolute", "make it continuous"), ("prismatic", "set them far apart")):
         (found,) = reported("JNT003", robot(joint("j", kind, limit(lower, upper))))
         assert found.fix is None
-        assert found.help == f"if the joint is to be free, {remedy}; else swap them"
+        assert found.help == naming(remedy)
 
 
 @pytest.mark.parametrize(

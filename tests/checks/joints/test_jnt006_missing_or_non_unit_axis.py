@@ -1,6 +1,7 @@
 import pytest
 
 from tests.jointed import joint, of_xacro, robot
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from urdfkit.text.diagnostic import Severity
 
@@ -64,16 +65,16 @@ def test_nearly_a_basis_vector(axis: str, deviation: str, suggested: str) -> Non
 @pytest.mark.parametrize(
     ("kind", "does"),
     [
-        ("revolute", "turns about"),
-        ("continuous", "turns about"),
-        ("prismatic", "moves along"),
-        ("planar", "moves in the plane across"),
+        ("revolute", "about"),
+        ("continuous", "about"),
+        ("prismatic", "along"),
+        ("planar", "across"),
     ],
 )
 def test_a_joint_that_moves_without_an_axis(kind: str, does: str) -> None:
     text = robot(joint("j", kind))
     (found,) = reported("JNT006", text)
-    assert found.message == f"joint 'j' has no <axis>: it {does} x (1 0 0) by default"
+    assert found.message == naming("j", "<axis>", does, "1 0 0")
     assert found.severity is Severity.INFO
     assert places("JNT006", text) == [(4, f'<joint name="j" type="{kind}">')]
 

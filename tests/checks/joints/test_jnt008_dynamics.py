@@ -1,6 +1,7 @@
 import pytest
 
 from tests.jointed import joint, robot
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 
@@ -15,8 +16,8 @@ from tests.reported import messages, places, reported
 def test_a_negative_amount(kind: str, damping: str, friction: str) -> None:
     text = robot(joint("j", kind, '<dynamics damping="-0.5" friction="-2e-3"/>'))
     assert messages("JNT008", text) == [
-        f"joint 'j': the damping is -0.5 {damping}, below 0",
-        f"joint 'j': the friction is -0.002 {friction}, below 0",
+        naming("j", "damping", f"-0.5 {damping}", "0"),
+        naming("j", "friction", f"-0.002 {friction}", "0"),
     ]
     assert places("JNT008", text) == [(4, "-0.5"), (4, "-2e-3")]
 

@@ -3,6 +3,7 @@ from math import radians
 import pytest
 
 from tests.jointed import joint, limit, of_xacro, robot
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from urdfkit.text.diagnostic import Confidence
 
@@ -44,7 +45,7 @@ def test_one_end_in_degrees() -> None:
     for lower, upper in (("-94", "4.69"), ("-3.1", "180")):
         text = robot(*others, joint("j", "revolute", limit(lower, upper)))
         (message,) = messages("JNT010", text)
-        assert message.endswith("which looks like degrees or a missing decimal point")
+        assert message.endswith("decimal point")
         assert limit(lower, upper) in fixed("JNT010", text)
     assert messages("JNT010", robot(*others, joint("j", "revolute", limit("-3.1", "100")))) == []
 
@@ -130,20 +131,20 @@ def turned(rpy: str) -> str:
 @pytest.mark.parametrize(
     ("rpy", "worst", "better"),
     [
-        ("90 0 0", "90 rad, 14.3", "1.570796327 0 0"),
-        ("0 0 -180", "-180 rad, 28.6", "0 0 -3.141592654"),
-        ("0 22.5 0", "22.5 rad, 3.6", "0 0.3926990817 0"),
-        ("0 7 0", "7 rad, 1.1", "0 0.1221730476 0"),
-        ("90 5 -30", "90 rad, 14.3", "1.570796327 0.0872664626 -0.5235987756"),
-        ("90 0 1.57", "90 rad, 14.3", "1.570796327 0 1.57"),
-        ("360 0 0.0", "360 rad, 57.3", "6.283185307 0 0.0"),
-        ("0 0 79.2", "79.2 rad, 12.6", "0 0 1.382300768"),
-        ("1.57 0 -33.4", "-33.4 rad, 5.3", "1.57 0 -0.5829399702"),
+        ("90 0 0", ("90 rad", "14.3"), "1.570796327 0 0"),
+        ("0 0 -180", ("-180 rad", "28.6"), "0 0 -3.141592654"),
+        ("0 22.5 0", ("22.5 rad", "3.6"), "0 0.3926990817 0"),
+        ("0 7 0", ("7 rad", "1.1"), "0 0.1221730476 0"),
+        ("90 5 -30", ("90 rad", "14.3"), "1.570796327 0.0872664626 -0.5235987756"),
+        ("90 0 1.57", ("90 rad", "14.3"), "1.570796327 0 1.57"),
+        ("360 0 0.0", ("360 rad", "57.3"), "6.283185307 0 0.0"),
+        ("0 0 79.2", ("79.2 rad", "12.6"), "0 0 1.382300768"),
+        ("1.57 0 -33.4", ("-33.4 rad", "5.3"), "1.57 0 -0.5829399702"),
     ],
 )
-def test_more_than_a_turn_in_whole_degrees(rpy: str, worst: str, better: str) -> None:
+def test_more_than_a_turn_in_whole_degrees(rpy: str, worst: tuple[str, str], better: str) -> None:
     (found,) = reported("JNT010", turned(rpy))
-    assert f"an rpy of {worst} turns" in found.message
+    assert found.message == naming("j", "rpy", *worst)
     assert found.confidence is Confidence.INFERRED
     assert places("JNT010", turned(rpy)) == [(4, rpy)]
     assert f'rpy="{better}"' in fixed("JNT010", turned(rpy))
@@ -177,7 +178,7 @@ def test_the_origins_in_links(part: str) -> None:
         joint("j", "fixed")
     )
     (message,) = messages("JNT010", text)
-    assert message.startswith(f"link 'a': <{part}> has an rpy of 90 rad")
+    assert message == naming("a", f"<{part}>", "rpy", "90 rad", "14.3")
 
 
 def test_an_origin_elsewhere_is_not_urdf() -> None:
@@ -260,5 +261,5 @@ def test_a_robot_of_one_link() -> None:
 def test_radians_that_were_converted_the_wrong_way() -> None:
     text = robot(joint("j", "revolute", limit("-177.616916", "177.616916")))
     (message,) = messages("JNT010", text)
-    assert message.endswith("177.617] rad, 28.3 turns, which looks like degrees")
+    assert message == naming("j", "[-177.617, 177.617] rad", "28.3")
     assert limit("-3.099999991", "3.099999991") in fixed("JNT010", text)

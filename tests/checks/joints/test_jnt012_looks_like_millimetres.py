@@ -1,6 +1,7 @@
 import pytest
 
 from tests.jointed import joint, robot
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from urdfkit.text.diagnostic import Confidence
 
@@ -20,10 +21,7 @@ MESH = '<mesh filename="arm.stl" scale="{0} {0} {0}"/>'
 def test_one_origin_far_from_all_others() -> None:
     text = robot(*NEAR, at("j", "0 0 -150"))
     (found,) = reported("JNT012", text)
-    assert found.message == (
-        "joint 'j': the origin is 150 m away, but half of the other 3 joints are less than 0.2 m "
-        "apart; that looks like millimetres"
-    )
+    assert found.message == naming("j", "150 m", "3", "0.2 m", "millimetres")
     assert found.confidence is Confidence.INFERRED
     assert places("JNT012", text) == [(12, '<origin xyz="0 0 -150"/>')]
 
@@ -43,10 +41,7 @@ def test_ten_metres_are_far(reach: str, count: int) -> None:
 def test_a_robot_in_millimetres_with_meshes_that_are_scaled() -> None:
     far = robot(at("a", "0 0 120"), at("b", "0 250 0"))
     (message,) = messages("JNT012", shown(MESH.format("0.001")) + far)
-    assert message == (
-        "joints 'a' and 'b': the origin is 120 m away, but meshes are scaled by 0.001; that looks "
-        "like millimetres"
-    )
+    assert message == naming("a", "b", "120 m", "0.001", "millimetres")
     assert reported("JNT012", shown(MESH.format("1")) + far) == []
 
 
@@ -85,9 +80,7 @@ def gripper(lower: str, upper: str, size: str = "0.1") -> str:
 
 
 def test_thirty_metres_of_a_gripper() -> None:
-    assert messages("JNT012", gripper("0", "30")) == [
-        "joint 'j' has limits [0, 30] m, but no part of the robot is longer than 0.1 m"
-    ]
+    assert messages("JNT012", gripper("0", "30")) == [naming("j", "[0, 30] m", "0.1 m")]
     text = fixed("JNT012", gripper("-5", "30"))
     assert 'lower="-0.005" upper="0.03"' in text
 

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.naming import naming
 from tests.reported import messages
 
 LINK = '<link name="{}"><visual><geometry><box size="{}"/></geometry></visual></link>\n'
@@ -10,7 +11,7 @@ SMALL = LINK.format("arm", "0.1 0.1 0.3")
 
 def test_a_box_in_millimetres() -> None:
     assert messages("JNT012", SMALL + LINK.format("hand", "50 50 240")) == [
-        "link 'hand': the visual is 240 m long, the rest of the robot at most 0.3 m"
+        naming("hand", "visual", "240 m", "0.3 m")
     ]
 
 
@@ -26,9 +27,7 @@ def test_a_radius_in_millimetres(shape: str, length: int) -> None:
     ball = f'<link name="ball"><collision><geometry><{shape}/></geometry></collision></link>'
     small = LINK.format("arm", "0.1 0.05 0.05")
     (message,) = messages("JNT012", small + ball)
-    assert message == (
-        f"link 'ball': the collision is {length} m long, the rest of the robot at most 0.1 m"
-    )
+    assert message == naming("ball", "collision", f"{length} m", "0.1 m")
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.jointed import joint, limit, mimic, robot
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 
@@ -16,7 +17,7 @@ from tests.reported import messages, places, reported
 def test_0_is_outside(kind: str, lower: str, upper: str, unit: str) -> None:
     text = robot(joint("j", kind, limit(lower, upper)))
     assert messages("JNT019", text) == [
-        f"joint 'j': position 0 is outside the limits [{lower}, {upper}] {unit}"
+        naming("j", "position", "0", "outside", f"[{lower}, {upper}] {unit}")
     ]
     assert places("JNT019", text) == [(4, limit(lower, upper))]
 
@@ -24,9 +25,7 @@ def test_0_is_outside(kind: str, lower: str, upper: str, unit: str) -> None:
 def test_all_joints_are_one_finding() -> None:
     legs = [joint(name, "revolute", limit("-2", "-1")) for name in "abcd"]
     (found,) = reported("JNT019", robot(*legs))
-    assert (
-        found.message == "joints 'a', 'b' and 2 more: position 0 is outside the limits [-2, -1] rad"
-    )
+    assert found.message == naming("a", "b", "2", "position", "0", "outside", "[-2, -1] rad")
     assert [other.span.line for other in found.related] == [6, 8, 10]
 
 

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.jointed import joint, limit, robot
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 BOTH = 'soft_lower_limit="{}" soft_upper_limit="{}"'
@@ -16,35 +17,31 @@ def safe(name: str, soft: str, kind: str = "revolute", hard: tuple[str, str] = (
 def test_soft_limits_beyond_the_limits(lower: str, upper: str) -> None:
     soft = BOTH.format(lower, upper)
     text = robot(safe("j", soft))
-    assert messages("JNT019", text) == [
-        f"joint 'j': soft limits [{lower}, {upper}] rad exceed the limits [-1, 2]"
-    ]
+    assert messages("JNT019", text) == [naming("j", f"[{lower}, {upper}] rad", "[-1, 2]")]
     assert places("JNT019", text) == [(4, f"<safety_controller {soft}/>")]
 
 
 @pytest.mark.parametrize(
     ("soft", "shown"),
     [
-        ("", "[0, 0] rad (missing: soft_lower_limit, soft_upper_limit)"),
-        ('soft_upper_limit="-0.5"', "[0, -0.5] rad (missing: soft_lower_limit)"),
-        (BOTH.format("0", "0"), "[0, 0] rad"),
-        (BOTH.format("1.9", "-0.9"), "[1.9, -0.9] rad"),
-        (BOTH.format("3", "4"), "[3, 4] rad"),
-        (BOTH.format("-4", "-1"), "[-4, -1] rad"),
+        ("", ["[0, 0] rad", "soft_lower_limit", "soft_upper_limit"]),
+        ('soft_upper_limit="-0.5"', ["[0, -0.5] rad", "soft_lower_limit"]),
+        (BOTH.format("0", "0"), ["[0, 0] rad"]),
+        (BOTH.format("1.9", "-0.9"), ["[1.9, -0.9] rad"]),
+        (BOTH.format("3", "4"), ["[3, 4] rad"]),
+        (BOTH.format("-4", "-1"), ["[-4, -1] rad"]),
     ],
 )
-def test_no_range_within_the_limits(soft: str, shown: str) -> None:
+def test_no_range_within_the_limits(soft: str, shown: list[str]) -> None:
     text = robot(safe("j", soft))
-    assert messages("JNT019", text) == [
-        f"joint 'j': soft limits {shown} leave no range within the limits"
-    ]
+    assert messages("JNT019", text) == [naming("j", *shown)]
     assert places("JNT019", text) == [(4, f"<safety_controller {soft}/>")]
 
 
 @pytest.mark.parametrize("soft", ["", BOTH.format("-11", "12")])
 def test_all_joints_with_one_defect_are_one_finding(soft: str) -> None:
     (found,) = reported("JNT019", robot(*(safe(name, soft, "prismatic") for name in "abc")))
-    assert found.message.startswith("joints 'a', 'b' and 1 more: soft limits [")
+    assert found.message.startswith("joints 'a', 'b' and 1 more: ")
     assert [other.span.line for other in found.related] == [6, 8]
 
 
@@ -75,8 +72,8 @@ def test_calibration_outside_the_limits(kind: str, unit: str) -> None:
     marks = '<calibration rising="1.6" falling="-2"/>'
     text = robot(joint("j", kind, limit("-1.5", "1.5") + marks))
     assert messages("JNT019", text) == [
-        f"joint 'j': rising edge at 1.6 {unit} is outside the limits [-1.5, 1.5]",
-        f"joint 'j': falling edge at -2 {unit} is outside the limits [-1.5, 1.5]",
+        naming("j", f"1.6 {unit}", "outside", "[-1.5, 1.5]"),
+        naming("j", f"-2 {unit}", "outside", "[-1.5, 1.5]"),
     ]
     assert places("JNT019", text) == [(4, "1.6"), (4, "-2")]
 

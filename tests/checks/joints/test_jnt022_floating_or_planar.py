@@ -1,6 +1,7 @@
 import pytest
 
 from tests.jointed import joint, robot
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit.ros.targets import TARGETS
 from urdfkit.text.diagnostic import Severity
@@ -9,9 +10,7 @@ from urdfkit.text.diagnostic import Severity
 @pytest.mark.parametrize("kind", ["floating", "planar"])
 def test_a_joint_that_few_readers_know(kind: str) -> None:
     text = robot(joint("j", kind))
-    assert messages("JNT022", text) == [
-        f"joint 'j' is {kind}: Gazebo drops the joint, and KDL reads it as fixed"
-    ]
+    assert messages("JNT022", text) == [naming("j", kind, "Gazebo", "fixed")]
     assert places("JNT022", text) == [(4, kind)]
 
 

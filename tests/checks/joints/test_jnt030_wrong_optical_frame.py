@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.naming import naming
 from tests.reported import fixed, messages, reported
 from tests.sensing import findings
 
@@ -24,15 +25,15 @@ def test_a_camera_of_gazebo_is_not_turned_away() -> None:
 @pytest.mark.parametrize(
     ("rpy", "way"),
     [
-        ("0 0 0", "up"),
-        ("1.5708 0 -1.5708", "backward"),
-        ("0 1.5708 0", "forward, but rotated,"),
-        ("-1.5708 0 0", "to the left"),
+        ("0 0 0", "looks up"),
+        ("1.5708 0 -1.5708", "looks backward"),
+        ("0 1.5708 0", "forward, but rotated"),
+        ("-1.5708 0 0", "left"),
     ],
 )
 def test_other_ways_are_reported_and_fixed(rpy: str, way: str) -> None:
     (message,) = messages("JNT030", robot(rpy))
-    assert message.startswith(f"joint 'j': 'camera_optical_frame' looks {way} from 'camera_link'")
+    assert message == naming("j", "camera_optical_frame", way, "camera_link")
     assert 'rpy="-1.5707963 0 -1.5707963"' in fixed("JNT030", robot(rpy))
 
 
@@ -83,9 +84,8 @@ def test_vehicles_under_water(name: str, rpy: str, count: int) -> None:
 
 def test_the_commonest_mistake_of_signs_turns_the_image_over() -> None:
     (message,) = messages("JNT030", robot("1.5707963 0 1.5707963"))
-    assert message == (
-        "joint 'j': 'camera_optical_frame' looks forward, but upside down, from 'camera_link'; an "
-        "optical frame looks forward, its x to the right"
+    assert message == naming(
+        "j", "camera_optical_frame", "forward", "upside", "down", "camera_link", "forward", "right"
     )
     assert 'rpy="-1.5707963 0 -1.5707963"' in fixed("JNT030", robot("1.5707963 0 1.5707963"))
 

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests import meshed
+from tests.naming import naming
 from tests.reported import messages, places
 from urdfkit.mesh import samples
 
@@ -27,10 +28,7 @@ def robot(
 
 def test_the_axis_or_the_shape_lies_across() -> None:
     (message,) = messages("JNT033", robot("1 0 0"))
-    assert message == (
-        "joint 'j' turns wheel 'wheel' about 1 0 0, "
-        "but the axis of its collision cylinder is 0 -1 0"
-    )
+    assert message == naming("j", "wheel", "1 0 0", "collision", "0 -1 0")
     assert messages("JNT033", robot("0 0 1"))
     assert messages("JNT033", robot(rpy="0 0 0"))
 
@@ -76,12 +74,11 @@ def test_the_short_edge_of_a_mesh_is_its_axle(
     )
     files = {"wheel.stl": samples.stl(samples.box(low, high))}
     said = meshed.messages(tmp_path, "JNT033", wheel + joint, files)
-    about = "turns wheel 'wheel' about 1 0 0, but the axis of its collision mesh is 0 1 0"
-    assert said == ([f"joint 'j' {about}"] if reported else [])
+    assert said == ([naming("j", "wheel", "1 0 0", "collision", "0 1 0")] if reported else [])
 
 
 def test_a_wheel_with_position_limits() -> None:
     text = robot(kind="revolute")
     (message,) = messages("JNT033", text)
-    assert message.endswith("is revolute, with limits [-1, 1] rad")
+    assert message == naming("j", "wheel", "revolute", "[-1, 1] rad")
     assert [at for _, at in places("JNT033", text)] == ["revolute"]

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.growth import executed_lines
+from tests.naming import naming
 from tests.reported import messages
 
 LINK = (
@@ -22,9 +23,7 @@ def robot(xyz: str, rpy: str = "0 0 0", kind: str = "fixed") -> str:
     ("xyz", "gap"), [("0 0 2.4", "2.2"), ("3 0 0", "2.9"), ("0 -24 0", "23.9")]
 )
 def test_far_in_the_air(xyz: str, gap: str) -> None:
-    assert messages("JNT037", robot(xyz)) == [
-        f"joint 'j': 'b' is {gap} m away from 'a'; neither is longer than 0.2 m"
-    ]
+    assert messages("JNT037", robot(xyz)) == [naming("j", "b", f"{gap} m", "a", "0.2 m")]
 
 
 @pytest.mark.parametrize(

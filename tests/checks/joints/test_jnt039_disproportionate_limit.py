@@ -3,6 +3,7 @@
 import pytest
 
 from tests.jointed import joint, limit, robot
+from tests.naming import naming
 from tests.reported import messages, places
 
 Limits = tuple[str, str]
@@ -30,17 +31,17 @@ def test_a_wheel_is_not_compared_with_an_arm() -> None:
 @pytest.mark.parametrize(
     ("odd", "said"),
     [
-        (("1000000", "3"), "effort limit 1e+06 N·m is 1.25e+04 times the largest"),
-        (("50", "180"), "velocity limit 180 rad/s is 45 times the largest"),
-        (("0.04", "3"), "effort limit 0.04 N·m is 0.004 of the smallest"),
-        (("20", "0.01"), "velocity limit 0.01 rad/s is 0.005 of the smallest"),
+        (("1000000", "3"), ["effort", "1e+06 N·m", "1.25e+04", "largest"]),
+        (("50", "180"), ["velocity", "180 rad/s", "45", "largest"]),
+        (("0.04", "3"), ["effort", "0.04 N·m", "0.004", "smallest"]),
+        (("20", "0.01"), ["velocity", "0.01 rad/s", "0.005", "smallest"]),
     ],
 )
 @pytest.mark.parametrize("place", [0, 3])
-def test_one_of_four_is_odd(odd: Limits, said: str, place: int) -> None:
+def test_one_of_four_is_odd(odd: Limits, said: list[str], place: int) -> None:
     limits = [*REST]
     limits.insert(place, odd)
-    assert messages("JNT039", arm(*limits)) == [f"joint 'j{place}': {said} of the other joints"]
+    assert messages("JNT039", arm(*limits)) == [naming(f"j{place}", *said)]
 
 
 def test_it_is_reported_where_the_number_stands() -> None:
@@ -66,4 +67,4 @@ def test_slides_are_compared_with_slides() -> None:
     fingers = joint("finger", "prismatic", limit("0", "0.1", "50000", "100"))
     assert messages("JNT039", arm(*REST) + fingers) == []
     (message,) = messages("JNT039", arm(*REST, ("90000", "3"), kind="prismatic"))
-    assert message.startswith("joint 'j3': effort limit 90000 N is")
+    assert message == naming("j3", "effort", "90000 N", "1.12e+03", "largest")

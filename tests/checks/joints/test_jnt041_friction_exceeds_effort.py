@@ -3,6 +3,7 @@
 import pytest
 
 from tests.jointed import joint, limit, mimic, robot
+from tests.naming import naming
 from tests.reported import messages, places
 
 
@@ -13,7 +14,7 @@ def arm(dynamics: str, kind: str = "revolute", effort: str = "10", more: str = "
 
 def test_friction_over_the_effort() -> None:
     assert messages("JNT041", arm('friction="10.5"')) == [
-        "joint 'j': friction 10.5 N·m exceeds the effort limit of 10 N·m"
+        naming("j", "friction", "10.5 N·m", "effort", "10 N·m")
     ]
     assert places("JNT041", arm('friction="10.5"'))[0][1] == "10.5"
     assert messages("JNT041", arm('friction="10"')) == []  # a gripper of TALOS
@@ -21,10 +22,7 @@ def test_friction_over_the_effort() -> None:
 
 def test_damping_that_takes_all_of_the_effort() -> None:
     assert messages("JNT041", arm('damping="1000"')) == [
-        (
-            "joint 'j': with damping 1000 N·m·s/rad, the effort limit of 10 N·m reaches 0.01 "
-            "rad/s; the velocity limit is 2"
-        )
+        naming("j", "damping", "1000 N·m·s/rad", "effort", "10 N·m", "0.01 rad/s", "velocity", "2")
     ]
     assert messages("JNT041", arm('damping="99"')) == []
     assert len(messages("JNT041", arm('damping="1001"', "prismatic"))) == 1
