@@ -9,7 +9,7 @@ from typing import Any
 
 _UNITS = r"%|°|(?:k?g|[mck]?m|m?s|N|W|V|rad|deg|k?Hz|[kM]B|bytes?|triangles?)(?:[·²³/^]\S*)?\b"
 _NUMBER = r"[-+]?(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d+)?(?:e[-+]?\d+)?"
-_NUMBERS = rf"[(\[]{_NUMBER}(?:,[ ]{_NUMBER})+[)\]] | {_NUMBER}(?:(?:[ ]x)?[ ]{_NUMBER})*"
+_NUMBERS = rf"[(\[]{_NUMBER}(?:,[ ]{_NUMBER})+[)\]] | {_NUMBER}(?:(?:[ ]x|,)?[ ]{_NUMBER})*"
 _IDENTIFIER = r"[\w$*/]?[_/:=.·²] | [a-z][A-Z] | [A-Za-z]\d | (?<![\w-])-"  # what a word has not
 _VALUE = rf"""
     (?<!\w)'(?P<quoted>[^']*)'(?!\w)

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.massive import BOX, link, shape
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Severity
 
@@ -8,16 +9,16 @@ from urdfkit.text.diagnostic import Severity
 @pytest.mark.parametrize(
     ("geometry", "expected"),
     [
-        ('<box size="1 -2 -3"/>', "the <box> in its collision has size 1 -2 -3 m"),
-        ('<sphere radius="-0.1"/>', "the <sphere> in its collision has radius -0.1 m"),
-        ('<cylinder radius="1" length="-2"/>', "the <cylinder> in its collision has length -2 m"),
-        ('<cylinder radius="-1"/>', "the <cylinder> in its collision has radius -1 m"),
-        ('<capsule radius="2" length="-1"/>', "the <capsule> in its collision has length -1 m"),
+        ('<box size="1 -2 -3"/>', ("<box>", "size", "1 -2 -3 m")),
+        ('<sphere radius="-0.1"/>', ("<sphere>", "radius", "-0.1 m")),
+        ('<cylinder radius="1" length="-2"/>', ("<cylinder>", "length", "-2 m")),
+        ('<cylinder radius="-1"/>', ("<cylinder>", "radius", "-1 m")),
+        ('<capsule radius="2" length="-1"/>', ("<capsule>", "length", "-1 m")),
     ],
 )
-def test_every_primitive(geometry: str, expected: str) -> None:
+def test_every_primitive(geometry: str, expected: tuple[str, str, str]) -> None:
     assert messages("GEO001", link("arm", shape("collision", geometry))) == [
-        f"link 'arm': {expected}"
+        naming("arm", expected[0], "collision", *expected[1:])
     ]
 
 
@@ -44,16 +45,16 @@ EMPTY = link("tool", shape("collision", '<box size="0 0 0"/>'))
 @pytest.mark.parametrize(
     ("geometry", "expected"),
     [
-        ('<box size="0 0 0"/>', "the <box> in its collision has size 0 0 0 m"),
-        ('<box size="1 1 0"/>', "the <box> in its collision has size 1 1 0 m"),
-        ('<sphere radius="0"/>', "the <sphere> in its collision has radius 0 m"),
-        ('<cylinder radius="1" length="0"/>', "the <cylinder> in its collision has length 0 m"),
-        ('<capsule radius="1" length="0"/>', "the <capsule> in its collision has length 0 m"),
+        ('<box size="0 0 0"/>', ("<box>", "size", "0 0 0 m")),
+        ('<box size="1 1 0"/>', ("<box>", "size", "1 1 0 m")),
+        ('<sphere radius="0"/>', ("<sphere>", "radius", "0 m")),
+        ('<cylinder radius="1" length="0"/>', ("<cylinder>", "length", "0 m")),
+        ('<capsule radius="1" length="0"/>', ("<capsule>", "length", "0 m")),
     ],
 )
-def test_zero(geometry: str, expected: str) -> None:
+def test_zero(geometry: str, expected: tuple[str, str, str]) -> None:
     assert messages("GEO001", link("tool", shape("collision", geometry))) == [
-        f"link 'tool': {expected}"
+        naming("tool", expected[0], "collision", *expected[1:])
     ]
 
 
@@ -81,7 +82,7 @@ def mesh(scale: str) -> str:
 
 def test_a_zero_scale() -> None:
     assert messages("GEO001", mesh("0.001 0 0.001")) == [
-        "link 'arm': the <mesh> in its collision has scale 0.001 0 0.001"
+        naming("arm", "<mesh>", "collision", "0.001 0 0.001")
     ]
     assert places("GEO001", mesh("0 0 0")) == [(2, "0 0 0")]
 

@@ -6,6 +6,7 @@ import pytest
 
 from tests import meshed
 from tests.massive import joint, shape
+from tests.naming import naming
 from urdfkit.mesh import samples
 
 
@@ -32,9 +33,7 @@ BLOCK = '<box size="0.08 0.06 0.1"/>'
 def test_the_other_sign(tmp_path: Path, xyz: str, is_found: bool) -> None:
     robot = meshed.link(meshed.mesh("shank.stl", "visual"), shape("collision", BLOCK, xyz))
     found = meshed.reported(tmp_path, "GEO004", robot, {"shank.stl": SHANK})
-    assert [one.help for one in found] == (
-        ["write the other sign for z of the collision's <origin>"] if is_found else []
-    )
+    assert [one.help for one in found] == ([naming("for z", "<origin>")] if is_found else [])
 
 
 FILES = {
@@ -54,8 +53,8 @@ def arm(lower: str, more: str = "") -> str:
 def test_the_mesh_of_another_link(tmp_path: Path) -> None:
     assert meshed.reported(tmp_path, "GEO004", arm("lower.stl"), FILES) == []
     (found,) = meshed.reported(tmp_path, "GEO004", arm("upper.stl"), FILES)
-    assert found.message.endswith("; the visual is the mesh of 'upper'")
-    assert found.help == "name the mesh of 'lower'"
+    assert found.message == naming("lower", "collision", "visual", "7%", "34%", "visual", "upper")
+    assert found.help == naming("lower")
     assert found.span.text.startswith("<visual>")
 
 
@@ -85,11 +84,8 @@ def test_a_diameter(tmp_path: Path, radius: str, length: str, is_found: bool) ->
     turned = shape("collision", cylinder, rpy="1.5707963 0 0")
     robot = meshed.link(meshed.mesh("tyre.stl", "visual"), turned)
     found = meshed.messages(tmp_path, "GEO004", robot, {"tyre.stl": tyre})
-    assert found == (
-        ["link 'arm': the radius of the collision, 0.2 m, is twice that of the visual mesh, 0.1 m"]
-        if is_found
-        else []
-    )
+    expected = naming("arm", "radius", "collision", "0.2 m", "twice", "visual", "0.1 m")
+    assert found == ([expected] if is_found else [])
 
 
 def legs(right: str, others: tuple[str, ...] = ("hip", "knee"), scale: str = "") -> str:
@@ -114,8 +110,8 @@ BOTH = {
 def test_the_mesh_of_the_other_side(tmp_path: Path) -> None:
     assert meshed.reported(tmp_path, "GEO004", legs("right_foot.stl"), BOTH) == []
     (finding,) = meshed.reported(tmp_path, "GEO004", legs("left_foot.stl"), BOTH)
-    assert "'right_foot': the visual is the mesh of its counterpart 'left_foot'" in finding.message
-    assert finding.help == "write the path of 'right_foot.stl'"
+    assert finding.message == naming("right_foot", "visual", "left_foot", "right_foot.stl")
+    assert finding.help == naming("right_foot.stl")
     assert finding.span.text == "left_foot.stl"
     assert meshed.reported(tmp_path, "GEO004", legs("left_foot.stl", ("hip",)), BOTH) == []
     mirrored = legs("left_foot.stl", scale=' scale="1 -1 1"')

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.naming import naming
 from tests.reported import messages, places
 
 LINK = (
@@ -15,7 +16,7 @@ LARGE = '<cylinder radius="0.2" length="0.05"/>'
 def test_twice_the_radius() -> None:
     text = LINK.format(SMALL, "", LARGE)
     assert messages("GEO004", text) == [
-        "link 'a': the radius of the collision, 0.2 m, is twice that of the visual, 0.1 m"
+        naming("a", "collision", "0.2 m", "twice", "visual", "0.1 m")
     ]
     assert places("GEO004", text) == [(3, LARGE)]
 

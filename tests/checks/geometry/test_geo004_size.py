@@ -6,6 +6,7 @@ import pytest
 
 from tests import meshed
 from tests.massive import joint, link, shape
+from tests.naming import naming
 from tests.reported import messages, places
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.samples import box, stl
@@ -19,17 +20,20 @@ def pair(seen: str, touched: str) -> str:
 
 
 @pytest.mark.parametrize(
-    ("seen", "said"),
+    ("seen", "larger", "factor", "smaller", "size"),
     [
-        ('<box size="100 200 300"/>', "the visual is 1000 times as large as the collision, as by"),
-        ('<box size="2.54 5.08 7.62"/>', "the visual is 25.4 times as large as the collision, as"),
-        ('<box size="0.01 0.02 0.03"/>', "the collision is 10 times as large as the visual, as by"),
-        ('<box size="0.6 1.2 1.8"/>', "the visual is 6 times as large as the collision: 0.6 x"),
+        ('<box size="100 200 300"/>', "visual", "1000", "collision", "100 x 200 x 300 m"),
+        ('<box size="2.54 5.08 7.62"/>', "visual", "25.4", "collision", "2.54 x 5.08 x 7.62 m"),
+        ('<box size="0.01 0.02 0.03"/>', "collision", "10", "visual", "0.01 x 0.02 x 0.03 m"),
+        ('<box size="0.6 1.2 1.8"/>', "visual", "6", "collision", "0.6 x 1.2 x 1.8 m"),
     ],
 )
-def test_a_factor_in_every_direction(seen: str, said: str) -> None:
+def test_a_factor_in_every_direction(
+    seen: str, larger: str, factor: str, smaller: str, size: str
+) -> None:
     (message,) = messages("GEO004", pair(seen, HAND))
-    assert message.startswith(f"link 'a': {said}")
+    shapes = (size, "visual", "0.1 x 0.2 x 0.3 m", "collision")
+    assert message == naming("a", larger, factor, smaller, *shapes)
 
 
 @pytest.mark.parametrize(
@@ -62,13 +66,9 @@ def test_two_meshes_of_one_part_differ_less(tmp_path: Path) -> None:
         files = {"a.stl": meshed.SOUND, "b.stl": meshed.SOUND}
         return meshed.messages(tmp_path, "GEO004", robot, files)
 
-    assert said(' scale="2 2 2"') == [
-        (
-            "link 'arm': the visual is 2 times as large as the collision: "
-            "0.2 x 0.2 x 0.6 m (visual), 0.1 x 0.1 x 0.3 m (collision)"
-        )
-    ]
-    assert said(' scale="0.001 0.001 0.001"')[0].startswith("link 'arm': the collision is 1000")
+    sizes = ("0.2 x 0.2 x 0.6 m", "visual", "0.1 x 0.1 x 0.3 m", "collision")
+    assert said(' scale="2 2 2"') == [naming("arm", "visual", "2", "collision", *sizes)]
+    assert said(' scale="0.001 0.001 0.001"')[0].startswith("link 'arm': the collision is")
     assert said(' scale="1.4 1.4 1.4"') == said(' scale="2 2 2.5"') == []
 
 
@@ -92,10 +92,10 @@ def test_a_primitive_that_is_small_on_purpose(
 @pytest.mark.parametrize(
     ("factor", "why"),
     [
-        (1000, "millimetres read as metres"),
-        (100, "centimetres read as metres"),
+        (1000, "millimetres"),
+        (100, "centimetres"),
         (39.37, "inches read as metres"),
-        (25.4, "inches read as millimetres, or the reverse"),
+        (25.4, "inches read as millimetres"),
         (10, "a decimal point"),
     ],
 )
@@ -106,7 +106,7 @@ def test_the_units_that_were_confused(factor: float, why: str) -> None:
         )
         return message
 
-    assert f" as the collision, as by {why}:" in said(factor)
+    assert f", as by {why}" in said(factor)
     assert why in said(1.05 * factor)
     assert why in said(factor / 1.05)
     assert "as by" not in said(1.12 * factor)

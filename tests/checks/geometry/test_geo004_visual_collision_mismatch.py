@@ -6,13 +6,12 @@ import pytest
 from tests import meshed
 from tests.conftest import MISSION
 from tests.massive import BALL, BOX, MESH, link, shape
+from tests.naming import naming
 from tests.reported import messages, reported
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Severity
 
 CUBE = '<box size="1 1 1"/>'
-HEAD = "the bounding boxes of collision and visual have only"
-TAIL = " of their volume in common, less than 34%"
 
 
 def pair(seen: str, touched: str, xyz: str = "0 0 0", rpy: str = "0 0 0") -> str:
@@ -24,16 +23,14 @@ def pair(seen: str, touched: str, xyz: str = "0 0 0", rpy: str = "0 0 0") -> str
     [("0.49 0 0", None), ("0.51 0 0", "32%"), ("0 0 0.9", "5%"), ("0 3 0", "0%")],
 )
 def test_a_cube_that_is_moved(shift: str, common: str | None) -> None:
-    expected = [
-        (f"link 'a': {HEAD} {common}{TAIL}; the visual is the same shape, moved by {shift} m")
-    ]
-    assert messages("GEO004", pair(CUBE, CUBE, shift)) == (expected if common else [])
+    expected = [naming("a", common, "34%", "moved", f"{shift} m")] if common else []
+    assert messages("GEO004", pair(CUBE, CUBE, shift)) == expected
 
 
 def test_the_bounding_boxes_are_those_of_turned_shapes() -> None:
     rod = '<cylinder radius="0.05" length="1"/>'
     assert messages("GEO004", pair(rod, rod, rpy=f"0 {pi / 2!r} 0")) == [
-        (f"link 'a': {HEAD} 5%{TAIL}; the visual is the same shape, rotated")
+        naming("a", "5%", "34%", "rotated")
     ]
     assert messages("GEO004", pair(BALL, BALL, rpy="1 2 3")) == []
 
@@ -73,23 +70,21 @@ class TestMeshes:
     @pytest.mark.parametrize(
         ("origin", "why"),
         [
-            ('<origin xyz="0 -1.57 0"/>', "0%; moved by 0 1.57 0 m"),
-            ('<origin rpy="1.5707963267948966 0 0"/>', "0%; rotated"),
+            ('<origin xyz="0 -1.57 0"/>', ["moved", "0 1.57 0 m"]),
+            ('<origin rpy="1.5707963267948966 0 0"/>', ["rotated"]),
             ('<origin xyz="0.04 0 0"/>', None),
             ("", None),
         ],
     )
-    def test_the_same_mesh_elsewhere(self, tmp_path: Path, origin: str, why: str | None) -> None:
+    def test_the_same_mesh_elsewhere(
+        self, tmp_path: Path, origin: str, why: list[str] | None
+    ) -> None:
         touched = meshed.mesh("a.stl", origin=origin)
         found = self.reported(tmp_path, meshed.mesh("a.stl", "visual"), touched)
         if why is None:
             assert found == []
         else:
-            common, _, how = why.partition("; ")
-            (message,) = found
-            assert (
-                message == f"link 'arm': {HEAD} {common}{TAIL}; the visual is the same shape, {how}"
-            )
+            assert found == [naming("arm", "0%", "34%", *why)]
 
     @pytest.mark.parametrize(("x", "is_reported"), [(0.44, False), (0.46, True)])
     def test_a_primitive_may_stand_for_a_part_of_a_mesh(
@@ -107,16 +102,13 @@ def test_a_mesh_that_is_missing_is_not_measured() -> None:
 
 def test_two_different_shapes() -> None:
     (found,) = reported("GEO004", pair(BOX, BALL, "1 0 0"))
-    assert found.message.endswith(TAIL)
+    assert found.message.endswith("less than 34%")
     assert [note.message for note in found.related] == ["the visual"]
 
 
 def test_the_mission_s_model() -> None:
     (found,) = engine.check(MISSION, select=["GEO004"]).diagnostics
-    assert found.message == (
-        f"link 'base_link': {HEAD} 20%{TAIL}; the "
-        "visual is the same shape, rotated and moved by 0 0 0.05 m"
-    )
+    assert found.message == naming("base_link", "20%", "34%", "rotated", "0 0 0.05 m")
     assert (found.span.line, found.span.text) == (63, "<collision>")
     assert found.severity is Severity.WARNING
 
@@ -131,6 +123,6 @@ def test_what_has_the_origin_of_the_inertia_is_right() -> None:
     bodies = (shape("visual", rod), shape("collision", rod, "0 0 0", turned))
     (found,) = reported("GEO004", link("a", *bodies, inertial))
     assert found.span.text == "<visual>"
-    assert found.help == "give the visual the <origin> of the collision"
+    assert found.help == naming("visual", "<origin>", "collision")
     (found,) = reported("GEO004", link("a", *bodies))
     assert found.span.text == "<collision>"

@@ -3,6 +3,7 @@ from pathlib import Path
 import pytest
 
 from tests.massive import link
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from tests.urdfdom import needs_check_urdf, urdfdom
 
@@ -14,26 +15,26 @@ def paint(rgba: str) -> str:
 @pytest.mark.parametrize(
     ("rgba", "wrong", "mended"),
     [
-        ("255 140 0 1", "255, 140 are", "1 0.549 0 1"),
-        ("255 140 0 255", "255, 140, 255 are", "1 0.549 0 1"),
-        ("51 51 51 0.5", "51, 51, 51 are", "0.2 0.2 0.2 0.5"),
-        ("1.2 0.5 0 1", "1.2 is", "1 0.5 0 1"),
-        ("1 1 0 255", "255 is", "1 1 0 1"),
-        ("90 50 10 100", "90, 50, 10, 100 are", "0.9 0.5 0.1 1"),
-        ("90 50 10 80", "90, 50, 10, 80 are", None),
-        ("1 1 0 10", "10 is", None),
-        ("-0.1 0 0 1", "-0.1 is", None),
-        ("300 0 0 1", "300 is", None),
+        ("255 140 0 1", "255, 140", "1 0.549 0 1"),
+        ("255 140 0 255", "255, 140, 255", "1 0.549 0 1"),
+        ("51 51 51 0.5", "51, 51, 51", "0.2 0.2 0.2 0.5"),
+        ("1.2 0.5 0 1", "1.2", "1 0.5 0 1"),
+        ("1 1 0 255", "255", "1 1 0 1"),
+        ("90 50 10 100", "90, 50, 10, 100", "0.9 0.5 0.1 1"),
+        ("90 50 10 80", "90, 50, 10, 80", None),
+        ("1 1 0 10", "10", None),
+        ("-0.1 0 0 1", "-0.1", None),
+        ("300 0 0 1", "300", None),
     ],
 )
 def test_what_was_meant(rgba: str, wrong: str, mended: str | None) -> None:
     robot = paint(rgba) + link("a")
     (found,) = reported("GEO007", robot)
-    assert found.message == f"material 'paint': {wrong} not between 0 and 1"
+    assert found.message == naming("paint", wrong, "0", "1")
     assert places("GEO007", robot) == [(2, rgba)]
     if mended is None:
         assert found.fix is None
-        assert found.help == "write red, green, blue and alpha from 0 to 1"
+        assert found.help == naming("0", "1")
     else:
         assert found.help == f'write rgba="{mended}"'
         assert f'rgba="{mended}"' in fixed("GEO007", robot)
@@ -49,7 +50,7 @@ def test_materials_in_visuals() -> None:
     ball = '<geometry><sphere radius="1"/></geometry>'
     color = '<color rgba="0 9 0 1"/>'
     robot = link("a", f"<visual>{ball}<material>{color}</material></visual>")
-    assert messages("GEO007", robot) == ["the material: 9 is not between 0 and 1"]
+    assert messages("GEO007", robot) == [naming("9", "0", "1")]
 
 
 @needs_check_urdf

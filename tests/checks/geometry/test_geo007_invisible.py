@@ -1,6 +1,7 @@
 import pytest
 
 from tests.massive import BALL, link
+from tests.naming import naming
 from tests.reported import messages, places
 
 GREY = '<material name="grey"><color rgba="0.2 0.2 0.2 0"/></material>\n'
@@ -12,15 +13,13 @@ def seen(name: str, material: str) -> str:
 
 def test_once_per_colour() -> None:
     robot = GREY + seen("a", '<material name="grey"/>') + seen("b", '<material name="grey"/>')
-    assert messages("GEO007", robot) == [
-        "link 'a': the material 'grey' of a visual has an alpha of 0"
-    ]
+    assert messages("GEO007", robot) == [naming("a", "grey", "visual", "0")]
     assert places("GEO007", robot) == [(2, "0.2 0.2 0.2 0")]
 
 
 def test_a_colour_without_a_name() -> None:
     robot = seen("a", '<material><color rgba="1 1 1 0"/></material>')
-    assert messages("GEO007", robot) == ["link 'a': the material of a visual has an alpha of 0"]
+    assert messages("GEO007", robot) == [naming("a", "visual", "0")]
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@ import pytest
 
 from tests.conftest import MISSION
 from tests.massive import BALL, BOX, MESH, WHEEL, link
+from tests.naming import naming
 from tests.reported import messages, places
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Severity
@@ -17,7 +18,7 @@ def robot(rgba: str, material: str, name: str = "paint") -> str:
 def test_red_and_green() -> None:
     text = robot("0 1 0 1", "Gazebo/Red")
     assert messages("GEO009", text) == [
-        "link 'arm' is Gazebo/Red (1 0 0) in Gazebo and 'paint' (0 1 0) in the URDF"
+        naming("arm", "Gazebo/Red", "1 0 0", "Gazebo", "paint", "0 1 0")
     ]
     assert places("GEO009", text) == [(4, "<material>")]
 
@@ -77,7 +78,7 @@ def logo_on(name: str, geometry: str) -> str:
 )
 def test_a_texture_is_reported_once(geometry: str, kind: str) -> None:
     text = LOGO + logo_on("a", geometry) + logo_on("b", geometry)
-    message = f"link 'a' has a texture on a {kind}, which only RViz shows"
+    message = naming("a", "texture", kind, "RViz")
     assert messages("GEO009", text) == [message]
     assert messages("GEO009", text, targets=("gz-fortress",)) == [message]
     assert places("GEO009", text) == [(2, "logo.png")]
@@ -91,12 +92,12 @@ def test_a_mesh_has_texture_coordinates() -> None:
 def test_the_mission_s_model() -> None:
     found = engine.check(MISSION, select=["GEO009"]).diagnostics
     assert [(one.message, one.severity, one.span.text) for one in found] == [
-        (f"link '{text} in the URDF", Severity.INFO, "<material>")
-        for text in (
-            "base_link' is Gazebo/Orange (1 0.509 0.0468) in Gazebo and 'white' (1 1 1)",
-            "wheel_1' is Gazebo/Red (1 0 0) in Gazebo and 'black' (0 0 0)",
-            "wheel_3' is Gazebo/Red (1 0 0) in Gazebo and 'black' (0 0 0)",
-            "imu_link' is Gazebo/Orange (1 0.509 0.0468) in Gazebo and 'green' (0 1 0)",
+        (naming(*expected), Severity.INFO, "<material>")
+        for expected in (
+            ("base_link", "Gazebo/Orange", "1 0.509 0.0468", "white", "1 1 1"),
+            ("wheel_1", "Gazebo/Red", "1 0 0", "black", "0 0 0"),
+            ("wheel_3", "Gazebo/Red", "1 0 0", "black", "0 0 0"),
+            ("imu_link", "Gazebo/Orange", "1 0.509 0.0468", "green", "0 1 0"),
         )
     ]
     assert [one.span.line for one in found] == [278, 281, 287, 396]

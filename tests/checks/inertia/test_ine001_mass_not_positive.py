@@ -1,11 +1,12 @@
 import pytest
 
 from tests.massive import inertial, joint, link
+from tests.naming import naming
 from tests.reported import messages, places
 
 TENSOR = (0.1, 0.1, 0.1)
 BASE = link("base", inertial(2, TENSOR))
-MOVED = "link 'arm' has a mass of 0 kg and is moved by the continuous joint 'arm_joint'"
+MOVED = naming("arm", "0 kg", "continuous", "arm_joint")
 
 
 @pytest.mark.parametrize(
@@ -14,8 +15,8 @@ MOVED = "link 'arm' has a mass of 0 kg and is moved by the continuous joint 'arm
         (0, "continuous", [MOVED]),
         (0, "fixed", []),
         (1e-12, "continuous", []),
-        (-0.5, "fixed", ["link 'arm' has a mass of -0.5 kg"]),
-        (-0.5, "continuous", ["link 'arm' has a mass of -0.5 kg"]),
+        (-0.5, "fixed", [naming("arm", "-0.5 kg")]),
+        (-0.5, "continuous", [naming("arm", "-0.5 kg")]),
     ],
 )
 def test_masses_of_moving_and_fixed_links(mass: float, kind: str, expected: list[str]) -> None:

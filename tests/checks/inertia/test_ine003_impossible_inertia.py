@@ -1,15 +1,13 @@
 import pytest
 
 from tests.massive import BALL, BOX, inertial, joint, link, part
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 
 def test_moments_of_a_diagonal_tensor() -> None:
     assert messages("INE003", link("arm", inertial(2, (0.01, 0.03, 0.01)))) == [
-        (
-            "link 'arm': the moments of inertia violate the triangle inequality: "
-            "0.03 > 0.01 + 0.01 kg·m²"
-        )
+        naming("arm", "0.03", "> 0.01", "0.01 kg·m²")
     ]
 
 
@@ -18,12 +16,7 @@ def test_principal_moments_and_not_the_diagonal() -> None:
     robot = link("arm", inertial(2, (0.02, 0.01, 0, 0.02, 0, 0.04)))
     assert messages("INE003", robot) == []
     robot = link("arm", inertial(2, (0.03, 0.02, 0, 0.03, 0, 0.03)))
-    assert messages("INE003", robot) == [
-        (
-            "link 'arm': the principal moments of inertia violate the triangle inequality: "
-            "0.05 > 0.01 + 0.03 kg·m²"
-        )
-    ]
+    assert messages("INE003", robot) == [naming("arm", "0.05", "> 0.01", "0.03 kg·m²")]
 
 
 @pytest.mark.parametrize(("high", "found"), [(2.0, 0), (2.019, 0), (2.021, 1), (20, 1)])
@@ -40,7 +33,7 @@ def test_what_mujoco_takes_for_rounding(high: float, found: int) -> None:
 def test_a_moment_that_stands_alone() -> None:
     (found,) = reported("INE003", part("base", 12, (0, 0, 0.9), BOX))
     assert found.message.endswith("0.9 > 0 + 0 kg·m²")
-    assert found.help == 'write ixx="0.1" iyy="0.05" izz="0.13"'
+    assert found.help == naming('ixx="0.1"', 'iyy="0.05"', 'izz="0.13"')
 
 
 def test_a_counterpart_gives_the_value() -> None:
@@ -53,22 +46,19 @@ def test_a_counterpart_gives_the_value() -> None:
     )
     (found,) = reported("INE003", robot)
     assert found.element == "link/r_ankle/inertial/inertia"
-    assert found.help == (
-        "the tensor of its counterpart 'l_ankle' is possible: write "
-        'ixx="0.0001" ixz="7e-06" iyy="0.00037" izz="0.00042"'
+    assert found.help == naming(
+        "l_ankle", 'ixx="0.0001"', 'ixz="7e-06"', 'iyy="0.00037"', 'izz="0.00042"'
     )
 
 
 def test_without_a_diagnosis_the_help_is_the_rule_s() -> None:
     (found,) = reported("INE003", link("arm", inertial(2, (1, 1, 50))))
-    assert found.help.startswith("take the tensor about the centre of mass from")
+    assert "take" in found.help
 
 
 def test_the_message_has_all_three_moments() -> None:
     robot = link("arm", inertial(2, (0.01, 0.03, 0, 0.01, 0, 0.02)))
-    assert messages("INE003", robot) == [
-        ("link 'arm': principal moments of inertia -0.02, 0.02, 0.04 kg·m² are not all positive")
-    ]
+    assert messages("INE003", robot) == [naming("arm", "-0.02, 0.02, 0.04 kg·m²")]
     assert places("INE003", robot) == [
         (3, '<inertia ixx="0.01" ixy="0.03" ixz="0" iyy="0.01" iyz="0" izz="0.02"/>')
     ]
@@ -97,9 +87,6 @@ def test_copies_are_one_finding_and_the_order_of_sdf_is_known() -> None:
     wrong = (0.03, 0.02, 0.01, 0.001, 0, 0)
     robot = "".join(link(name, inertial(2, wrong)) for name in ("a", "b")) + joint("a", "b")
     (found,) = reported("INE003", robot)
-    assert found.message.endswith("are not all positive (also 'b')")
+    assert found.message == naming("a", "-0.0113, 0.00021, 0.0421 kg·m²", "b")
     assert [note.span.line for note in found.related] == [5]
-    assert found.help == (
-        "perhaps the tensor is in the order ixx iyy izz ixy ixz iyz; then it is "
-        'ixx="0.03" ixy="0.001" iyy="0.02" izz="0.01"'
-    )
+    assert found.help == naming('ixx="0.03"', 'ixy="0.001"', 'iyy="0.02"', 'izz="0.01"')

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.massive import BALL, MESH, inertial, joint, link, part, shape
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Severity
 
@@ -11,11 +12,8 @@ BASE = link("base", inertial(2, (1, 1, 1)))
 def test_a_moving_link() -> None:
     robot = BASE + part("arm", 0.5, ZERO, BALL) + joint("base", "arm", "revolute")
     (found,) = reported("INE005", robot)
-    assert found.message == (
-        "link 'arm' of 0.5 kg has no moment of inertia and is moved by the revolute joint "
-        "'arm_joint'"
-    )
-    assert found.help == "a solid sphere of radius 0.1 m has 0.002 kg·m² each"
+    assert found.message == naming("arm", "0.5 kg", "revolute", "arm_joint")
+    assert found.help == naming("0.1 m", "0.002 kg·m²")
     assert places("INE005", robot) == [
         (5, '<inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>')
     ]
@@ -32,14 +30,13 @@ def test_a_moving_link() -> None:
 def test_a_shape_in_mm_is_large(mass: float, size: str, in_mm: bool) -> None:
     arm = part("arm", mass, ZERO, f'<box size="{size}"/>')
     (found,) = reported("INE005", BASE + arm + joint("base", "arm", "revolute"))
-    assert ("if it is in mm" in found.help) is in_mm
-    assert found.help.startswith("the shape has" if in_mm else "write the mass of the link")
+    assert ("in mm" in found.help) is in_mm
 
 
 def test_without_a_shape_the_help_is_the_rule_s() -> None:
     robot = BASE + link("arm", shape("visual", MESH), inertial(0.5, ZERO))
     (found,) = reported("INE005", robot + joint("base", "arm", "revolute"))
-    assert found.help.startswith("compute the tensor from mass and size")
+    assert "compute" in found.help
 
 
 @pytest.mark.parametrize(("size", "is_real"), [("0.01", True), ("0.000001", False)])
@@ -49,7 +46,7 @@ def test_a_placeholder_shape_gives_no_tensor(size: str, is_real: bool) -> None:
     robot = BASE + part("arm", 0.001, ZERO, tiny) + joint("base", "arm", "revolute")
     (found,) = reported("INE005", robot)
     assert (found.fix is not None) is is_real
-    assert found.help.startswith("a solid cylinder" if is_real else "write the tensor of the real")
+    assert found.help.startswith("a solid cylinder" if is_real else "write the tensor")
 
 
 def test_a_fixed_link_may_be_a_point() -> None:
@@ -62,7 +59,9 @@ def test_a_point_beside_another_link_turns_with_it() -> None:
     other = link("hand", inertial(0.5, (1, 1, 1))) + joint("arm", "hand")
     assert messages("INE005", robot + other) == []
     apart = link("hand", inertial(0.5, ZERO)) + joint("arm", "hand", xyz="0 0 1")
-    assert "almost 0 about one axis" in messages("INE005", robot + apart)[0]
+    assert messages("INE005", robot + apart)[0] == naming(
+        "arm", "fixed", "revolute", "arm_joint", "0, 0.25", "0.25 kg·m²", "0"
+    )
     same = link("hand", inertial(0.5, ZERO)) + joint("arm", "hand")
     assert len(messages("INE005", robot + same)) == 1
 
@@ -77,8 +76,7 @@ def test_all_links_of_an_export_are_one_finding() -> None:
     for above, name, mass in (("base", "a", 1), ("a", "b", 3), ("b", "c", 2)):
         robot += link(name, inertial(mass, ZERO)) + joint(above, name, "revolute")
     (found,) = reported("INE005", robot)
-    assert found.message.startswith("link 'b' of 3 kg")
-    assert found.message.endswith("(also 'c' and 'a')")
+    assert found.message == naming("b", "3 kg", "revolute", "b_joint", "c", "a")
 
 
 THIN = (0.02, 0.02, 0)
@@ -90,10 +88,7 @@ def rod(moments: tuple[float, ...], kind: str = "revolute") -> str:
 
 def test_a_rod_without_thickness() -> None:
     assert messages("INE005", rod(THIN)) == [
-        (
-            "link 'rod', moved by the revolute joint 'rod_joint', has principal moments of inertia "
-            "of 0, 0.02 and 0.02 kg·m²: almost 0 about one axis"
-        )
+        naming("rod", "revolute", "rod_joint", "0, 0.02", "0.02 kg·m²", "0")
     ]
     assert [line for line, _ in places("INE005", rod(THIN))] == [5]
 
@@ -122,7 +117,7 @@ def test_all_thin_links_are_one_finding() -> None:
         robot += link(name, inertial(mass, (0.03, 0.03, 0))) + joint(above, name, "revolute")
     (found,) = reported("INE005", robot)
     assert found.message.startswith("link 'a'")
-    assert found.message.endswith("(and 2 more like this)")
+    assert found.message == naming("a", "revolute", "a_joint", "0, 0.03", "0.03 kg·m²", "0", "2")
     assert len(found.related) == 2
 
 
@@ -167,9 +162,7 @@ MIRRORED = 'write ixx="0.002" ixy="0.0001" ixz="{}" iyy="0.007" iyz="{}" izz="0.
 def test_the_counterpart_shows_the_intended_tensor(rpy: str, changed: tuple[str, ...]) -> None:
     """SHC-ASTRA's rover: the shape has 40 times the tensor of the other side."""
     (found,) = reported("INE005", arms(BAR, rpy))
-    assert found.help == (
-        "its counterpart 'right_arm' of the same mass has 0.002, 0.007, 0.006 kg·m²"
-    )
+    assert found.help == naming("right_arm", "0.002, 0.007, 0.006 kg·m²")
     assert found.fix is not None
     assert found.fix.title == MIRRORED.format(*changed)
     assert messages("INE012", arms(BAR, rpy)) == [], "INE005 reports it"

@@ -3,6 +3,7 @@ from math import cos, pi, radians, sin
 import pytest
 
 from tests.massive import BOX, WHEEL, inertial, joint, link, part, shape
+from tests.naming import naming
 from tests.reported import fixed, messages, reported
 from urdfkit.lint.rule_examples import whole_robot
 
@@ -13,10 +14,12 @@ LYING = shape("collision", WHEEL, rpy=f"{pi / 2!r} 0 0")
 def test_a_wheel_that_lies_along_y() -> None:
     robot = link("wheel", LYING, inertial(0.5, (ACROSS, ACROSS, ALONG)))
     (found,) = reported("INE006", robot)
-    assert found.message == (
-        "link 'wheel' has moments of inertia of 0.000554, 0.000554, 0.0009 kg·m² about x, y and "
-        "z; a solid cylinder of radius 0.06 m and length 0.05 m has 0.000554, 0.0009, 0.000554 "
-        "kg·m² in its orientation"
+    assert found.message == naming(
+        "wheel",
+        "0.000554, 0.000554, 0.0009 kg·m²",
+        "0.06 m",
+        "0.05 m",
+        "0.000554, 0.0009, 0.000554 kg·m²",
     )
     assert found.help == (
         'write iyy="0.0009" izz="0.0005541666666666667", or rotate the <inertial>'
@@ -28,10 +31,7 @@ def test_the_sign_of_one_product_is_all_that_is_edited() -> None:
     turned = shape("collision", BOX, rpy="0 0 0.4")
     robot = link("wrist", turned, inertial(12, (0.0923, -0.0178, 0, 0.0576, 0, 0.1303)))
     (found,) = reported("INE006", robot)
-    assert found.message == (
-        "link 'wrist' has ixy -0.0178 kg·m², with the sign opposite to that of the solid box of "
-        "0.2 x 0.3 x 0.1 m, which has 0.0179"
-    )
+    assert found.message == naming("wrist", "-0.0178 kg·m²", "0.2 x 0.3 x 0.1 m", "0.0179")
     assert found.help == 'write ixy="0.0178", or rotate the <inertial>'
     assert fixed("INE006", robot) == whole_robot(robot.replace("-0.0178", "0.0178"))
 

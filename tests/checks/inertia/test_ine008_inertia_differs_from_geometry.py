@@ -2,6 +2,7 @@ import pytest
 
 from tests.conftest import MISSION
 from tests.massive import BALL, BOX, MESH, inertial, joint, link, part, shape
+from tests.naming import naming, values
 from tests.reported import fixed, messages, reported
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Severity
@@ -11,11 +12,8 @@ def test_a_guessed_tensor() -> None:
     robot = part("imu", 0.5, (1e-4, 1e-4, 1e-4), BALL)
     (found,) = reported("INE008", robot)
     assert found.severity is Severity.INFO
-    assert found.message == (
-        "link 'imu' of 0.5 kg has moments of inertia of 0.0001 kg·m² each; a solid sphere of "
-        "radius 0.1 m has 0.002 kg·m² each"
-    )
-    assert found.help == 'write ixx="0.002" iyy="0.002" izz="0.002"'
+    assert found.message == naming("imu", "0.5 kg", "0.0001 kg·m²", "0.1 m", "0.002 kg·m²")
+    assert found.help == naming('ixx="0.002"', 'iyy="0.002"', 'izz="0.002"')
     assert found.fix is not None
     assert not found.fix.safe
     assert messages("INE008", fixed("INE008", robot)) == []
@@ -37,10 +35,7 @@ def test_what_can_be_meant(robot: str) -> None:
 
 def test_a_diameter_for_a_radius_is_reported() -> None:
     (found,) = reported("INE008", part("ball", 1, (0.016, 0.016, 0.016), BALL))
-    assert found.help == (
-        "the tensor was computed with twice the size, as of a diameter for a radius: write "
-        'ixx="0.004" iyy="0.004" izz="0.004"'
-    )
+    assert found.help == naming("twice", 'ixx="0.004"', 'iyy="0.004"', 'izz="0.004"')
 
 
 def test_the_mission_s_model() -> None:
@@ -52,18 +47,14 @@ def test_the_mission_s_model() -> None:
         ("laser_frame", 272),
     ]
     base, *cubes = found
-    assert base.message == (
-        "link 'base_link' of 8.2 kg has moments of inertia of 0.1 kg·m² each; a solid box of "
-        "0.2 x 0.3 x 0.1 m has 0.0683, 0.0342, 0.0888 kg·m²"
+    assert base.message == naming(
+        "base_link", "8.2 kg", "0.1 kg·m²", "0.2 x 0.3 x 0.1 m", "0.0683, 0.0342, 0.0888 kg·m²"
     )
     assert [call.via[-1].span.line for call in base.calls] == [68]
     assert base.fix is None
     for cube in cubes:
-        assert cube.message.endswith(
-            "has moments of inertia of 1e-06 kg·m² each; a solid box of 0.05 x 0.05 x 0.05 m has "
-            "4.17e-06 kg·m² each"
-        )
-        assert cube.help == 'write ixx="4.16667e-06" iyy="4.16667e-06" izz="4.16667e-06"'
+        assert values(cube.message)[2:] == ["1e-06 kg·m²", "0.05 x 0.05 x 0.05 m", "4.17e-06 kg·m²"]
+        assert cube.help == naming('ixx="4.16667e-06"', 'iyy="4.16667e-06"', 'izz="4.16667e-06"')
         assert cube.fix is not None
 
 

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.massive import inertial, joint, link
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Severity
 
@@ -13,9 +14,7 @@ def frame(mass: float, moments: tuple[float, ...], kind: str = "fixed") -> str:
 
 def test_gazebo_adds_the_tensor() -> None:
     robot = frame(0, (1, 1, 1))
-    assert messages("INE016", robot) == [
-        "link 'sonar' has a mass of 0 kg and moments of inertia of 1 kg·m² each"
-    ]
+    assert messages("INE016", robot) == [naming("sonar", "0 kg", "1 kg·m²")]
     assert [line for line, _ in places("INE016", robot)] == [5]
 
 

@@ -4,6 +4,7 @@ import pytest
 
 from tests.conftest import MISSION
 from tests.massive import BALL, MESH, inertial, joint, link, part, shape
+from tests.naming import naming
 from tests.reported import messages
 from tests.reported import reported as reported_plain
 from tests.xacros import reported, told_of, write
@@ -29,14 +30,11 @@ def test_links_of_different_mass() -> None:
         2,
         '<xacro:macro name="inertial" params="mass">',
     )
-    assert found.message == (
-        "macro 'inertial' gives 3 links of 0.25 to 8 kg the same inertia tensor "
-        "(0.1, 0.2, 0.3 kg·m²)"
-    )
+    assert found.message == naming("inertial", "3", "0.25", "8 kg", "0.1, 0.2, 0.3 kg·m²")
     assert [(one.span.line, one.message) for one in found.related] == [
-        (3, "link 'l0' of 8 kg"),
-        (4, "link 'l1' of 0.5 kg"),
-        (5, "link 'l2' of 0.25 kg"),
+        (3, naming("l0", "8 kg")),
+        (4, naming("l1", "0.5 kg")),
+        (5, naming("l2", "0.25 kg")),
     ]
 
 
@@ -70,7 +68,9 @@ def test_the_macro_of_an_included_file(tmp_path: Path) -> None:
 def test_the_models_mission() -> None:
     report = engine.check(MISSION, select=["XAC014"])
     (found,) = report.diagnostics
-    assert "gives 6 links of 0.0001 to 8.2 kg" in found.message
+    assert found.message == naming(
+        "default_inertial", "6", "0.0001", "8.2 kg", "0.1, 0.1, 0.1 kg·m²"
+    )
 
 
 COPIED = (0.002, 1e-6, 0, 0.002, 0, 0.001)
@@ -79,12 +79,9 @@ COPIED = (0.002, 1e-6, 0, 0.002, 0, 0.001)
 def test_copies_in_links_of_different_mass() -> None:
     robot = "".join(link(f"l{i}", inertial(mass, COPIED)) for i, mass in enumerate((3, 1, 2)))
     (found,) = reported_plain("XAC014", robot)
-    assert found.message == (
-        "3 links, from 'l1' of 1 kg to 'l0' of 3 kg, have the same inertia tensor (0.002, 0.002, "
-        "0.001 kg·m²)"
-    )
+    assert found.message == naming("3", "l1", "1 kg", "l0", "3 kg", "0.002, 0.002, 0.001 kg·m²")
     assert found.element == "link/l1/inertial/inertia"
-    assert [note.message for note in found.related] == ["link 'l0' of 3 kg", "link 'l2' of 2 kg"]
+    assert [note.message for note in found.related] == [naming("l0", "3 kg"), naming("l2", "2 kg")]
 
 
 @pytest.mark.parametrize(("mass", "found"), [(1, 0), (1.4, 0), (1.6, 1)])
@@ -92,7 +89,9 @@ def test_how_different(mass: float, found: int) -> None:
     robot = link("a", inertial(1, COPIED)) + link("b", inertial(mass, COPIED))
     assert len(messages("XAC014", robot)) == found
     if found:
-        assert messages("XAC014", robot)[0].startswith("2 links, from 'a' of 1 kg to 'b' of 1.6 kg")
+        assert messages("XAC014", robot)[0] == naming(
+            "2", "a", "1 kg", "b", "1.6 kg", "0.002, 0.002, 0.001 kg·m²"
+        )
 
 
 @pytest.mark.parametrize(
