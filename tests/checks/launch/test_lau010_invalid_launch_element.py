@@ -177,6 +177,10 @@ OF_ROS_2 = '<let name="x" value="$(var x)"/><push_ros_namespace namespace="n"/>'
         ('<include ns="$(arg n)"/>', "<include> has no file"),
         (OF_ROS_2 + '<node pkg="a" name="b"/>', "<node> has no exec"),
         (OF_ROS_2 + "<executable/>", "<executable> has no cmd"),
+        (
+            OF_ROS_2 + '<node_container pkg="a" exec="b" name="c"/>',
+            "<node_container> has no namespace",
+        ),
     ],
 )
 def test_missing_requirement(tmp_path: Path, text: str, message: str) -> None:

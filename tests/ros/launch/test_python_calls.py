@@ -61,6 +61,22 @@ def program(entities: str, before: str = "") -> str:
             "write event_handler=...",
         ),
         (
+            program("node, Node('c', 'd')"),
+            "Node takes 0 positional arguments, and 2 are given",
+            "write executable=...",
+        ),
+        (
+            program("node, DeclareLaunchArgument('c', 'd', description='e')"),
+            "DeclareLaunchArgument takes 1 positional argument, and 2 are given",
+            "write default_value=..., choices=...",
+        ),
+        (
+            "from launch.substitutions import PathJoinSubstitution\n"
+            + program("node", "    print(PathJoinSubstitution('a', 'b'))\n"),
+            "PathJoinSubstitution takes 1 positional argument, and 2 are given",
+            "write them in [ ]",
+        ),
+        (
             SETUP.format("return Node(executable='c')") + program(OPAQUE),
             "setup() returns a Node, but launch expects a list of actions",
             "write it in [ ]",
@@ -115,6 +131,9 @@ def test_what_has_no_effect(tmp_path: Path, text: str, start: str) -> None:
         program("PushRosNamespace('n')", "    print(node)\n"),  # for the files that include it
         program("node, PushRosNamespace('n'), GroupAction([node])"),
         program("node, SetParameter('x', 1), *more", "    more = []\n"),
+        program(
+            "node, SetParameter('x', 1), node, DeclareLaunchArgument(*more)", "    more = ['e']\n"
+        ),
         program("node, RegisterEventHandler(OnProcessExit(target_action=node, on_exit=[]))"),
         program("node, Node(package='c', executable='d', **more)", "    more = {}\n"),
         program("node", "    if a.perform(None) == 'b':\n        node.x = 1\n"),

@@ -41,6 +41,12 @@ DONE = END.format("return LaunchDescription([])")
             "module launch_ros.action has no Node",
             "write from launch_ros.actions import Node",
         ),
+        (
+            "from launch.actions import TimeAction\n" + HEAD + DONE,
+            1,
+            "module launch.actions has no TimeAction",
+            "write TimerAction",
+        ),
     ],
 )
 def test_wrong_names(tmp_path: Path, text: str, line: int, message: str, help: str) -> None:

@@ -21,7 +21,8 @@
   actions, a launch description source of another format than the file, the document of
   `xacro.process_file` without `.toxml()`.
 - A class has no such argument (error), as in `DeclareLaunchArgument("a", default="b")`: "unexpected
-  keyword argument". Or a required one is missing. A name is not defined or imported (error; a
+  keyword argument". Or a required one is missing, or is given without its name, as in
+  `LogInfo("text")`. A name is not defined or imported (error; a
   warning under a condition), or is imported from a module that does not have it. The value of
   `output` is unknown, an event handler is among the actions without `RegisterEventHandler`, or the
   function of an `OpaqueFunction` returns no list (error).

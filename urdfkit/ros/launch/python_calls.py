@@ -50,6 +50,7 @@ def wrong_calls(tree: ast.Module, calls: list[ast.Call], values: Values) -> Iter
         if _is_of_launch(call, imported):
             yield from _keywords(call, values)
             yield from _missing(call, values)
+            yield from _positional(call, values)
             yield from _output(call, values)
             yield from _component(call, values)
         yield from _no_actions(call, values)
@@ -96,16 +97,38 @@ def _keywords(call: ast.Call, values: Values) -> Iterator[Problem]:
 def _missing(call: ast.Call, values: Values) -> Iterator[Problem]:
     """Arguments that a class must have: Python stops without them."""
     required = data("launch_python")["required"].get(called(call), "").split()
-    given = {keyword.arg or "**" for keyword in call.keywords}
-    is_open = "**" in given or any(isinstance(value, ast.Starred) for value in call.args)
+    given = {keyword.arg or "" for keyword in call.keywords}
     known = data("launch_python")["keywords"].get(called(call), "").split()
-    if is_open or (known and given.difference(known)):
+    if _is_open(call) or (known and given.difference(known)):
         return  # one of them may be misspelt
     missing = [name for name in required[len(call.args) :] if name not in given]
     if missing:
         message = f"{called(call)} has no {' and no '.join(missing)}"
         help = "write " + ", ".join(f"{name}=..." for name in missing)
         yield _error(call.func, message, help, values)
+
+
+def _positional(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """Positional arguments that a class does not take: Python stops at them."""
+    facts, name = data("launch_python"), called(call)
+    most = next((int(n) for n, names in facts["positional"].items() if name in names.split()), None)
+    if most is None or len(call.args) <= most or _is_open(call):
+        return
+    given = {keyword.arg for keyword in call.keywords}
+    known = facts["required"].get(name, "").split()[most:] or facts["keywords"][name].split()[most:]
+    names = [f"{other}=..." for other in known if other not in given and other != "condition"]
+    message = f"{name} takes {most} positional argument{'s' * (most != 1)}, "
+    message += f"and {len(call.args)} {'is' if len(call.args) == 1 else 'are'} given"
+    takes_list = name in facts["lists"].split() or not names
+    help = "write them in [ ]" if takes_list else f"write {', '.join(names)}"
+    yield _error(call.args[most], message, help, values)
+
+
+def _is_open(call: ast.Call) -> bool:
+    """True if values are given that are not written there."""
+    return any(isinstance(value, ast.Starred) for value in call.args) or any(
+        keyword.arg is None for keyword in call.keywords
+    )
 
 
 def _no_list(call: ast.Call, tree: ast.Module, values: Values) -> Iterator[Problem]:

@@ -5,7 +5,7 @@ import builtins
 from collections.abc import Iterator
 
 from urdfkit.core.grouping import by_key
-from urdfkit.core.suggest import CLOSE_TYPO, Suggester, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, TYPO, Suggester, nearest
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.values import Values
 from urdfkit.text.diagnostic import Problem, Severity
@@ -65,17 +65,20 @@ def _wrong_imports(tree: ast.Module, values: Values) -> Iterator[Problem]:
         if module is None or not isinstance(node, ast.ImportFrom):
             continue
         for alias in node.names:
-            modules = _modules_of(alias.name)
-            # Other modules also have what they import themselves.
-            is_near = module in data("launch_python")["modules"]
-            if (
-                modules
-                and module not in modules
-                and (is_near or nearest(module, modules, CLOSE_TYPO))
-            ):
-                message = f"module {module} has no {alias.name}"
-                help = f"write from {modules[0]} import {alias.name}"
-                yield _error(node, message, help, values)
+            if help := _right_import(module, alias.name):
+                yield _error(node, f"module {module} has no {alias.name}", help, values)
+
+
+def _right_import(module: str, name: str) -> str:
+    """What to write instead of an import that fails; empty if it may not fail."""
+    known = data("launch_python")["modules"].get(module, "").split()
+    modules = _modules_of(name)
+    # Other modules also have what they import themselves.
+    if modules and module not in modules and (known or nearest(module, modules, CLOSE_TYPO)):
+        return f"write from {modules[0]} import {name}"
+    is_class = name[:1].isupper()  # a module of launch is not
+    suggested = nearest(name, known, TYPO) if is_class and not modules else None
+    return f"write {suggested}" if suggested else ""
 
 
 def _modules_of(name: str) -> list[str]:
