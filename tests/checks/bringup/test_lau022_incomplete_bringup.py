@@ -6,6 +6,7 @@ import pytest
 
 from tests.jointed import joint, robot
 from tests.launched import reported
+from tests.naming import naming, values
 
 STATE = "Node(package='robot_state_publisher', executable='robot_state_publisher'{})\n"
 NODE = "Node(package='{}', executable='{}', {})\n"
@@ -170,7 +171,7 @@ JOINTS = NODE.format(
     ("kind", "system", "more", "help"),
     [
         ("continuous", "diff-drive", JOINTS.format(""), "add gz-sim-joint-state-publisher-system"),
-        ("continuous", "joint-state-publisher", JOINTS.format(""), "bridge its topic as sensor_"),
+        ("continuous", "joint-state-publisher", JOINTS.format(""), "bridge its topic"),
         ("continuous", "pose-publisher", JOINTS.format(""), ""),
         ("fixed", "diff-drive", JOINTS.format(""), ""),
         ("continuous", "diff-drive", "", ""),  # the bridge is started elsewhere
@@ -189,7 +190,7 @@ def test_joint_states_of_gazebo(
     files = {"r.urdf": ROLLER.format(kind, system)}
     found = reported(tmp_path, "LAU022", "a.launch.py", SHOWN + more, files)
     assert [one.help.startswith(help) for one in found] == [True] * bool(help)
-    assert all("states of roll: RViz has no transform" in one.message for one in found)
+    assert all("of roll" in one.message for one in found)
 
 
 SCAN = NODE.format(
@@ -212,8 +213,8 @@ SLAM = NODE.format("slam_toolbox", "async_slam_toolbox_node", "{}")
 )
 def test_default_topics(tmp_path: Path, text: str, count: int) -> None:
     found = reported(tmp_path, "LAU022", "a.launch.py", text)
-    words = "'async_slam_toolbox_node' waits for '/scan', which nothing publishes"
-    assert [one.message.partition(";")[0] for one in found] == [words] * count
+    expected = ["async_slam_toolbox_node", "/scan"]
+    assert [values(one.message)[:2] for one in found] == [expected] * count
 
 
 @pytest.mark.parametrize(
@@ -252,8 +253,8 @@ def test_a_description_with_another_name(
     create = f"arguments=['-topic', 'robot_description']{spawner}"
     text = STATE.format(publisher) + NODE.format("ros_gz_sim", "create", create)
     found = [one for one in messages(tmp_path, text) if "robot_description" in one]
-    message = "nothing publishes '/robot_description'; robot_state_publisher publishes "
-    assert found == [f"{message}'/arm_description'"] * count
+    expected = naming("/robot_description", "robot_state_publisher", "/arm_description")
+    assert found == [expected] * count
 
 
 MUX = NODE.format("twist_mux", "twist_mux", "{}")
@@ -284,19 +285,19 @@ def test_velocity_commands(tmp_path: Path, text: str, topic: str) -> None:
     text = text.replace("{}", str(tmp_path))
     found = [one.message for one in reported(tmp_path, "LAU022", "a.launch.py", text, files)]
     assert [one.split("'")[3] for one in found] == [topic] * bool(topic)
-    assert all("velocity commands are read on '/drive/cmd_vel'" in one for one in found)
+    assert all("read on '/drive/cmd_vel'" in one for one in found)
 
 
 @pytest.mark.parametrize(
     ("parameters", "own", "stamped", "reported_words"),
     [
-        ("", "cmd_vel", "False", "which nothing reads; velocity commands are read on"),
-        ("", "/drive/cmd_vel", "False", "Twist on '/drive/cmd_vel', where TwistStamped is read"),
+        ("", "cmd_vel", "False", "velocity commands"),
+        ("", "/drive/cmd_vel", "False", "'/drive/cmd_vel', where TwistStamped"),
         ("", "/drive/cmd_vel", "True", ""),
         ("", "/drive/cmd_vel", "unknown", ""),
         ("use_stamped_vel: false", "/drive/cmd_vel_unstamped", "False", ""),
-        ("use_stamped_vel: false", "/drive/cmd_vel_unstamped", "True", "where Twist is read"),
-        ("use_stamped_vel: false", "/drive/cmd_vel", "False", "where TwistStamped is read"),
+        ("use_stamped_vel: false", "/drive/cmd_vel_unstamped", "True", "where Twist is"),
+        ("use_stamped_vel: false", "/drive/cmd_vel", "False", "where TwistStamped"),
         ("use_stamped_vel: false", "/cmd_vel", "False", "which nothing reads"),
     ],
 )
@@ -333,8 +334,8 @@ def test_type_of_velocity_commands(tmp_path: Path, parameters: str, count: int) 
     given = f"remappings=[('cmd_vel_out', '/drive/cmd_vel')], {parameters}"
     text = MUX.format(given).replace("{}", str(tmp_path)) + COMMANDS
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
-    words = "'twist_mux' publishes TwistStamped on '/drive/cmd_vel', where Twist is read"
-    assert [one.message for one in found] == [words] * count
+    expected = naming("twist_mux", "TwistStamped", "/drive/cmd_vel", "where Twist is")
+    assert [one.message for one in found] == [expected] * count
 
 
 SWITCHED = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r"><link name="a"/>
@@ -365,8 +366,7 @@ def test_hardware_in_gazebo(
     spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
     files = {"r.xacro": SWITCHED.format(simulated, real)}
     found = reported(tmp_path, "LAU022", "a.launch.py", text + spawn, files)
-    words = f"gz_ros2_control-system does not load {real}"
-    assert [words in one.message for one in found] == [True] * count
+    assert [f"not load {real}" in one.message for one in found] == [True] * count
 
 
 @pytest.mark.parametrize(("first", "count"), [("true", 0), ("false", 1)])
@@ -397,7 +397,7 @@ def test_type_of_the_inputs_of_a_mux(
         "twist_mux", "twist_mux", f"parameters=['{tmp_path}/mux.yaml']"
     ) + TELEOP.format(f"remappings=[('cmd_vel', '{topic}')]")
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
-    assert sum("where TwistStamped is read" in one.message for one in found) == count
+    assert sum("where TwistStamped" in one.message for one in found) == count
 
 
 @pytest.mark.parametrize(("own", "count"), [("", 1), (", {'use_sim_time': True}", 0)])
@@ -417,7 +417,7 @@ MANAGER = NODE.format("controller_manager", "ros2_control_node", "parameters=['{
 @pytest.mark.parametrize(
     ("more", "words"),
     [
-        ("name='manager'", "the controller manager is '/manager'"),
+        ("name='manager'", "manager is '/manager'"),
         ("name='controller_manager'", ""),
         ("name=LaunchConfiguration('x')", ""),
         ("remappings=[('~/robot_description', '/a/robot_description')]", "the robot from '/a/robo"),
@@ -475,7 +475,7 @@ COSTMAP = (
     ("message", "words"),
     [
         ("PointCloud2", ""),
-        ("LaserScan", "reads LaserScan from '/points', where PointCloud2 is published"),
+        ("LaserScan", naming("local_costmap", "LaserScan", "/points", "PointCloud2")),
     ],
 )
 def test_message_of_an_input(tmp_path: Path, message: str, words: str) -> None:
@@ -489,7 +489,7 @@ def test_message_of_an_input(tmp_path: Path, message: str, words: str) -> None:
     )
     files = {"nav2.yaml": COSTMAP.format(message)}
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
-    assert [words in one.message for one in found] == [True] * bool(words)
+    assert [one.message for one in found] == [words] * bool(words)
 
 
 DRIVE = """
@@ -512,8 +512,7 @@ def test_odometry_of_another_launch_file(tmp_path: Path, topic: str, count: int)
         "robot_localization", "ekf_node", f"name='ekf', parameters=['{tmp_path}/ekf.yaml']"
     )
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
-    words = "Odometry messages are on '/base/odom'"
-    assert [words in one.message for one in found] == [True] * count
+    assert ["on '/base/odom'" in one.message for one in found] == [True] * count
 
 
 @pytest.mark.parametrize(("topic", "count"), [("/map", 0), ("/hall/map", 1)])
@@ -526,9 +525,7 @@ def test_the_map_of_a_costmap(tmp_path: Path, topic: str, count: int) -> None:
         "nav2_planner", "planner_server", f"parameters=['{tmp_path}/nav2.yaml']"
     )
     found = reported(tmp_path, "LAU022", "a.launch.py", text, {"nav2.yaml": yaml})
-    assert ["OccupancyGrid messages are on '/map'" in one.message for one in found] == [
-        True
-    ] * count
+    assert ["on '/map'" in one.message for one in found] == [True] * count
 
 
 @pytest.mark.parametrize(("topic", "count"), [("/robot_description", 0), ("/robot", 1)])
@@ -540,7 +537,7 @@ def test_the_robot_of_another_launch_file(tmp_path: Path, topic: str, count: int
     text = NODE.format("rviz2", "rviz2", f"arguments=['-d', '{tmp_path}/a.rviz']")
     files = {"a.rviz": rviz, "launch/robot.launch.py": STATE.format("")}
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
-    assert ["nothing publishes a robot there" in one.message for one in found] == [True] * count
+    assert ["publishes a robot" in one.message for one in found] == [True] * count
 
 
 LIDAR = (
@@ -559,7 +556,7 @@ SCAN = BRIDGE.format("{}@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan")
             "<topic>scan</topic>",
             BRIDGE.format("/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"),
             "",
-            "no bridge forwards the topic '/scan' of sensor 's'",
+            "'/scan' of sensor 's'",
         ),
         ("<topic>scan</topic>", "", "", ""),  # another simulator
         (
@@ -572,9 +569,9 @@ SCAN = BRIDGE.format("{}@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan")
             "<topic>scan</topic>",
             SCAN.format("/rear"),
             "",
-            "no bridge forwards the topic '/scan' of sensor 's'",
+            "'/scan' of sensor 's'",
         ),
-        ("<topic>front</topic>", SCAN.format("/rear"), "", "LaserScan messages are on '/rear'"),
+        ("<topic>front</topic>", SCAN.format("/rear"), "", "on '/rear'"),
     ],
 )
 def test_a_sensor_that_is_not_bridged(
@@ -615,8 +612,9 @@ def test_the_nearest_sensor_that_is_not_bridged(tmp_path: Path, topic: str) -> N
     nav2 = COSTMAP.format("PointCloud2").replace("/points", topic)
     files = {"r.urdf": model, "nav2.yaml": nav2}
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
-    words = "no bridge forwards the topic '/camera/points' of sensor 'eye'"
-    assert [one.message.partition(": ")[2] for one in found if topic in one.message] == [words]
+    assert [values(one.message)[-2:] for one in found if topic in one.message] == [
+        ["/camera/points", "eye"]
+    ]
 
 
 @pytest.mark.parametrize(
@@ -638,8 +636,8 @@ def test_default_topics_of_a_program(
     ("info", "mask", "words"),
     [
         ("/filter_info", "/mask", ""),
-        ("/info", "/mask", "CostmapFilterInfo messages are on '/filter_info'"),
-        ("/filter_info", "/masks", "OccupancyGrid messages are on '/mask'"),
+        ("/info", "/mask", "on '/filter_info'"),
+        ("/filter_info", "/masks", "on '/mask'"),
     ],
 )
 def test_filters_of_a_costmap(tmp_path: Path, info: str, mask: str, words: str) -> None:
@@ -723,6 +721,6 @@ def test_nothing_publishes_odometry(
         + more
     )
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
-    assert [one.help for one in found if "odometry to the robot" in one.message] == [
+    assert [one.help for one in found if "odometry" in one.message] == [
         "write publish_tf: true"
     ] * count

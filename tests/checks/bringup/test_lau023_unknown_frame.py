@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import reported
+from tests.naming import naming
 
 ROBOT = """<robot name="r"><link name="base_link"/><link name="lidar"/>
 <joint name="j" type="fixed"><parent link="base_link"/><child link="lidar"/></joint></robot>"""
@@ -174,8 +175,7 @@ def test_the_prefix_of_frames(tmp_path: Path, prefix: str, frame: str, count: in
     found = reported(tmp_path, "LAU023", "a.launch.py", HEAD + program, data)
     assert len(found) == count
     if prefix.startswith(', "frame_prefix": "r/"') and found:
-        help = "write r/base_link, or remove the frame_prefix of robot_state_publisher"
-        assert found[0].help == help
+        assert found[0].help == naming("r/base_link", "frame_prefix", "robot_state_publisher")
 
 
 def test_frames_that_a_launch_file_rewrites(tmp_path: Path) -> None:

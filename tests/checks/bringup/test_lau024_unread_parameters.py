@@ -130,7 +130,7 @@ def test_layers_behind_the_inflation(tmp_path: Path, plugins: str, names: list[s
         )
     )
     found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
-    expected = [f"obstacles of '{name}' are not inflated" for name in names]
+    expected = [f"obstacles of '{name}'" for name in names]
     assert len(found) == len(expected)
     assert all(words in one for words, one in zip(expected, found, strict=True))
 
@@ -208,8 +208,8 @@ def test_a_costmap_is_its_own_namespace(tmp_path: Path, key: str, count: int) ->
         ("a: {plugin: nav2_controller::SimpleGoalChecker, yaw_goal_tolerance: 1}", "an integer"),
         ("min_particles: 20", ""),
         ("frequency: 20", ""),  # of a filter alone
-        ("frequency: 20\n    odom0_config: []", "frequency is an integer"),
-        ("a: [[1, 2], [3, 4]]", "a is a list of lists"),
+        ("frequency: 20\n    odom0_config: []", "frequency is an"),
+        ("a: [[1, 2], [3, 4]]", "list of lists"),
         ("a: [[1, 2]]", ""),  # read as a flat list
     ],
 )
@@ -262,11 +262,11 @@ def test_how_often_the_state_is_published(tmp_path: Path, value: str, count: int
         f'parameters=[{{"publish_frequency": {value}}}]'
     )
     found = messages(tmp_path, node, "", "")
-    assert [one.endswith("and 30 is an integer") for one in found] == [True] * count
+    assert ["30 is an integer" in one for one in found] == [True] * count
     yaml = f"robot_state_publisher:\n  ros__parameters: {{publish_frequency: {value}}}\n"
     node = node.partition("parameters")[0] + 'parameters=["../a.yaml"]'
     found = messages(tmp_path, node, "", yaml)
-    assert ["must be a number" in one for one in found] == [True] * (value != "30.0")
+    assert ["be a number" in one for one in found] == [True] * (value != "30.0")
 
 
 BUILDER = """from moveit_configs_utils import MoveItConfigsBuilder
@@ -297,7 +297,7 @@ def test_the_plugin_of_a_pipeline(tmp_path: Path, yaml: str, help: str) -> None:
         (
             "kinematics.yaml",
             "/**: {ros__parameters: {robot_description_kinematics: {arm: {kinematics_solver: a}}}}",
-            "remove '/**:', 'ros__parameters:', 'robot_description_kinematics:', and",
+            "remove '/**:', 'ros__parameters:', 'robot_de",
         ),
         ("kinematics.yaml", "robot_description_kinematics: {arm: {a: b}}", "remove 'robot_descrip"),
         ("kinematics.yaml", "arm: {kinematics_solver: a}", ""),
@@ -382,10 +382,10 @@ PIPELINES = '{{"planning_pipelines": ["ompl"], "ompl": {}}}'
     ("settings", "extra", "words"),
     [
         ("{}", PIPELINES.format('load_yaml("arm", "ompl.yaml")'), ""),
-        ("{}", PIPELINES.format('load_yaml("arm", "empty.yaml")'), "has no planning plugin"),
+        ("{}", PIPELINES.format('load_yaml("arm", "empty.yaml")'), "no planning plugin"),
         ("{}", PIPELINES.format('load_yaml("arm", "missing.yaml")'), ""),
         ("{}", PIPELINES.format('{"planning_plugin": "ompl_interface/OMPLPlanner"}'), ""),
-        ("{}", '{"planning_pipelines": ["ompl"]}', "has no planning plugin"),
+        ("{}", '{"planning_pipelines": ["ompl"]}', "no planning plugin"),
         ("other()", '{"planning_pipelines": ["ompl"]}', ""),
         ("{}\nsettings.update(x=1)", '{"planning_pipelines": ["ompl"]}', ""),
         ("{}", 'load_yaml("arm", "solvers.yaml")', "are not in robot_description_kinematics"),
@@ -435,7 +435,7 @@ def test_plugins_of_servers(tmp_path: Path, server: str, plugin: str, help: str)
 def test_the_size_of_a_costmap(tmp_path: Path, width: str, count: int) -> None:
     yaml = f"local_costmap:\n  local_costmap:\n    ros__parameters:\n      width: {width}\n"
     found = messages(tmp_path, CONTROLLER, '"controller_server"', yaml)
-    assert ["is declared as an integer" in one for one in found] == [True] * count
+    assert ["as an integer" in one for one in found] == [True] * count
 
 
 @pytest.mark.parametrize(("name", "count"), [("slam_toolbox", 0), ("async_slam_toolbox_node", 1)])
@@ -448,7 +448,7 @@ def test_file_passed_to_a_launch_file_of_ros(tmp_path: Path, name: str, count: i
     files = {"slam.yaml": f"{name}: {{ros__parameters: {{mode: mapping}}}}\n"}
     found = reported(tmp_path, "LAU024", "a.launch.py", text, files)
     assert len(found) == count
-    assert all("the node is 'slam_toolbox'" in one.message for one in found)
+    assert all("node is 'slam_toolbox'" in one.message for one in found)
 
 
 @pytest.mark.parametrize(
@@ -470,8 +470,8 @@ def test_remappings_of_a_controller(
     nodes = f"{node.format(package, executable, old)}, {other}"
     text = f"from launch_ros.actions import Node\n\nnodes = [{nodes}]\n"
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text)
-    words = f"remapping of '{old}' has no effect"
-    assert [one.message.partition(":")[0] for one in found] == [words] * count
+    words = f"remapping of '{old}'"
+    assert [one.message.partition(" has")[0] for one in found] == [words] * count
 
 
 @pytest.mark.parametrize(
@@ -500,7 +500,7 @@ def test_meshes_in_rviz(tmp_path: Path, path: str, count: int) -> None:
         '    Node(package="rviz2", executable="rviz2"),\n]\n'
     )
     found = reported(directory, "LAU024", "a.launch.py", text, files)
-    assert ["is not found by RViz" in one.message for one in found] == [True] * count
+    assert ["found by RViz" in one.message for one in found] == [True] * count
 
 
 @pytest.mark.parametrize(
@@ -518,7 +518,7 @@ def test_a_map_in_rviz(tmp_path: Path, server: str, durability: str, count: int)
         "executable='rviz2', arguments=['-d', get_package_share_directory('arm') + '/a.rviz'])]\n"
     )
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, {"a.rviz": rviz})
-    assert sum("Map of RViz misses" in one.message for one in found) == count
+    assert sum("RViz misses" in one.message for one in found) == count
 
 
 OBSTACLES = "obstacles: {{plugin: 'nav2_costmap_2d::ObstacleLayer', {}}}"
@@ -544,13 +544,13 @@ def rows(row: int) -> str:
 @pytest.mark.parametrize(
     ("yaml", "words"),
     [
-        (MPPI.format("20.0", ", model_dt: 0.02"), "model_dt is 0.02 s, below the period of 0.05 s"),
+        (MPPI.format("20.0", ", model_dt: 0.02"), "period of 0.05 s"),
         (MPPI.format("20.0", ""), ""),
-        (MPPI.format("30.0", ", model_dt: 0.033"), "below the period of 0.03333 s"),
+        (MPPI.format("30.0", ", model_dt: 0.033"), "period of 0.03333 s"),
         (MPPI.format("30.0", ""), ""),
-        (MPPI.format("10.0", ""), "below the period of 0.1 s"),
+        (MPPI.format("10.0", ""), "period of 0.1 s"),
         ("slam_toolbox: {ros__parameters: {transform_publish_period: 0.0}}\n", "no transform"),
-        ("slam_toolbox: {ros__parameters: {mode: localization}}\n", "starts without a map"),
+        ("slam_toolbox: {ros__parameters: {mode: localization}}\n", "without a map"),
         ("slam_toolbox: {ros__parameters: {mode: localization, map_file_name: /a}}\n", ""),
         (AMCL.format("min_particles: 900, max_particles: 500"), "min_particles is 900, above"),
         (AMCL.format("laser_min_range: 0.1, laser_max_range: -1.0"), ""),
@@ -566,7 +566,7 @@ def rows(row: int) -> str:
         (EKF.format(f"imu0: imu, imu0_config: {rows(0)}"), "row 1, position"),
         (EKF.format(f"imu0: imu, imu0_config: {rows(3)}"), ""),
         (EKF.format(f"imu0: imu, imu0_config: [{', '.join(['false'] * 15)}]"), "reads nothing"),
-        (EKF.format(f"frequency: 30, odom0: odom, odom0_config: {rows(2)}"), "frequency is an int"),
+        (EKF.format(f"frequency: 30, odom0: odom, odom0_config: {rows(2)}"), "frequency is an"),
         (EKF.format(f"odom0: odom, odom0_confg: 1, odom0_config: {rows(2)}"), ""),
         (EKF.format(f"two_d_mod: true, odom0: odom, odom0_config: {rows(2)}"), "'two_d_mode'"),
     ],
@@ -588,9 +588,9 @@ def test_contradictions(tmp_path: Path, yaml: str, words: str) -> None:
             ),
             "raytrace_max_range 2 is below obstacle_max_range 3",
         ),
-        (f"{SQUARE}, {INFLATION.format(0.1)}", "below the inscribed radius of the robot, 0.2 m"),
+        (f"{SQUARE}, {INFLATION.format(0.1)}", "radius of the robot, 0.2 m"),
         (f"{SQUARE}, {INFLATION.format(0.2)}", ""),
-        (f"robot_radius: 0.3, {INFLATION.format(0.2)}", "below the inscribed radius"),
+        (f"robot_radius: 0.3, {INFLATION.format(0.2)}", "inscribed radius"),
         (INFLATION.format(0.05), ""),
         (f"{SQUARE}, robot_radius: 2.0", "robot_radius 2 is not read"),
         (f"{SQUARE}, robot_radius: 0.3", ""),
@@ -657,15 +657,15 @@ VALID = {
     ("key", "value", "words"),
     [
         ("resolution", "0.05", ""),
-        ("resolution", "0.05m", "resolution '0.05m' is not a number"),
+        ("resolution", "0.05m", "resolution '0.05m'"),
         ("resolution", "-0.05", "is negative"),
-        ("resolution", None, "the map has no resolution"),
+        ("resolution", None, "no resolution"),
         ("origin", "[0.0, 0.0]", "origin has 2 values"),
         ("mode", "trinary", ""),
-        ("mode", "trinery", "unknown mode 'trinery'; did you mean 'trinary'?"),
+        ("mode", "trinery", "mean 'trinary'?"),
         ("occupied_thresh", "65", "occupied_thresh is 65, above 1"),
         ("free_thresh", "0.7", "free_thresh 0.7 is above occupied_thresh 0.65"),
-        ("negate", None, "the map has no negate"),
+        ("negate", None, "no negate"),
     ],
 )
 def test_maps(tmp_path: Path, key: str, value: str | None, words: str) -> None:
@@ -750,7 +750,7 @@ def test_a_filter_that_reads_its_output(tmp_path: Path, to: str, count: int) -> 
     )
     files = {"ekf.yaml": EKF.format(f"odom0: odom, odom0_config: {rows(2)}")}
     found = reported(tmp_path / "arm", "LAU024", "a.launch.xml", text, files)
-    assert ["reads its own output" in one.message for one in found] == [True] * count
+    assert ["own output" in one.message for one in found] == [True] * count
 
 
 LIDAR = """<robot name="r"><link name="base"/><link name="mast"/>
@@ -781,7 +781,7 @@ def test_heights_of_obstacles(tmp_path: Path, bound: str, count: int) -> None:
     )
     files = {"r.urdf": LIDAR, "a.yaml": COSTMAP_OF.format(OBSTACLES.format(SOURCE.format(bound)))}
     found = reported(tmp_path, "LAU024", "a.launch.py", text, files)
-    assert ["scans at a height of 0.4 m" in one.message for one in found] == [True] * count
+    assert ["height of 0.4 m" in one.message for one in found] == [True] * count
 
 
 @pytest.mark.parametrize(
@@ -807,7 +807,7 @@ def test_goals_of_rviz(tmp_path: Path, package: str, topic: str, count: int) -> 
         "executable='rviz2', arguments=['-d', get_package_share_directory('arm') + '/a.rviz'])]\n"
     )
     found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, {"a.rviz": rviz})
-    assert ["which Nav2 does not read" in one.message for one in found] == [True] * count
+    assert ["Nav2 does not" in one.message for one in found] == [True] * count
 
 
 @pytest.mark.parametrize(
@@ -826,7 +826,7 @@ def test_a_server_without_a_map(tmp_path: Path, given: str, count: int) -> None:
         "other.yaml": "map_server: {ros__parameters: {topic_name: map}}\n",
     }
     found = reported(tmp_path / "arm", "LAU024", "a.launch.xml", text, files)
-    assert ["'yaml_filename' is not given" in one.message for one in found] == [True] * count
+    assert ["'yaml_filename' is not" in one.message for one in found] == [True] * count
 
 
 SERVER = "controller_server: {{ros__parameters: {{FollowPath: {{plugin: {}}}}}}}\n"
@@ -845,7 +845,7 @@ WATCH = (
     [
         (SERVER.format(DWB), "DWBLocalPlanner requires critics"),
         (SERVER.format(f"{DWB}, critics: [GoalDist, BaseObstacleCritic]"), ""),
-        (SERVER.format(f"{DWB}, critics: [GoalDists]"), "did you mean 'GoalDist'?"),
+        (SERVER.format(f"{DWB}, critics: [GoalDists]"), "mean 'GoalDist'?"),
         (SERVER.format(f"{DWB}, critics: [Goals], Goals: {{class: a::B}}"), ""),
         (SERVER.format(f"{PLAIN_MPPI}, critics: [ObstacleCritic]"), "mean 'ObstaclesCritic'?"),
         (SERVER.format(f"{PLAIN_MPPI}, critics: [OwnCritic]"), ""),
@@ -854,12 +854,12 @@ WATCH = (
         (SERVER.format(f"{SHIM}, primary_controller: a::B"), ""),
         (SERVER.format(f"{SHIM}, primary_controller: {{plugin: a::B}}"), ""),
         (TRIES.format("wait_at_waypoint"), ""),
-        (TRIES.format("take_photo"), "no parameters for 'take_photo'"),
+        (TRIES.format("take_photo"), "parameters for 'take_photo'"),
         (TRIES.format("take_photo, take_photo: {plugin: a::B}"), ""),
         (WATCH.format("near", "circle"), ""),
-        (WATCH.format("far", "circle"), "no parameters for 'far' of polygons"),
+        (WATCH.format("far", "circle"), "'far' of polygons"),
         (WATCH.format("near", "cirle"), "unknown type 'cirle'"),
-        (NAVIGATOR.format("tree.xml"), "does not find 'tree.xml'"),
+        (NAVIGATOR.format("tree.xml"), "find 'tree.xml'"),
         (NAVIGATOR.format("/opt/tree.xml"), ""),
         (NAVIGATOR.format("$(find-pkg-share a)/tree.xml"), ""),
         (NAVIGATOR.format("REPLACED"), ""),
@@ -878,7 +878,7 @@ def test_points_of_a_polygon(tmp_path: Path) -> None:
     assert messages(tmp_path, CONTROLLER, '"controller_server"', yaml) == []
     (tmp_path / "jazzy").mkdir()
     (found,) = messages(tmp_path / "jazzy", CONTROLLER, '"controller_server"', yaml + JAZZY)
-    assert "points is a list, must be a string" in found
+    assert "points is a list" in found
 
 
 LAYERS = "plugins: [a, i], a: {{plugin: 'nav2_costmap_2d::{}'}}, i: {{plugin: n::InflationLayer}}"
@@ -903,16 +903,16 @@ MASKS = "{}k: {{plugin: 'nav2_costmap_2d::KeepoutFilter', enabled: {}}}"
 @pytest.mark.parametrize(
     ("yaml", "words"),
     [
-        (COSTMAP_OF.format(LAYERS.format("VoxelLayer")), "does not move with the robot"),
+        (COSTMAP_OF.format(LAYERS.format("VoxelLayer")), "not move with"),
         (COSTMAP_OF.format(f"rolling_window: true, {LAYERS.format('VoxelLayer')}"), ""),
         (COSTMAP_OF.format(f"rolling_window: $(roll), {LAYERS.format('VoxelLayer')}"), ""),
         (COSTMAP_OF.format(STATIC), ""),
         (COSTMAP_OF.format(LAYERS.format("OwnLayer")), ""),
-        (GLOBAL.format(LAYERS.format("ObstacleLayer")), "does not move with the robot"),
+        (GLOBAL.format(LAYERS.format("ObstacleLayer")), "not move with"),
         (GLOBAL.format(f"width: 100, height: 100, {LAYERS.format('ObstacleLayer')}"), ""),
         (
             GLOBAL.format(f"global_frame: odom, {STATIC}") + LOCALIZED.format("map"),
-            "has the map in 'odom' without a transform",
+            "map in 'odom'",
         ),
         (GLOBAL.format(f"global_frame: odom, {STATIC}") + LOCALIZED.format("hall"), ""),
         (GLOBAL.format(f"global_frame: odom, {STATIC}"), ""),
@@ -929,11 +929,11 @@ MASKS = "{}k: {{plugin: 'nav2_costmap_2d::KeepoutFilter', enabled: {}}}"
         (ROUND + CONSIDERED, "CostCritic has consider_footprint, but"),
         (ROUND + CONSIDERED.replace("true", "false"), ""),
         (ROUND.replace("robot_radius: 0.2", SQUARE) + CONSIDERED, ""),
-        (VERTICAL.format("true", ""), "contains that of gravity"),
+        (VERTICAL.format("true", ""), "gravity"),
         (VERTICAL.format("false", ""), ""),
         (VERTICAL.format("true", ", two_d_mode: true"), ""),
         (VERTICAL.format("true", ", imu0_remove_gravitational_acceleration: true"), ""),
-        (GLOBAL.format(MASKS.format("", "true")), "does not load 'k'"),
+        (GLOBAL.format(MASKS.format("", "true")), "load 'k'"),
         (GLOBAL.format(MASKS.format("", "false")), ""),
         (GLOBAL.format(MASKS.format("filters: [k], ", "true")), ""),
         (WATCH.format("near", "circle, footprint_topic: /local_costmap/footprint"), "published_"),

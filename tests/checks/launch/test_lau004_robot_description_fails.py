@@ -19,7 +19,7 @@ def test_an_argument_that_is_not_passed(tmp_path: Path) -> None:
     (tmp_path / "r.xacro").write_text(ROBOT.format("$(arg side)_arm"))
     (found,) = check(Source(str(tmp_path / "a.launch"), LAUNCH), select=["LAU004"]).diagnostics
     assert found.span.line == 2
-    assert found.message.endswith("argument 'side' has no value and no default")
+    assert found.message.endswith("'side' has no value and no default")
     assert found.help == "pass it: side:=VALUE"
 
 

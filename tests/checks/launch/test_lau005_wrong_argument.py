@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import launch, reported
+from tests.naming import naming, values
 from tests.xacros import xacro
 from urdfkit import Diagnostic, check
 from urdfkit.text.diagnostic import Severity
@@ -34,8 +35,8 @@ def xacro_reported(directory: Path, name: str, launch: str) -> list[Diagnostic]:
 @pytest.mark.parametrize(("name", "text", "line"), [("a.launch", XML, 2)])
 def test_an_argument_that_the_xacro_lacks(tmp_path: Path, name: str, text: str, line: int) -> None:
     (found,) = xacro_reported(tmp_path, name, text.format("camra"))
-    assert found.message.endswith("unknown argument 'camra'; did you mean 'camera'?")
-    assert found.help == "pass one of: arm, camera"
+    assert values(found.message)[1:] == ["camra", "camera"]
+    assert found.help == naming("arm", "camera")
     assert found.span.line == line
 
 
@@ -69,7 +70,7 @@ TAKES_PYTHON = 'DeclareLaunchArgument("world", default_value="empty")\n'
 def test_an_argument_that_the_file_lacks(tmp_path: Path, text: str) -> None:
     files = {"launch/b.launch": TAKES}
     (found,) = reported(tmp_path, "LAU005", "a.launch", text.format("wrld"), files)
-    assert found.message == "'b.launch': unknown argument 'wrld'; did you mean 'world'?"
+    assert found.message == naming("b.launch", "unknown", "wrld", "world")
     assert (found.span.line, found.span.text) == (3, "wrld")
     assert reported(tmp_path, "LAU005", "a.launch", text.format("world"), files) == []
 
@@ -86,7 +87,7 @@ def test_an_argument_of_a_file_that_cannot_be_parsed(tmp_path: Path, text: str, 
 def test_in_python(tmp_path: Path) -> None:
     files = {"launch/b.launch.py": TAKES_PYTHON}
     (found,) = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("gui"), files)
-    assert (found.message, found.span.line) == ("'b.launch.py': unknown argument 'gui'", 3)
+    assert (found.message, found.span.line) == (naming("b.launch.py", "unknown", "gui"), 3)
     assert found.severity is Severity.INFO  # ROS 2 passes it and nothing reads it
     (found,) = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("wrld"), files)
     assert found.severity is Severity.WARNING
@@ -146,6 +147,4 @@ def test_arguments_of_a_launch_file_of_ros(tmp_path: Path, name: str, count: int
         f'<arg name="{name}" value="x.yaml"/>\n</include>'
     )
     found = reported(tmp_path, "LAU005", "a.launch.xml", text)
-    assert [one.message.endswith("did you mean 'slam_params_file'?") for one in found] == [
-        True
-    ] * count
+    assert ["'slam_params_file'?" in one.message for one in found] == [True] * count

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import reported
+from tests.naming import naming
 
 CREATE = "Node(package='ros_gz_sim', executable='create', arguments=[{}])"
 ENTITY = "Node(package='gazebo_ros', executable='spawn_entity.py', arguments=[{}])"
@@ -17,10 +18,10 @@ MODEL = '<node pkg="gazebo_ros" type="spawn_model" name="s" args="{}"/>'
         (CREATE.format("'-name', 'r'"), "create requires -file or -param or -string or -topic"),
         (
             CREATE.format("'-topic', '/a/robot_descripton'"),
-            "unknown topic 'robot_descripton'; did you",
+            "unknown topic 'robot_descripton'",
         ),
         (CREATE.format("'-file', '/no/such/robot.sdf'"), "file not found: /no/such/robot.sdf"),
-        (CREATE.format("'-file', '/r/robot.xacro'"), "'robot.xacro' is a xacro file"),
+        (CREATE.format("'-file', '/r/robot.xacro'"), "'robot.xacro' is a xacro"),
         (ENTITY.format("'-topic', 'robot_description'"), "spawn_entity.py requires -entity"),
         (ENTITY.format("'-entity', x, '-name', 'r', '-file', f"), "spawn_entity.py has no option"),
     ],
@@ -86,13 +87,13 @@ CREATE_IGNORED = "Node(package='ros_gz_sim', executable='create', arguments=['-t
     [
         (
             "'-entity', 'r'",
-            "create has no option '-entity' (ignored)",
-            "write -model in ROS 1, -name for create",
+            naming("-entity", "ignored"),
+            naming("-model", "ROS 1", "-name"),
         ),
         (
             "'-nam', 'r'",
-            "create has no option '-nam' (ignored); did you mean '-name'?",
-            "write -name",
+            naming("-nam", "ignored", "-name"),
+            naming("-name"),
         ),
     ],
 )

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import launch, reported
+from tests.naming import naming
 
 NEEDS = launch('<arg name="world"/><param name="w" value="$(arg world)"/>')
 XML = '<include file="$(find arm)/launch/b.launch"{}>{}</include>'
@@ -15,7 +16,7 @@ def test_an_argument_without_a_default(tmp_path: Path) -> None:
     (found,) = reported(
         tmp_path, "LAU005", "a.launch", XML.format("", ""), {"launch/b.launch": NEEDS}
     )
-    assert found.message == "'b.launch' requires argument 'world'"
+    assert found.message == naming("b.launch", "world")
     assert found.span.line == 2
 
 
@@ -39,7 +40,7 @@ def test_passed_or_optional_argument_is_accepted(
 def test_in_python(tmp_path: Path) -> None:
     files = {"launch/b.launch.py": 'DeclareLaunchArgument("world")'}
     (found,) = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format(""), files)
-    assert found.message == "'b.launch.py' requires argument 'world'"
+    assert found.message == naming("b.launch.py", "world")
 
 
 @pytest.mark.parametrize(

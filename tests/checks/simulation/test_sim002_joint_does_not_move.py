@@ -4,6 +4,7 @@ import pytest
 
 pytest.importorskip("mujoco")
 
+from tests.naming import naming
 from tests.simulated import codes, simulated
 from urdfkit.checks.simulation.sim002_joint_does_not_move import BAD, GOOD
 from urdfkit.robot.samples import arm_xml, inertial_xml, robot_xml
@@ -21,7 +22,7 @@ def turning(inside: str = "", effort: str = "5", moments: str = "0.01") -> str:
 def test_a_joint_between_walls() -> None:
     (found,) = simulated(BAD)
     assert found.code == "SIM002"
-    assert "'slide' is jammed: at -0.02 m 'back' and 'cart' overlap by 10 mm" in found.message
+    assert found.message == naming("slide", "-0.02 m", "back", "cart", "10 mm")
     assert simulated(GOOD) == []
 
 

@@ -4,6 +4,7 @@ import pytest
 
 pytest.importorskip("mujoco")
 
+from tests.naming import naming
 from tests.own_robots import own_robots
 from tests.simulated import codes, simulated
 from urdfkit.checks.dynamics.dyn004_tips_over import BAD as TIPS_OVER
@@ -13,7 +14,7 @@ from urdfkit.checks.simulation.sim003_does_not_land import BAD
 def test_a_robot_that_sinks() -> None:
     (found,) = simulated(BAD)
     assert found.code == "SIM003"
-    assert "'left' sinks into the floor by 30" in found.message
+    assert found.message == naming("50 mm", "left", "30.1 mm")
     assert found.span.text == "<collision>"
 
 

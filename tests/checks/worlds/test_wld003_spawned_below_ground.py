@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.checks.worlds.started import INCLUDE, findings, messages
+from tests.naming import naming
 from urdfkit import Severity
 
 CODE = "WLD003"
@@ -44,16 +45,14 @@ def wheeled(joint: str = "continuous", world: str = "") -> str:
 )  # fmt: skip
 def test_spawned_too_low(launch: str, z: str, depth: str, tmp_path: Path) -> None:
     (one,) = messages(tmp_path, CODE, robot=wheeled(), launch=launch)
-    assert one == (
-        f"the robot is spawned at z = {z} m, where link 'left' is {depth} m below the ground"
-    )
+    assert one == naming(f"{z} m", "left", f"{depth} m", "below")
 
 
 def test_location_and_help(tmp_path: Path) -> None:
     launch = EMPTY + SPAWN.format(TOPIC + ', "-z", "0.1"')
     (one,) = findings(tmp_path, CODE, robot=wheeled(), launch=launch)
     assert one.span.text == '"0.1"'
-    assert (one.help, one.severity) == ("spawn it at z = 0.3 or higher", Severity.WARNING)
+    assert (one.help, one.severity) == (naming("0.3"), Severity.WARNING)
     (one,) = findings(tmp_path, CODE, robot=wheeled(), launch=launch.replace("0.1", "0.22"))
     assert one.severity is Severity.INFO
 
@@ -73,7 +72,7 @@ def test_the_floor_of_the_world(tmp_path: Path) -> None:
     low = launch.replace("0.5", "0.1")
     assert len(messages(tmp_path, CODE, robot=wheeled(), launch=low, world=include)) == 1
     (one,) = messages(tmp_path, CODE, robot=wheeled(), launch=low, world="")
-    assert one == "world 'hall' has no collision geometry, so the robot falls"
+    assert one == naming("hall", "no collision geometry, so")
     spawned = low + SPAWN.format('"-file", "floor.sdf"')
     assert messages(tmp_path, CODE, robot=wheeled(), launch=spawned, world="") == []
     hilly = f"{include}<model><collision><geometry><heightmap/></geometry></collision></model>"
@@ -138,6 +137,4 @@ def test_solids_beside_the_robot(
     launch = INCLUDE + SPAWN.format(TOPIC + ', "-z", "0.5"')
     world = SOLID.format(static, x, geometry)
     found = messages(tmp_path, CODE, robot=wheeled(), launch=launch, world=world)
-    assert found == [
-        "world 'hall' has no collision geometry below the robot, so the robot falls"
-    ] * (count)
+    assert found == [naming("hall", "collision", "below")] * count

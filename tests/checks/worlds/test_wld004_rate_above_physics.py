@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.checks.worlds.started import INCLUDE, SENSOR, findings, messages
+from tests.naming import naming
 
 CODE = "WLD004"
 PHYSICS = '<physics name="p" type="ode"><max_step_size>{}</max_step_size></physics>'
@@ -32,9 +33,7 @@ def test_the_controller_manager(step: str, rate: int, steps: str, tmp_path: Path
         robot=CONTROL.replace("$(find arm)", str(tmp_path)),
         files={"control.yaml": YAML.format(rate)},
     )
-    assert one.message == (
-        f"controller_manager: update rate is {rate} Hz, but world 'hall' steps at {steps} Hz"
-    )
+    assert one.message == naming("controller_manager", f"{rate} Hz", "hall", f"{steps} Hz")
     assert (one.span.source.path, one.span.line, one.span.text) == (path, 3, str(rate))
 
 
@@ -48,7 +47,7 @@ def test_rate_is_low_enough(step: str, rate: int, tmp_path: Path) -> None:
 def test_the_default_step(tmp_path: Path) -> None:
     sensor = SENSOR.format("imu").replace(">30<", ">{}<")
     (one,) = messages(tmp_path, CODE, world="", robot=sensor.format("1500"))
-    assert "sensor 's': update rate is 1500 Hz" in one
+    assert one == naming("s", "1500 Hz", "hall", "1000 Hz")
     assert messages(tmp_path, CODE, world="", robot=sensor.format("1000")) == []
     empty = INCLUDE.replace('["-r ", share, "/worlds/hall.sdf"]', '"-r empty.sdf"')
     assert len(messages(tmp_path, CODE, robot=sensor.format("1500"), launch=empty)) == 1
@@ -57,6 +56,6 @@ def test_the_default_step(tmp_path: Path) -> None:
 def test_a_sensor_in_a_slow_world(tmp_path: Path) -> None:
     sensor = SENSOR.format("imu").replace(">30<", ">400<")
     (one,) = messages(tmp_path, CODE, world=PHYSICS.format("0.005"), robot=sensor)
-    assert "400 Hz, but world 'hall' steps at 200 Hz" in one
+    assert one == naming("s", "400 Hz", "hall", "200 Hz")
     several = PHYSICS.format("0.005") + PHYSICS.format("0.001").replace('"p"', '"q"')
     assert messages(tmp_path, CODE, world=several, robot=sensor) == []
