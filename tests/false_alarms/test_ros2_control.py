@@ -284,3 +284,17 @@ def test_controllers_of_another_robot(tmp_path: Path, joints: str, messages: lis
     if len(messages) == 1:
         assert found[0].span.text == "waist"
         assert "compared with this robot" in [note.message for note in found[0].related]
+
+
+@pytest.mark.parametrize(
+    ("use", "count"), [("<rosparam file='{}'/>", 0), ("<param from='{}'/>", 1)]
+)
+def test_parameters_of_a_node_of_ros_1(tmp_path: Path, use: str, count: int) -> None:
+    """moveit_benchmark_suite: a section of its YAML files is called ``parameters``."""
+    add_file(tmp_path / "c.yaml", b"benchmark:\n  parameters:\n    runs: 9\n")
+    add_file(tmp_path / "r.urdf", whole_robot(ROBOT).encode())
+    node = f"<node pkg='robot_state_publisher' exec='a'>{use.format('$(dirname)/c.yaml')}</node>"
+    robot = '<param name="robot_description" textfile="$(dirname)/r.urdf"/>'
+    add_file(tmp_path / "r.launch", f"<launch>{robot}{node}</launch>".encode())
+    found = check(tmp_path / "r.launch", select=["RCT026"]).diagnostics
+    assert [one.span.line for one in found] == [2] * count

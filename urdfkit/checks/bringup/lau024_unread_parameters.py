@@ -118,7 +118,7 @@ from urdfkit.lint.rules import (
     reported,
     rule,
 )
-from urdfkit.ros.launch.contents import FileUse, StartedProgram
+from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.transforms import mistakes
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import load
@@ -148,7 +148,7 @@ _BELOW_NODE = "write the parameters below the name of the node and ros__paramete
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    read = (file for file in context.launch.parameters if file.exists and not _is_of_ros1(file))
+    read = (file for file in context.launch.parameters if file.exists and not file.is_of_ros1)
     paths = dict.fromkeys(file.path for file in read)
     sources = filter(None, map(context.resolver.readable, paths))
     files = {source.path: list(node_parameters(source)) for source in sources}
@@ -209,12 +209,6 @@ def _of_programs(context: Context) -> Findings:
         yield from parameter_types.integer_frequency(program)
         for word, message, help in mistakes(program):
             yield Finding(Location(word.span, program.frame), message, help)
-
-
-def _is_of_ros1(file: FileUse) -> bool:
-    """True for a ``<rosparam>``: to a node of ROS 1 ``ros__parameters`` is a name like others."""
-    before = file.span.source.data[: file.span.start]
-    return before[before.rfind(b"<") :].startswith(b"<rosparam")
 
 
 def _lists(context: Context) -> Findings:

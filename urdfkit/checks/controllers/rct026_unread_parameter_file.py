@@ -47,11 +47,13 @@ _GENERATED = ("generated", "temp", "tmp")
 @rule(Severity.ERROR, help="fix the parameter file")
 def check(context: Context) -> Findings:
     yield from _missing(context)
+    of_ros1 = {use.path for use in context.parameters if use.is_of_ros1}
     for file, source in readable_files(context):
         if error := syntax_error(source):
             span, reason = error
             yield Finding(span, f"invalid YAML: {reason}", related=(file.note,))
-        for span, message, help in unread_keys(load(source)):
+        keys = () if file.path in of_ros1 else unread_keys(load(source))
+        for span, message, help in keys:
             yield Finding(span, message, help, related=(file.note,))
     yield from _outside_namespace(context)
 

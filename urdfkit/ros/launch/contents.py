@@ -78,6 +78,12 @@ class FileUse(Record):
     purpose: str  # such as ``RViz configuration``
     is_outside: bool = False  # True if it exists, but must not be read
 
+    @property
+    def is_of_ros1(self) -> bool:
+        """True for a ``<rosparam>``: in ROS 1 ``ros__parameters`` is a name like others."""
+        before = self.span.source.data[: self.span.start]
+        return before[before.rfind(b"<") :].startswith(b"<rosparam")
+
 
 class PackageUse(Record):
     """A package that a launch file references, and the searched directories if it is missing."""
