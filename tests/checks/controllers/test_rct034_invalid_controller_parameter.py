@@ -6,6 +6,7 @@ import pytest
 
 from tests.driving import DRIVE, place, reported
 from tests.launched import MANIFEST, launch
+from tests.workspaces import add_files, add_package
 from urdfkit import Severity
 
 
@@ -124,6 +125,21 @@ def test_a_misspelt_type(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, "RCT034", DRIVE.replace("/DiffDriveC", "/DiffDirveC"))
     assert found.help == "write diff_drive_controller/DiffDriveController"
     assert found.span.line == 4
+
+
+def test_a_type_that_its_package_does_not_export(tmp_path: Path) -> None:
+    export = "pluginlib_export_plugin_description_file(controller_interface a.xml)\n"
+    build = f"find_package(ament_cmake REQUIRED)\n{export}"
+    description = '<library path="a"><class name="our_drive/Controller"/></library>'
+    add_files(
+        add_package(tmp_path / "our_drive", "our_drive"),
+        {"CMakeLists.txt": build, "a.xml": description},
+    )
+    text = DRIVE.replace("diff_drive_controller/Diff", "our_drive/")
+    (found,) = reported(tmp_path, "RCT034", text)
+    assert (found.span.line, found.severity) == (4, Severity.WARNING)
+    assert found.help.startswith("write our_drive/Controller")
+    assert reported(tmp_path, "RCT034", text.replace("DriveController", "Controller")) == []
 
 
 def test_unknown_names_that_are_not_typos(tmp_path: Path) -> None:

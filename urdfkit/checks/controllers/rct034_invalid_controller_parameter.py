@@ -3,7 +3,8 @@
 The controller manager does not load the controller, or the controller runs with a default:
 
 - The type is misspelt, or its package does not have that class in this version of ROS: "Loader for
-  controller 'x' (type 'y') not found". Many types of ROS 1 have another name in ROS 2.
+  controller 'x' (type 'y') not found". Many types of ROS 1 have another name in ROS 2. Or a package
+  of the workspace exports other types (warning).
 - The name of a parameter is misspelt (warning): with an unread `wheel_seperation`, the robot turns
   by the wrong angle.
 - A required parameter is missing: "'joints' parameter was empty".
@@ -52,12 +53,20 @@ from urdfkit.ros.catalog.controllers import (
     successor,
 )
 from urdfkit.ros.catalog.ros_control import controller_types, parameters
-from urdfkit.ros.controllers import Controller, Section, by_file, managers, named_sections
+from urdfkit.ros.controllers import (
+    Controller,
+    ParameterFile,
+    Section,
+    by_file,
+    managers,
+    named_sections,
+)
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.parameter_types import TYPES, correction, is_not_positive, number_of, type_of
 from urdfkit.text.located_yaml import Node, Value, scalars
 from urdfkit.text.source import Span
+from urdfkit.workspace.plugin_descriptions import why_unknown
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -70,6 +79,8 @@ _YAML = controller_yaml(
 )
 FILES = {"config/bad.yaml": _YAML.replace(b"20.0", b"20"), "config/good.yaml": _YAML}
 
+#: The package of the base classes of controllers.
+_BASE = "controller_interface"
 #: Joints per axle of a steering controller, by the first word of its package.
 _OF_AXLE = {"ackermann": 2, "bicycle": 1}
 
@@ -89,6 +100,7 @@ def check(context: Context) -> Findings:
         others = {name: section for name, section in sections.items() if name not in names}
         for controller in controllers:
             if _is_of_workspace(context, controller):
+                yield from _not_exported(context, controller, file)
                 continue
             own = sections.get(controller.name, controller.section)
             for severity, (span, message, help) in _problems(controller, own, others):
@@ -134,6 +146,14 @@ def _is_of_workspace(context: Context, controller: Controller) -> bool:
     directory = context.resolver.packages.known(context.source.path).get(package)
     find = context.resolver.directories.find
     return directory is not None and find(directory, "CMakeLists.txt") is not None
+
+
+def _not_exported(context: Context, controller: Controller, file: ParameterFile) -> Findings:
+    """A type of a package in the workspace that its plugin description does not have."""
+    near, at = context.source.path, controller.type_at
+    if problem := why_unknown(controller.type, _BASE, near, context.resolver):
+        message, help = f"controller '{controller.name}': {problem[0]}", problem[1]
+        yield Finding(at, message, help, related=(file.note,), severity=Severity.WARNING)
 
 
 def _unknown_class(controller: Controller) -> Iterator[_Problem]:

@@ -4,7 +4,8 @@
   the hardware class, or `mock_components/GenericSystem` for tests without hardware. A block whose
   plugin depends on xacro arguments is not reported.
 - A misspelt class, or one with white space around it, is not found, and the controller manager
-  starts without hardware. Classes that urdfkit does not know are assumed to belong to the robot.
+  starts without hardware. So is a class of a package in the workspace whose CMakeLists.txt exports
+  others, or no plugin description. Classes that urdfkit does not know are assumed to exist.
 - A control plugin of a simulator loads only its own hardware and ignores any other, so that no
   controller can be activated: Gazebo Classic needs `gazebo_ros2_control/GazeboSystem`, Gazebo Sim
   `gz_ros2_control/GazeboSimSystem`.
@@ -28,10 +29,13 @@ from urdfkit.ros.ros_control import Component, ControlPlugin, called, components
 from urdfkit.ros.targets import CLASSIC, GZ, Targets
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
+from urdfkit.workspace.plugin_descriptions import why_unknown
 
 BAD = robot_xml(SHOULDER, control_xml("mock_component/GenericSystem", driven_xml("shoulder")))
 FIXED = GOOD = BAD.replace("mock_component/", "mock_components/")
 
+#: The package of the base classes of hardware.
+_BASE = "hardware_interface"
 #: The control plugin of gz-sim.
 _OF_GZ = "gz_ros2_control"
 #: A condition with a plugin or the whole hardware in it.
@@ -52,6 +56,7 @@ def check(context: Context) -> Findings:
         yield from _missing(component)
         yield from _misspelt(component)
         yield from _padded(component)
+        yield from _not_exported(component, context)
         if plugins:
             yield from _other_simulator(component, plugins, context.targets)
 
@@ -97,6 +102,15 @@ def _misspelt(component: Component) -> Findings:
         fix = fix_value(component.plugin, suggested)
         message = f"{component.called}: unknown hardware '{name}'; did you mean '{suggested}'?"
         yield Finding(component.plugin, message, f"write {suggested}", fix)
+
+
+def _not_exported(component: Component, context: Context) -> Findings:
+    """A class of a package in the workspace that its plugin description does not have."""
+    if (at := component.plugin) is None:
+        return
+    problem = why_unknown(component.hardware, _BASE, at.span.source.path, context.resolver)
+    if problem:
+        yield Finding(at, f"{component.called}: {problem[0]}", problem[1])
 
 
 def _other_simulator(
