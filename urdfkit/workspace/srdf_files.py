@@ -36,7 +36,7 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     if resolver.packages.searches(parent, robot):
         directories[os.path.join(parent, "srdf")] = None
     for moveit in _moveit_packages(robot, resolver):
-        setup = _setup(moveit)
+        setup = setup_assistant(moveit)
         if package and setup.is_for(robot, package) and not setup.has_arguments:
             directories.update(dict.fromkeys(_directories(moveit, setup)))
     return list(srdf_in(directories, resolver))
@@ -57,7 +57,7 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
         return []
     directories: dict[str, None] = {}
     for moveit in _moveit_packages(robot, resolver):
-        setup = _setup(moveit)
+        setup = setup_assistant(moveit)
         is_for = package is not None and setup.is_for(robot, package)
         # A package that is unknown has been renamed since the assistant ran.
         is_stale = setup.package not in resolver.packages.known(robot)
@@ -162,7 +162,8 @@ class SetupAssistant(Record):
         return os.path.normpath(os.path.join(package[1], self.urdf)) == os.path.abspath(robot)
 
 
-def _setup(directory: str) -> SetupAssistant:
+def setup_assistant(directory: str) -> SetupAssistant:
+    """The settings of a MoveIt package."""
     text = read_head(os.path.join(directory, ".setup_assistant"), 100_000).decode(
         "utf-8", "replace"
     )

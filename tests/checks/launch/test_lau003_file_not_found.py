@@ -243,3 +243,21 @@ def test_the_parameter_file_of_a_spawner(tmp_path: Path, name: str, count: int) 
         args="arm --param-file $(dirname)/../{name}"/>"""
     found = reported(tmp_path, "LAU003", "a.launch.xml", node, {"c.yaml": "a: 1"})
     assert len(found) == count
+
+
+@pytest.mark.parametrize(
+    ("planners", "severity"),
+    [
+        ("planning_plugin: ompl_interface/OMPLPlanner", Severity.INFO),
+        ("planning_plugins: [ompl_interface/OMPLPlanner]", Severity.WARNING),
+    ],
+)
+def test_an_executable_of_an_earlier_release(
+    tmp_path: Path, planners: str, severity: Severity
+) -> None:
+    text = '<node pkg="moveit_servo" exec="servo_node_main"/><let name="a" value="b"/>'
+    files = {"config/ompl_planning.yaml": planners + "\n"}
+    (found,) = reported(tmp_path / "arm", "LAU003", "a.launch.xml", text, files)
+    assert (found.severity, "supported up to Humble" in found.message) == (severity, True)
+    text = text.replace("_main", "")
+    assert reported(tmp_path / "arm", "LAU003", "a.launch.xml", text) == []

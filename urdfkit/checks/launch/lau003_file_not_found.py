@@ -3,8 +3,9 @@
 RViz starts with an empty view when its configuration is missing; a missing parameter file or launch
 file stops the launch, and Gazebo does not start without its world. Also reported:
 
-- An executable or launch file that a ROS package does not have, or an executable that a package of
-  the workspace does not install, if its build file names all of them. A package of ROS 1.
+- An executable or launch file that a ROS package does not have (info if an earlier release of ROS 2
+  had it, and none of the files is for Jazzy or later), or an executable that a package of the
+  workspace does not install, if its build file names all of them. A package of ROS 1.
 - A Nav2 map whose image is missing, or whose image is given instead of its YAML file. slam_toolbox
   adds `.posegraph` to the name of a map itself.
 - In Python, a path relative to the directory in which launch is started.
@@ -26,10 +27,21 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import is_typo, nearest_file
-from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, reported, rule
+from urdfkit.lint.rules import (
+    Context,
+    Finding,
+    Findings,
+    Location,
+    Need,
+    Severity,
+    reported,
+    rule,
+)
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import MAP, POSE_GRAPH, FileUse
+from urdfkit.ros.launch.known_packages import last_release
+from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.launch.worlds import GZ, StartedWorld, worlds
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import Value, load, mapping
@@ -69,7 +81,21 @@ def check(context: Context) -> Findings:
             yield from _missing_image(context, file)
     yield from _in_parameters(context)
     yield from _worlds(context)
-    yield from reported(context, "LAU003")
+    for finding in reported(context, "LAU003"):
+        is_former = finding.severity is Severity.INFO and _was_removed(context, finding)
+        yield finding._replace(severity=None) if is_former else finding
+
+
+def _was_removed(context: Context, finding: Finding) -> bool:
+    """True for an executable that the release of ROS 2 of this package does not have any more."""
+    place = finding.at.span if isinstance(finding.at, Location) else None
+    if not any(use.span == place and last_release(use) for use in context.launch.programs):
+        return False
+    home = context.resolver.packages.enclosing(context.source.path)
+    config = os.path.join(home[1], "config") if home else ""
+    files = disk.names(config) if disk.is_directory(config) else []
+    paths = [os.path.join(config, file) for file in files if file.endswith("_planning.yaml")]
+    return is_for_jazzy(context.source.path, context.resolver, paths)
 
 
 def _pose_graph(context: Context, file: FileUse) -> Findings:

@@ -119,16 +119,23 @@ def _former_package(program: StartedProgram) -> Problem | None:
 def unknown_executable(program: StartedProgram) -> Problem | None:
     """An executable that a package of ROS 2 does not have."""
     known = data("launch")["executables"].get(program.package, "").split()
-    former = data("launch")["former_executables"].get(program.package, "").split()
     name = program.executable
     if not known or not name or name in known:
         return None
     message = f"package '{program.package}' has no executable '{name}'{did_you_mean(name, known)}"
     severity = Severity.WARNING
-    if name in former:
-        message, severity = f"{message} (supported up to Galactic)", Severity.INFO
+    if release := last_release(program):
+        message, severity = f"{message} (supported up to {release})", Severity.INFO
     help = f"write one of {', '.join(known)}"
     return Problem("LAU003", program.span, message, help, program.frame, severity=severity)
+
+
+def last_release(program: StartedProgram) -> str:
+    """The last release of ROS 2 that has an executable; empty if it was not removed."""
+    for release, packages in data("launch")["former_executables"].items():
+        if program.executable in packages.get(program.package, "").split():
+            return str(release)
+    return ""
 
 
 def _former_executable(program: StartedProgram) -> Problem | None:

@@ -19,6 +19,7 @@ from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Tag
 from urdfkit.text.located_yaml import Key, load, mapping
 from urdfkit.text.source import Span
+from urdfkit.workspace.srdf_files import setup_assistant
 
 #: Methods whose first argument is a file of the package.
 _FILES = (
@@ -102,11 +103,11 @@ def _required_files(
     has_pilz = _has_pilz(methods.get("planning_pipelines"), values)
     if has_pilz and "pilz_cartesian_limits" not in methods:
         needed.append(data("moveit")["wrapped"]["pilz_cartesian_limits"][0])
-    has_assistant = disk.exists(os.path.join(directory, ".setup_assistant"))
-    if robot and not has_assistant and "robot_description_semantic" not in methods:
-        needed.append(f"{robot}.srdf")
-    paths = [os.path.join(directory, "config", file) for file in needed]
-    missing = [os.path.basename(path) for path in paths if not disk.exists(path)]
+    config = os.path.join(directory, "config")
+    if "robot_description_semantic" not in methods:
+        named = setup_assistant(directory).srdf
+        needed += [os.path.relpath(named, "config")] if named else [f"{robot}.srdf"] * bool(robot)
+    missing = [file for file in needed if not disk.exists(os.path.join(config, file))]
     if missing:
         package = os.path.basename(directory)
         message = f"the builder reads files that {package}/config does not have: "
@@ -116,7 +117,7 @@ def _required_files(
     execution = methods.get("trajectory_execution")
     if execution is None or not (execution.args or argument(execution, None, "file_path")):
         at = values.span(builder)
-        collector.problems += _several_controllers(robot, os.path.join(directory, "config"), at)
+        collector.problems += _several_controllers(robot, config, at)
 
 
 def _has_pilz(call: ast.Call | None, values: Values) -> bool:

@@ -8,9 +8,11 @@ from collections.abc import Iterable
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.workspace.resolve import Resolver
 
-#: What only Jazzy and later have: stamped commands of Nav2 and twist_mux, and names of classes.
+#: What only Jazzy and later have: stamped commands of Nav2 and twist_mux, lists of MoveIt, names
+#: of classes.
 _JAZZY = re.compile(
-    rb"^[^#\n]*(\b(enable_stamped_cmd_vel|use_stamped)\s*:|\bparallel_gripper_action_controller/"
+    rb"^[^#\n]*(\b(enable_stamped_cmd_vel|use_stamped|planning_plugins|response_adapters)\s*:"
+    rb"|\bparallel_gripper_action_controller/"
     rb"|\bnav2_(behaviors|navfn_planner|smac_planner|theta_star_planner)::)",
     re.MULTILINE,
 )
