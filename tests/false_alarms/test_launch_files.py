@@ -479,8 +479,10 @@ def test_templates_of_the_setup_assistant(tmp_path: Path, word: str, count: int)
     """MoveIt's setup assistant writes launch files and xacros from those in its sources."""
     templates = tmp_path / "setup" / "templates"
     add_file(templates / "launch" / "a.launch", f"<launch {word}/>".encode())
+    including = b'<launch><include file="$(dirname)/generated.launch"/></launch>'
+    add_file(templates / "launch" / "b.launch", including)
     robot = f'<robot name="{word}"><link name="a"/>text</robot>'
     add_file(templates / "config" / "a.urdf", robot.encode())
     add_file(tmp_path / "b.urdf", b'<robot name="b"><link name="a"/></robot>')
-    report = check(tmp_path, select=["LAU001", "URD017"])
-    assert [one.code for one in report.diagnostics] == ["URD017", "LAU001"][: 2 * count]
+    report = check(tmp_path, select=["LAU001", "LAU003", "URD017"])
+    assert [one.code for one in report.diagnostics] == ["URD017", "LAU001", "LAU003"][: 3 * count]

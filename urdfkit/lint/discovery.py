@@ -117,11 +117,16 @@ def _is_readable_launch(path: str, config: Config) -> bool:
 
 
 def _is_template(path: str) -> bool:
-    """True for a file in a directory of templates, from which a program writes another file."""
+    """True for a file in a directory of templates, from which a program writes another file.
+
+    A placeholder in one launch file is enough for those next to it: they include what is written.
+    """
     directory = os.path.dirname(path)
     if f"templates{os.sep}" not in f"{directory}{os.sep}":
         return False
-    return _PLACEHOLDER.search(read_head(path, _MAX_TEMPLATE)) is not None
+    siblings = (os.path.join(directory, name) for name in disk.names(directory))
+    files = filter(is_launch, siblings) if is_launch(path) else (path,)
+    return any(_PLACEHOLDER.search(read_head(file, _MAX_TEMPLATE)) for file in files)
 
 
 def affected(files: Iterable[str], config: Config, resolver: Resolver) -> DirectoryContents:
