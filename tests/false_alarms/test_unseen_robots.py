@@ -310,3 +310,15 @@ def test_an_expression_with_parts_outside_its_braces() -> None:
     (found,) = reported("URD005", robot)
     assert found.message.endswith("is '0.5 * (0.1*0.1)', which no parser computes")
     assert "${...}" in found.help
+
+
+@pytest.mark.parametrize(
+    ("collision", "count"), [("<collision>seat</collision>", 0), ("<collision/>", 1)]
+)
+def test_the_collision_that_a_contact_sensor_names(
+    tmp_path: Path, collision: str, count: int
+) -> None:
+    """The seats of a race track: a text alone is the name of another element."""
+    sensor = f'<sensor name="s" type="contact"><contact>{collision}</contact></sensor>'
+    world = f'<model name="m"><link name="l">{sensor}</link></model>'
+    assert len(of_world(tmp_path, "WLD002", world=world)) == count

@@ -48,7 +48,9 @@ def invalid_values(opened: OpenedWorld, world: World) -> Findings:
 
 
 def _wrong_attributes(element: Element) -> Iterator[tuple[str, str]]:
-    if element.tag in _NAMED and not element.get("name"):
+    # A text alone is the name of another element, as in <contact><collision>.
+    is_reference = bool(element.text.strip()) and not element.children
+    if element.tag in _NAMED and not element.get("name") and not is_reference:
         yield f"<{element.tag}> has no name, which SDF requires", 'write name="..."'
     choices = data("worlds")["choices"].get(element.tag, "").split()
     kind = element.get("type")
