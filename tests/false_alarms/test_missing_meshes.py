@@ -254,3 +254,29 @@ def test_a_file_far_away_is_not_surely_meant(tmp_path: Path, mesh: str, is_fixed
     (finding,) = robot(tmp_path / "robots" / "iiwa" / "urdf" / "iiwa.urdf", "visual/link_7.stl")
     assert "link_7.stl" in finding.help
     assert (finding.fix is not None) is is_fixed
+
+
+@pytest.mark.parametrize(
+    ("reference", "severity"),
+    [("file://@URDF_DESTINATION@/a.stl", "info"), ("file://URDF_DESTINATION@/a.stl", "error")],
+)
+def test_a_path_that_cmake_replaces(tmp_path: Path, reference: str, severity: str) -> None:
+    """mc_panda: configure_file writes the installed URDFs."""
+    (found,) = robot(tmp_path / "r.urdf", reference)
+    assert found.severity.value == severity
+
+
+@pytest.mark.parametrize(
+    ("file", "help"),
+    [
+        ("assets/wheel.stl", "did you mean 'assets/wheel.stl'?"),
+        ("assets/body.stl", "write the path relative to the URDF, or package://PACKAGE/..."),
+    ],
+)
+def test_a_package_that_is_missing_where_there_is_none(
+    tmp_path: Path, file: str, help: str
+) -> None:
+    """onshape-to-robot-examples: MuJoCo's copy of the robot has its meshes in assets."""
+    add_file(tmp_path / file, SOUND)
+    (found,) = robot(tmp_path / "r.urdf", "package://wheel.stl")
+    assert found.help == help

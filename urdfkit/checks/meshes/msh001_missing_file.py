@@ -18,6 +18,7 @@ never committed. XAC011 reports packages that are not found. Also reported:
 - A file of a git submodule that is not checked out (a warning): run `git submodule update --init`.
 - A file that git ignores: it is downloaded or generated, or was never committed (a warning).
 - A file that a command in the CMakeLists.txt of its package creates (an info): build the workspace.
+- A path with a name between two `@`, which CMake replaces (an info).
 - An absolute path that is found as a relative one: only PyBullet ignores the first slash (a
   warning).
 - A relative path that is found from a parent directory: only PyBullet and Isaac search there (a
@@ -73,6 +74,8 @@ _DRIVE = re.compile(r"(?:file:/*)?[A-Za-z]:[\\/]")
 _MAX_LEVELS = 3
 #: Installation directories of ROS packages: `/opt/ros/humble`, `/opt/pal/ferrum`.
 _INSTALLATION = re.compile(r"/+(opt/[^/]+/[^/]+|usr/(local/)?share/[^/]+)/")
+#: A variable that ``configure_file`` of CMake replaces.
+_VARIABLE = re.compile(r"@[A-Za-z_]\w*@")
 #: Schemes that some programs download, and urdfkit does not.
 _REMOTE = ("http", "https", "ftp", "fuel")
 
@@ -95,7 +98,7 @@ def check(context: Context) -> Findings:
         elif colon and scheme not in _SCHEMES and scheme.lower() not in _REMOTE:
             yield _unknown_scheme(mesh, scheme, rest)
         elif mesh.located.package == "":
-            yield _without_package(context, mesh, scheme, rest)
+            yield _without_package(context, mesh, suggestions)
         elif mesh.located.outside:
             message = f"{mesh.who} {OUTSIDE}: not read"
             help = "move it into the package, name its directory with --package, or pass --trust"
@@ -104,6 +107,7 @@ def check(context: Context) -> Findings:
             yield (
                 _of_installation(mesh)
                 or _of_submodule(context, mesh)
+                or _of_cmake(mesh)
                 or _of_build(mesh)
                 or _missing(context, mesh, suggestions)
             )
@@ -129,8 +133,11 @@ def _of_windows(context: Context, mesh: MeshReference, suggestions: MeshSuggesti
     return Finding(mesh.at, message, "write / instead", fix)
 
 
-def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: str) -> Finding:
+def _without_package(
+    context: Context, mesh: MeshReference, suggestions: MeshSuggestions
+) -> Finding:
     """Finding about ``package:///name/...``, with an empty package, and ``package://file.stl``."""
+    scheme, _, rest = mesh.at.value.partition("://")
     path, right = rest.lstrip("/"), f"{scheme}://PACKAGE/..."
     where = f"between '{scheme}://' and " + ("the next '/'" if "/" in rest else "the file")
     message = f"{mesh.who} names no package {where}"
@@ -139,9 +146,16 @@ def _without_package(context: Context, mesh: MeshReference, scheme: str, rest: s
         help, fix = f"write {path}, or {right}", _fix(mesh, path, f"refer to {path}")
         return Finding(mesh.at, message, help, fix, group_key="beside", severity=Severity.WARNING)
     reference = f"{scheme}://{path}"
-    is_found = context.resolver.locate(reference, context.files.top).path is not None
-    fix = _fix(mesh, reference, "remove the third slash") if is_found else None
-    return Finding(mesh.at, message, f"write {right}", fix, group_key=scheme)
+    if context.resolver.locate(reference, context.files.top).path is not None:
+        fix = _fix(mesh, reference, "remove the third slash")
+        return Finding(mesh.at, message, f"write {right}", fix, group_key=scheme)
+    relative = context.resolver.locate(path, context.files.top)
+    if suggested := suggestions.nearest(mesh._replace(located=relative)):
+        new = suggested.reference
+        fix = _fix(mesh, new, f"refer to {new}") if suggested.sure else None
+        return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key="suggested")
+    help = f"write the path relative to the URDF, or {right}"
+    return Finding(mesh.at, message, help, group_key=scheme)
 
 
 def _cut_scheme(mesh: MeshReference, match: re.Match[str]) -> Finding:
@@ -183,6 +197,16 @@ def _of_submodule(context: Context, mesh: MeshReference) -> Finding | None:
             severity = Severity.WARNING
             return Finding(mesh.at, message, help, group_key=directory, severity=severity)
     return None
+
+
+def _of_cmake(mesh: MeshReference) -> Finding | None:
+    """Finding about a path with a variable that CMake replaces; else None."""
+    match = _VARIABLE.search(mesh.at.value)
+    if match is None:
+        return None
+    message = f"{mesh.who} has {match[0]}, which CMake replaces: not checked"
+    help = "check the file that the build writes"
+    return Finding(mesh.at, message, help, group_key=match[0], severity=Severity.INFO)
 
 
 def _of_build(mesh: MeshReference) -> Finding | None:
