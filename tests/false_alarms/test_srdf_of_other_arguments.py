@@ -168,3 +168,15 @@ def test_the_srdf_has_the_name_of_another_robot(tmp_path: Path, name: str, count
     report = check(tmp_path / "r.urdf", select=["SRD001"])
     assert report.crashed == ()
     assert len(report.diagnostics) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("r", 0), ("other", 1)])
+def test_a_robot_next_to_it_has_the_name_of_the_srdf(tmp_path: Path, name: str, count: int) -> None:
+    """An Aubo on a base: the SRDF is for the xacro, next to which is a URDF for each arm."""
+    robot = '<robot name="r5"><link name="base"/><link name="tool"/></robot>'
+    (tmp_path / "r5.urdf").write_text(robot)
+    (tmp_path / "r.urdf").write_text(robot.replace("r5", name))
+    (tmp_path / "config.srdf").write_text(SRDF.replace("NAME", "tool"))
+    report = check(tmp_path / "r5.urdf", select=["SRD011"])
+    assert report.crashed == ()
+    assert len(report.diagnostics) == count

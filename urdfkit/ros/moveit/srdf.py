@@ -21,7 +21,8 @@ class Srdf:
         self.path = path  # of the file
         self.root = root  # its ``<robot>`` element
         self.tree = tree
-        #: True if a launch file passes it other arguments than this robot has.
+        #: True if it is for another robot, too: a launch file passes it other arguments than this
+        #: robot has, or a URDF next to this robot has its robot name.
         self.is_shared = False
         #: groups, states, end_effectors, virtual_joints: elements.
         self.groups = tuple(root.all("group"))

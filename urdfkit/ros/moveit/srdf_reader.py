@@ -54,7 +54,12 @@ def find(robot: RosDescription) -> Srdf | None:
     if not readable:
         others = other_srdf_files(path, name, resolver)
         chosen = [srdf for file in others if (srdf := read(file, robot)) and srdf.fits_robot]
-    return chosen[0] if len(chosen) == 1 else None
+    if len(chosen) != 1:
+        return None
+    srdf = chosen[0]
+    if not with_name and _is_of_neighbour(srdf, path, resolver):
+        srdf.is_shared = True
+    return srdf
 
 
 def _is_of_neighbour(srdf: Srdf, path: str, resolver: Resolver) -> bool:
