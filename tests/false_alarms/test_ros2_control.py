@@ -103,6 +103,15 @@ def test_transmissions_that_a_plugin_of_the_robot_may_load() -> None:
         assert len(found) == count
 
 
+@pytest.mark.parametrize(("first", "count"), [("PositionJoint", 0), ("ForceTorqueSensor", 1)])
+def test_interfaces_behind_the_first_one(first: str, count: int) -> None:
+    """pal_robotiq_gripper: Gazebo reads the first interface of a joint."""
+    state = "</hardwareInterface><hardwareInterface>hardware_interface/JointStateInterface"
+    driven = transmission("swing", f"hardware_interface/{first}Interface{state}")
+    robot = ROBOT + driven + plugin("libgazebo_ros_control.so")
+    assert len(reported("RCT017", robot, targets=("classic-ros1",))) == count
+
+
 def test_a_sensor_whose_broadcaster_has_the_frame() -> None:
     """Elkapod: the IMU is read by ros2_control."""
     imu = sensor("imu", "", "base").replace('name="s"', 'name="imu"')

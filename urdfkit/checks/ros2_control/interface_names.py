@@ -90,14 +90,16 @@ def _hardware_interfaces(context: Context) -> Findings:
     for joint, transmission in driven_joints(context.model.transmissions):
         if is_of_pr2(transmission):
             continue
-        for element in joint.all("hardwareInterface"):
+        elements = joint.all("hardwareInterface")
+        for element in elements:
             name = element.text.strip()
             who = f"joint '{joint.get('name') or ''}': hardware interface '{name}'"
             suggested = "" if name in known else _typo(name, known)
             if suggested:
                 message = f"{who} is unknown; did you mean '{suggested}'?"
                 yield Finding(element, message, _HELP, fix_value(element, suggested))
-            elif name and simulated and name not in simulable:
+            elif name and simulated and element is elements[0] and name not in simulable:
+                # Gazebo reads the first one.
                 message = f"{who} is not one of gazebo_ros_control ({', '.join(simulable[:3])})"
                 yield Finding(element, message, _HELP)
 
