@@ -10,12 +10,13 @@ from typing import Any
 _UNITS = r"%|°|(?:k?g|[mck]?m|m?s|N|W|V|rad|deg|k?Hz|[kM]B|bytes?|triangles?)(?:[·²³/^]\S*)?\b"
 _NUMBER = r"[-+]?(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d+)?(?:e[-+]?\d+)?"
 _NUMBERS = rf"[(\[]{_NUMBER}(?:,[ ]{_NUMBER})+[)\]] | {_NUMBER}(?:(?:[ ]x|,)?[ ]{_NUMBER})*"
-_IDENTIFIER = r"[\w$*/]?[_/:=.·²] | [a-z][A-Z] | [A-Za-z]\d | (?<![\w-])-"  # what a word has not
+# What a path, a parameter or a type has and an English word has not.
+_IDENTIFIER = r"[\w$*/]?[_/:=.·²] | [a-z][A-Z] | [A-Za-z]-?(?=\d) | (?<!\w)\* | (?<![\w-])-"
 _VALUE = rf"""
     (?<!\w)'(?P<quoted>[^']*)'(?!\w)
   | [\w:]+="[^"]*"
-  | </?[A-Za-z][^<>]*>
-  | \$[({{][^)}}]*[)}}]
+  | <(?P<tag>[\w:]+)>[^<>\s]+</(?P=tag)> | </?[A-Za-z][^<>]*>
+  | \$\([^)]*\) | \$\{{[^}}]*\}}
   | (?:ROS|RViz)[ ][12]\b
   | (?:(?<!\w)[<>]=?[ ])? (?<![\w.]) (?:{_NUMBERS}) (?![\w.]*[\w/]) (?:[ ]?(?:{_UNITS}))?
   | [\w$./:~*-]* (?:{_IDENTIFIER}) [\w$./:=*-]*\w
@@ -30,14 +31,14 @@ def values(text: str, *words: str) -> list[str]:
     return [each[0] if each["quoted"] is None else each["quoted"] for each in found]
 
 
-def naming(*expected: str) -> Any:
+def naming(*expected: object) -> Any:
     """A text with just these names and values, in this order."""
-    return _Naming(expected)
+    return _Naming(list(map(str, expected)))
 
 
 class _Naming:
-    def __init__(self, expected: tuple[str, ...]) -> None:
-        self.expected = list(expected)
+    def __init__(self, expected: list[str]) -> None:
+        self.expected = expected
 
     def __eq__(self, text: object) -> bool:
         if not isinstance(text, str):

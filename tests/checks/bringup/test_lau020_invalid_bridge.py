@@ -174,7 +174,7 @@ def test_a_system_on_its_default_topic(tmp_path: Path) -> None:
     (found,) = of_words(
         tmp_path, "/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry", files={"r.urdf": robot}
     )
-    assert found.help == naming("<odom_topic>", "/odom", "</odom_topic>")
+    assert found.help == naming("<odom_topic>/odom</odom_topic>")
 
 
 @pytest.mark.parametrize(
@@ -209,9 +209,9 @@ def test_one_topic_serves_images_and_their_calibration(tmp_path: Path) -> None:
         "/eye/camera_info@sensor_msgs/msg/CameraInfo[gz.msgs.CameraInfo",
     )
     (found,) = of_words(tmp_path, *words, files={"r.urdf": camera})
-    assert found.help == naming("<topic>", "/eye/image", "</topic>")
+    assert found.help == naming("<topic>/eye/image</topic>")
     (found,) = of_words(tmp_path, words[1], files={"r.urdf": camera})
-    assert found.help == naming("<topic>", "/eye/image", "</topic>")
+    assert found.help == naming("<topic>/eye/image</topic>")
 
 
 def test_either_side_of_a_pair_may_be_wrong(tmp_path: Path) -> None:

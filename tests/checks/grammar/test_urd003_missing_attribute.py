@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from urdfkit import check
 
@@ -12,24 +13,24 @@ ENDS = '<parent link="a"/><child link="b"/>'
 @pytest.mark.parametrize(
     ("robot", "message"),
     [
-        ("<link/>", "<link>: <link> has no 'name'"),
-        (JOINT.format('type="fixed"', ENDS), "<joint>: <joint> has no 'name'"),
-        (JOINT.format('name="j"', ENDS), "joint 'j': <joint> has no 'type'"),
+        ("<link/>", naming("<link>", "<link>", "name")),
+        (JOINT.format('type="fixed"', ENDS), naming("<joint>", "<joint>", "name")),
+        (JOINT.format('name="j"', ENDS), naming("j", "<joint>", "type")),
         (
             JOINT.format('name="j" type="fixed"', '<parent/><child link="b"/>'),
-            "joint 'j': <parent> has no 'link'",
+            naming("j", "<parent>", "link"),
         ),
         (
             JOINT.format('name="j" type="continuous"', ENDS + "<dynamics/>"),
-            "joint 'j': <dynamics> has no 'damping' or 'friction'",
+            naming("j", "<dynamics>", "damping", "friction"),
         ),
         (
             JOINT.format('name="j" type="continuous"', ENDS + "<mimic/>"),
-            "joint 'j': <mimic> has no 'joint'",
+            naming("j", "<mimic>", "joint"),
         ),
         (
             '<link name="a"><visual><geometry><mesh/></geometry></visual></link>',
-            "link 'a': <mesh> has no 'filename'",
+            naming("a", "<mesh>", "filename"),
         ),
     ],
 )
@@ -40,9 +41,9 @@ def test_what_is_missing_is_named(robot: str, message: str) -> None:
 @pytest.mark.parametrize(
     ("robot", "help"),
     [
-        ("<box><size>1 2 3</size></box>", 'write <box size="1 2 3"/>, an attribute'),
-        ("<sphere>0.5</sphere>", 'write <sphere radius="0.5"/>, an attribute'),
-        ("<sphere/>", "add the attribute"),
+        ("<box><size>1 2 3</size></box>", naming('<box size="1 2 3"/>', "attribute")),
+        ("<sphere>0.5</sphere>", naming('<sphere radius="0.5"/>', "attribute")),
+        ("<sphere/>", naming("add", "attribute")),
     ],
 )
 def test_a_value_in_an_element_is_sdf(robot: str, help: str) -> None:
@@ -56,16 +57,16 @@ def test_what_bullet_needs() -> None:
     robot = (
         '<link name="a"><contact><damping>1</damping><contact_cfm>0</contact_cfm></contact></link>'
     )
-    assert messages("URD003", robot) == ["link 'a': <damping> has no 'value'"]
+    assert messages("URD003", robot) == [naming("a", "<damping>", "value")]
 
 
 def test_all_that_is_missing_is_reported() -> None:
     robot = '<link name="a"><inertial><mass/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>'
     assert sorted(messages("URD003", robot)) == [
-        "link 'a': <inertia> has no 'ixy'",
-        "link 'a': <inertia> has no 'ixz'",
-        "link 'a': <inertia> has no 'iyz'",
-        "link 'a': <mass> has no 'value'",
+        naming("a", "<inertia>", "ixy"),
+        naming("a", "<inertia>", "ixz"),
+        naming("a", "<inertia>", "iyz"),
+        naming("a", "<mass>", "value"),
     ]
 
 
@@ -83,9 +84,7 @@ def test_what_has_a_default_may_be_missing(complete: str) -> None:
 
 def test_another_name_for_it_is_offered_as_the_fix() -> None:
     robot = '<link name="a"><visual><geometry><mesh file="a.stl"/></geometry></visual></link>'
-    assert messages("URD003", robot) == [
-        "link 'a': <mesh> has no 'filename', but an unknown attribute 'file'"
-    ]
+    assert messages("URD003", robot) == [naming("a", "<mesh>", "filename", "unknown", "file")]
     assert places("URD003", robot) == [(2, "a.stl")]
     assert '<mesh filename="a.stl"/>' in fixed("URD003", robot)
 
@@ -117,9 +116,9 @@ def test_only_a_library_of_macros_needs_none(robot: str, count: int) -> None:
 def test_links_and_joints_without_a_name() -> None:
     robot = '<link name=""/>\n<link name=" "/>\n<joint name="" type="fixed"/>'
     assert messages("URD003", robot) == [
-        "a link has an empty name",
-        "a link has an empty name",
-        "a joint has an empty name",
+        naming("empty", "name"),
+        naming("empty", "name"),
+        naming("empty", "name"),
     ]
     assert places("URD003", robot) == [(2, ""), (3, " "), (4, "")]
 

@@ -1,20 +1,21 @@
 import pytest
 
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 
 @pytest.mark.parametrize(
     ("robot", "message"),
     [
-        ('<link name="a"><visual/></link>', "link 'a': <visual> has no <geometry>"),
-        ('<link name="a"><collision/></link>', "link 'a': <collision> has no <geometry>"),
+        ('<link name="a"><visual/></link>', naming("a", "<visual>", "<geometry>")),
+        ('<link name="a"><collision/></link>', naming("a", "<collision>", "<geometry>")),
         (
             '<link name="a"><inertial><mass value="1"/></inertial></link>',
-            "link 'a': <inertial> has no <inertia>",
+            naming("a", "<inertial>", "<inertia>"),
         ),
         (
             '<link name="a"/><joint name="j" type="fixed"><parent link="a"/></joint>',
-            "joint 'j' has no <child>",
+            naming("j", "<child>"),
         ),
     ],
 )
@@ -45,16 +46,16 @@ VISUAL = '<link name="a"><visual>\n<geometry>{}</geometry></visual></link>'
 @pytest.mark.parametrize(
     ("content", "message", "place"),
     [
-        ("", "link 'a': <geometry> has no shape", "<geometry>"),
-        ("<!-- box -->", "link 'a': <geometry> has no shape", "<geometry>"),
+        ("", naming("a", "<geometry>"), "<geometry>"),
+        ("<!-- box -->", naming("a", "<geometry>"), "<geometry>"),
         (
             '<plane normal="0 0 1"/>',
-            "link 'a': <geometry> begins with <plane>, which only Bullet reads",
+            naming("a", "<geometry>", "<plane>", "Bullet"),
             '<plane normal="0 0 1"/>',
         ),
         (
             '<material name="m"/><box size="1 1 1"/>',
-            "link 'a': <geometry> begins with <material>, which is not a shape",
+            naming("a", "<geometry>", "<material>"),
             '<material name="m"/>',
         ),
     ],

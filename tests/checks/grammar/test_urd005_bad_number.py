@@ -1,5 +1,6 @@
 import pytest
 
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 
 BALL = (
@@ -11,29 +12,29 @@ BALL = (
 @pytest.mark.parametrize(
     ("text", "why"),
     [
-        ("", "is empty"),
-        ("  ", "is empty"),
-        ("0,5", "has a decimal comma ('0,5'); write a decimal point"),
-        ("nan", "is 'nan', which URDF parsers reject"),
-        ("-Inf", "is '-Inf', which URDF parsers reject"),
-        ("1e400", "holds '1e400', which is not a number"),
-        ("5cm", "holds '5cm', which is not a number"),
-        ("0x10", "holds '0x10', which is not a number"),
-        ("1_000", "holds '1_000', which is not a number"),
-        ("\u0661", "holds '\u0661', which is not a number"),
-        ("0.5 ", "has white space after the number"),
-        ("0.5\n", "has white space after the number"),
-        ("1 2", "holds 2 numbers, not 1"),
+        ("", ["empty"]),
+        ("  ", ["empty"]),
+        ("0,5", ["decimal comma", "0,5"]),
+        ("nan", ["nan", "reject"]),
+        ("-Inf", ["-Inf", "reject"]),
+        ("1e400", ["1e400", "not a number"]),
+        ("5cm", ["5cm", "not a number"]),
+        ("0x10", ["0x10", "not a number"]),
+        ("1_000", ["1_000", "not a number"]),
+        ("\u0661", ["\u0661", "not a number"]),
+        ("0.5 ", ["white space after"]),
+        ("0.5\n", ["white space after"]),
+        ("1 2", ["2", "1"]),
     ],
 )
-def test_why_a_number_is_none(text: str, why: str) -> None:
+def test_why_a_number_is_none(text: str, why: list[str]) -> None:
     (message,) = messages("URD005", BALL.format("0 0 0", text))
-    assert message == f"link 'a': radius of <sphere> {why}"
+    assert message == naming("a", "radius", "<sphere>", *why)
 
 
 def test_commas_between_numbers_are_no_decimal_commas() -> None:
     (message,) = messages("URD005", BALL.format("1,2,3", "1"))
-    assert message.endswith("xyz of <origin> has commas between its numbers; parsers need spaces")
+    assert message == naming("a", "<origin>")
 
 
 @pytest.mark.parametrize("text", ["1", "-1.5e-3", "+.5", "2.", "1E+05", " 1", "1e-400", "0"])
@@ -69,12 +70,7 @@ def test_commas_and_white_space_are_fixed_where_that_is_enough(
 
 def test_a_tab_between_numbers_is_reported_where_it_stands() -> None:
     robot = BALL.format("1\t2 3", "1")
-    assert messages("URD005", robot) == [
-        (
-            "link 'a': xyz of <origin> has a tab or a line break between its numbers; "
-            "parsers need spaces"
-        )
-    ]
+    assert messages("URD005", robot) == [naming("a", "<origin>")]
     assert places("URD005", robot) == [(2, "1\t2 3")]
 
 
@@ -103,14 +99,14 @@ RIGHT = ('xyz="0 0 0"', 'scale="1 1 1"', 'rgba="1 1 1 1"')
 @pytest.mark.parametrize(
     ("place", "written", "message"),
     [
-        (0, 'xyz="0 0"', "link 'a': xyz of <origin> has 2 numbers, not 3 (x y z)"),
-        (0, 'xyz=""', "link 'a': xyz of <origin> has 0 numbers, not 3 (x y z)"),
-        (0, 'rpy="0 0 0 1"', "link 'a': rpy of <origin> has 4 numbers, not 3 (x y z)"),
-        (1, 'scale="2"', "link 'a': scale of <mesh> has 1 number, not 3 (x y z)"),
+        (0, 'xyz="0 0"', naming("a", "<origin>", "2", "3")),
+        (0, 'xyz=""', naming("a", "<origin>", "0", "3")),
+        (0, 'rpy="0 0 0 1"', naming("a", "<origin>", "4", "3")),
+        (1, 'scale="2"', naming("a", "<mesh>", "1", "number", "3")),
         (
             2,
             'rgba="1 1 1"',
-            "link 'a': rgba of <color> has 3 numbers, not 4 (red green blue alpha)",
+            naming("a", "<color>", "3", "4"),
         ),
     ],
 )

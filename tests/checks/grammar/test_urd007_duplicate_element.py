@@ -1,5 +1,6 @@
 import pytest
 
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 SPHERE = '<geometry><sphere radius="1"/></geometry>'
@@ -11,7 +12,7 @@ def test_the_second_is_reported_and_the_first_is_shown() -> None:
         f'<origin xyz="0 0 2"/>{SPHERE}</visual></link>'
     )
     (found,) = reported("URD007", robot)
-    assert found.message == "link 'a': a second <origin> in <visual>; parsers read the first"
+    assert found.message == naming("a", "<origin>", "<visual>")
     assert found.span.text == '<origin xyz="0 0 2"/>'
     assert [(one.span.text, one.message) for one in found.related] == [
         ('<origin xyz="0 0 1"/>', "the first")
@@ -27,8 +28,11 @@ def test_every_surplus_element_is_reported() -> None:
 @pytest.mark.parametrize(
     ("shapes", "surplus"),
     [
-        ('<box size="1 1 1"/><sphere radius="1"/>', ["<sphere> after <box> in one <geometry>"]),
-        ('<sphere radius="1"/><sphere radius="2"/>', ["a second <sphere> in <geometry>"]),
+        (
+            '<box size="1 1 1"/><sphere radius="1"/>',
+            [naming("<sphere>", "after", "<box>", "<geometry>")],
+        ),
+        ('<sphere radius="1"/><sphere radius="2"/>', [naming("<sphere>", "<geometry>")]),
         ('<plane/><box size="1 1 1"/>', []),  # URD004 tells that the box is never read
     ],
 )

@@ -3,6 +3,7 @@ import json
 import pytest
 
 from tests.conftest import MISSION, SHARED
+from tests.naming import naming
 from tests.reported import places, reported
 from urdfkit.lint import engine
 from urdfkit.text.schema import GAZEBO_TAGS
@@ -11,24 +12,24 @@ from urdfkit.text.schema import GAZEBO_TAGS
 @pytest.mark.parametrize(
     ("robot", "block"),
     [
-        ('<link name="wheel"><mu1>1</mu1></link>', 'move it into <gazebo reference="wheel">'),
+        ('<link name="wheel"><mu1>1</mu1></link>', naming("into", '<gazebo reference="wheel">')),
         (
             (
                 '<link name="a"><collision><surface/><geometry><sphere radius="1"/></geometry>'
                 "</collision></link>"
             ),
-            'move it into <collision> in <gazebo reference="a">',
+            naming("<collision>", '<gazebo reference="a">'),
         ),
         (
             (
                 '<link name="a"/><joint name="j" type="fixed"><preserveFixedJoint>true'
                 "</preserveFixedJoint></joint>"
             ),
-            'move it into <gazebo reference="j">',
+            naming("into", '<gazebo reference="j">'),
         ),
         (
             '<link name="a"/><plugin name="p" filename="libgazebo_ros_imu.so"/>',
-            "move it into a <gazebo> block",
+            naming("<gazebo>", "block"),
         ),
     ],
 )
@@ -60,7 +61,7 @@ def test_every_tag_that_the_converter_handles_is_known() -> None:
 
 def test_the_pose_of_sdf_has_its_words_in_urdf() -> None:
     (found,) = reported("URD008", '<link name="a"><pose>0 0 1 0 0 0</pose></link>')
-    assert "the <origin> of the joint" in found.help
+    assert found.help == naming("<origin>", "shape")
     assert found.fix is None
 
 

@@ -1,3 +1,4 @@
+from tests.naming import naming
 from tests.reported import fixed, messages, reported
 from urdfkit.lint import engine
 from urdfkit.text.source import Source
@@ -7,7 +8,7 @@ def test_another_format_is_one_error_and_no_more() -> None:
     text = b'<sdf version="1.6"><model name="m"><link name="l"><pose>0</pose></link></model></sdf>'
     report = engine.check(Source("model.sdf", text))
     assert [(found.code, found.message) for found in report.diagnostics] == [
-        ("URD015", "the root element is <sdf>, not <robot>")
+        ("URD015", naming("<sdf>", "<robot>"))
     ]
     assert report.diagnostics[0].fix is None
     assert report.diagnostics[0].help.startswith("gz sdf --check")
@@ -17,13 +18,13 @@ def test_a_world_is_checked_with_what_starts_it() -> None:
     text = b'<sdf version="1.9"><world name="w"/></sdf>'
     (found,) = engine.check(Source("hall.world", text)).diagnostics
     assert found.code == "URD015"
-    assert "this is a world of Gazebo" in found.help
+    assert "world" in found.help
     assert "urdfkit check PACKAGE" in found.help
 
 
 def test_a_misspelt_robot_gets_its_name_back() -> None:
     robot = '<robt name="r">\n  <link name="a"/>\n</robt>\n'
-    assert messages("URD015", robot) == ["the root element is <robt>, not <robot>"]
+    assert messages("URD015", robot) == [naming("<robt>", "<robot>")]
     assert fixed("URD015", robot) == robot.replace("robt", "robot")
 
 

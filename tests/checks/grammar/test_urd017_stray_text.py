@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit import check
 
@@ -19,9 +20,7 @@ LINK = '<link name="arm">{}</link>'
     ],
 )
 def test_text_where_urdf_has_none(inside: str, text: str, where: str) -> None:
-    assert messages("URD017", LINK.format(inside)) == [
-        f"link 'arm': URDF parsers ignore the text '{text}' in <{where}>"
-    ]
+    assert messages("URD017", LINK.format(inside)) == [naming("arm", text, f"<{where}>")]
     ((_, shown),) = places("URD017", LINK.format(inside))
     assert shown == text
 

@@ -121,7 +121,7 @@ def test_valid_element_is_accepted(tmp_path: Path, text: str) -> None:
         ),
         (
             ROS_2 + '<executable cmd="ros2 control load_controller --set-state start a"/>',
-            naming("start", "Galactic"),
+            naming("ros2", "start", "Galactic"),
             "write active",
         ),
     ],

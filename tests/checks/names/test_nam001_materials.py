@@ -1,5 +1,6 @@
 import pytest
 
+from tests.naming import naming
 from tests.reported import messages, reported
 
 WHITE, RED = "1 1 1 1", "1 0 0 1"
@@ -17,9 +18,7 @@ def link(*materials: str) -> str:
 
 def test_the_colour_that_is_lost_is_reported_with_the_one_that_wins() -> None:
     (found,) = reported("NAM001", link(material(WHITE), material(RED)))
-    assert found.message == (
-        "link 'a': material 'm' is 1 0 0 1 here and 1 1 1 1 before; parsers keep the first"
-    )
+    assert found.message == naming("a", "m", "1 0 0 1", "1 1 1 1", "before")
     assert (found.span.line, found.span.text) == (3, RED)
     assert [one.span.line for one in found.related] == [2]
 
@@ -27,7 +26,7 @@ def test_the_colour_that_is_lost_is_reported_with_the_one_that_wins() -> None:
 def test_the_one_below_the_robot_wins_wherever_it_stands() -> None:
     robot = f"{link(material(RED), material(WHITE))}\n{material(WHITE)}"
     assert [one.partition(" is ")[2] for one in messages("NAM001", robot)] == [
-        "1 0 0 1 here and 1 1 1 1 before; parsers keep the first"
+        naming("1 0 0 1", "1 1 1 1", "before")
     ]
 
 
@@ -47,6 +46,4 @@ def test_one_colour_for_each_name(robot: str) -> None:
 
 def test_textures_count_as_well() -> None:
     robot = link(material(RED), '<material name="m"><texture filename="a.png"/></material>')
-    assert messages("NAM001", robot) == [
-        "link 'a': material 'm' is a.png here and 1 0 0 1 before; parsers keep the first"
-    ]
+    assert messages("NAM001", robot) == [naming("a", "m", "a.png", "1 0 0 1", "before")]

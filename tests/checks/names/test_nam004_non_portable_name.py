@@ -7,11 +7,11 @@ from urdfkit.text.diagnostic import Severity
 @pytest.mark.parametrize(
     ("name", "reason"),
     [
-        ("base link", "white space in the name"),
-        ("base_link ", "white space at an end"),
-        (" base_link", "white space at an end"),
-        ("arm&#9;1", "white space in the name"),
-        ("arm::1", "'::' in the name"),
+        ("base link", "white space in"),
+        ("base_link ", "white space at"),
+        (" base_link", "white space at"),
+        ("arm&#9;1", "white space in"),
+        ("arm::1", "'::' in"),
         ("/base", "tf2 rejects"),
     ],
 )
@@ -49,16 +49,16 @@ WORLD = f'<link name="world">{BODY}</link>'
 @pytest.mark.parametrize(
     ("robot", "message"),
     [
-        (WORLD, "link 'world': Gazebo reads it as the world and drops"),
+        (WORLD, "link 'world': Gazebo reads"),
         (
             '<link name="a"/><link name="world"/>' + JOINT.format("j", "a", "world"),
-            "link 'world': Gazebo and MuJoCo read it as the world",
+            "link 'world': Gazebo and MuJoCo read",
         ),
         (
             '<link name="a"/><link name="b"/>' + JOINT.format("world", "a", "b"),
-            "joint 'world': the name is reserved",
+            "joint 'world': the name is",
         ),
-        ('<link name="__a__"/>', "link '__a__': names in double underscores are reserved"),
+        ('<link name="__a__"/>', "link '__a__': names in double"),
     ],
 )
 def test_reserved_names(robot: str, message: str) -> None:

@@ -3,6 +3,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import MANIFEST, launch
+from tests.naming import naming
 from urdfkit import Diagnostic, Severity, check
 
 
@@ -28,8 +29,8 @@ HAND = '<xacro:include filename="$(find hand)/hand.xacro"/>'
 def test_a_package_that_is_not_declared(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, HAND)
     manifest = tmp_path / "arm" / "package.xml"
-    assert found.message == f"package 'hand' is used but not declared in {manifest}"
-    assert found.help == "add <run_depend>hand</run_depend> to package.xml"
+    assert found.message == naming("hand", manifest)
+    assert found.help == naming("<run_depend>hand</run_depend>", "package.xml")
     assert (found.span.line, found.span.text) == (3, "$(find hand)/hand.xacro")
 
 
@@ -68,13 +69,13 @@ def test_the_fix_stands_behind_dependencies_of_its_kind(tmp_path: Path) -> None:
 
 def test_the_help_names_the_tag_of_the_format(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, HAND)
-    assert found.help == "add <run_depend>hand</run_depend> to package.xml"
+    assert found.help == naming("<run_depend>hand</run_depend>", "package.xml")
     assert found.fix is not None
     assert "<run_depend>" in found.fix.edits[0].text
     manifest = tmp_path / "arm" / "package.xml"
     manifest.write_text("<package format='3'><name>arm</name></package>")
     (found,) = check(tmp_path / "arm" / "arm.xacro", select=["PKG001"]).diagnostics
-    assert found.help == "add <exec_depend>hand</exec_depend> to package.xml"
+    assert found.help == naming("<exec_depend>hand</exec_depend>", "package.xml")
 
 
 @pytest.mark.parametrize(
@@ -86,7 +87,7 @@ def test_what_a_test_uses_is_a_dependency_of_the_tests(tmp_path: Path, path: str
     file.parent.mkdir(parents=True)
     (tmp_path / "arm" / "arm.xacro").rename(file)
     (found,) = check(file, select=["PKG001"]).diagnostics
-    assert found.help == f"add <{tag}>hand</{tag}> to package.xml"
+    assert found.help == naming(f"<{tag}>hand</{tag}>", "package.xml")
 
 
 def test_no_cycle_of_packages_is_made(tmp_path: Path) -> None:
@@ -100,10 +101,7 @@ def test_no_cycle_of_packages_is_made(tmp_path: Path) -> None:
         hand.write_text(f"<package><name>hand</name>{text}</package>")
         (found,) = check(arm, select=["PKG001"]).diagnostics
         assert found.fix is None
-        assert found.help == (
-            "'hand' depends on 'arm', so to declare it makes a cycle: move the file that is used "
-            "to 'arm', or this one to 'hand'"
-        )
+        assert found.help == naming("hand", "arm", "arm", "hand")
 
 
 def test_two_packages_that_use_one_another_get_no_fix(tmp_path: Path) -> None:
@@ -123,7 +121,7 @@ def test_a_directory_of_a_package_is_none_of_that_name(tmp_path: Path) -> None:
         "<package><name>hand</name><depend>xacro</depend></package>"
     )
     (found,) = check(arm, select=["PKG001"]).diagnostics
-    assert found.help == "add <run_depend>hand</run_depend> to package.xml"
+    assert found.help == naming("<run_depend>hand</run_depend>", "package.xml")
     assert found.fix is not None
 
 
@@ -147,8 +145,8 @@ def of_launch(directory: Path, text: str, depends: str = "") -> list[Diagnostic]
 @pytest.mark.parametrize("text", [NODE.format("hand"), '<include file="$(find hand)/b.launch"/>'])
 def test_a_package_that_is_there_by_chance(tmp_path: Path, text: str) -> None:
     (found,) = of_launch(tmp_path, text)
-    assert found.message.startswith("package 'hand' is used but not declared in ")
-    assert found.help == "add <exec_depend>hand</exec_depend> to package.xml"
+    assert found.message.startswith("package 'hand' is used")
+    assert found.help == naming("<exec_depend>hand</exec_depend>", "package.xml")
     assert (found.severity, found.span.line) == (Severity.INFO, 2)
 
 
@@ -190,7 +188,7 @@ def test_the_package_of_a_kinematics_solver(tmp_path: Path, solver: str, name: s
     (tmp_path / "a.launch.xml").write_text(launch(MOVE_GROUP))
     found = check(tmp_path / "a.launch.xml", select=["PKG001"]).diagnostics
     assert [one.help for one in found] == (
-        [f"add <exec_depend>{name}</exec_depend> to package.xml"] if name else []
+        [naming(f"<exec_depend>{name}</exec_depend>", "package.xml")] if name else []
     )
 
 
@@ -201,5 +199,5 @@ def test_a_package_by_the_name_of_its_directory(tmp_path: Path) -> None:
     (tmp_path / "Hand" / "hand.xacro").write_text("<robot/>")
     (found,) = reported(tmp_path, HAND.replace("hand)", "Hand)"))
     manifest = tmp_path / "Hand" / "package.xml"
-    assert found.message == f"package 'Hand' is called 'hand_v2' in {manifest}"
-    assert (found.help, found.fix) == ("write hand_v2, or rename the package", None)
+    assert found.message == naming("Hand", "hand_v2", manifest)
+    assert (found.help, found.fix) == (naming("hand_v2", "rename"), None)

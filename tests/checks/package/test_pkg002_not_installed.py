@@ -3,6 +3,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import reported as of_launch
+from tests.naming import naming
 from urdfkit import Diagnostic, check
 
 MESH = '<visual><geometry><mesh filename="package://arm/{}"/></geometry></visual>'
@@ -26,7 +27,7 @@ def reported(directory: Path, *paths: str, build: str | None = INSTALL) -> list[
 
 def test_a_directory_that_is_not_installed(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, "urdf/a.stl", "meshes/a.stl", "meshes/a.stl")
-    assert found.message == (f"'meshes/a.stl' is not installed by {tmp_path}/CMakeLists.txt")
+    assert found.message == naming("meshes/a.stl", f"{tmp_path}/CMakeLists.txt")
     assert found.help == "write install(DIRECTORY meshes DESTINATION share/${PROJECT_NAME})"
     assert (found.span.line, found.span.text) == (3, "package://arm/meshes/a.stl")
 
@@ -48,7 +49,7 @@ def test_a_macro_of_another_package_is_checked_with_its_own_build(tmp_path: Path
     robot = tmp_path / "bot" / "urdf" / "bot.urdf.xacro"
     robot.write_text(text.format(include))
     (found,) = check(robot, select=["PKG002"]).diagnostics
-    assert found.message == f"'meshes/a.stl' is not installed by {lidar}/CMakeLists.txt"
+    assert found.message == naming("meshes/a.stl", f"{lidar}/CMakeLists.txt")
     assert found.span.source.path == str(lidar / "urdf" / "lidar.xacro")
 
 
@@ -97,7 +98,7 @@ def test_the_launch_file_itself(tmp_path: Path) -> None:
     (found,) = of_launch(
         tmp_path, "PKG002", "a.launch", LOAD, files(CMakeLists__txt=CMAKE.format("config"))
     )
-    assert found.message.startswith("'launch/a.launch' is not installed by ")
+    assert found.message.startswith("'launch/a.launch' is not installed")
     assert found.help == "write install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})"
     assert found.span.line == 1
 
@@ -106,7 +107,7 @@ def test_what_it_names(tmp_path: Path) -> None:
     (found,) = of_launch(
         tmp_path, "PKG002", "a.launch", LOAD, files(CMakeLists__txt=CMAKE.format("launch"))
     )
-    assert found.message.startswith("'config/c.yaml' is not installed by ")
+    assert found.message.startswith("'config/c.yaml' is not installed")
     assert found.span.line == 2
 
 
@@ -114,8 +115,8 @@ def test_what_it_names(tmp_path: Path) -> None:
 def test_a_pattern_that_does_not_match(tmp_path: Path, pattern: str) -> None:
     setup = SETUP.format(pattern)
     (found,) = of_launch(tmp_path, "PKG002", "a.launch", LOAD, files(setup__py=setup))
-    assert found.message.startswith("'launch/a.launch' is not installed by ")
-    assert found.help == "add the files of launch to data_files in setup.py"
+    assert found.message.startswith("'launch/a.launch' is not installed")
+    assert found.help == naming("data_files", "setup.py")
 
 
 @pytest.mark.parametrize(
@@ -176,4 +177,4 @@ def test_a_file_that_setup_py_installs_elsewhere(
     assert len(found) == count
     for one in found:
         assert "setup.py installs 'config/c.yaml' as share/arm/c.yaml" in one.message
-        assert one.help == "write share/arm/config as their directory"
+        assert one.help == naming("share/arm/config", "their")

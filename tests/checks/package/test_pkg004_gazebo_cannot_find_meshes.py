@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.workspaces import add_file
 from urdfkit import Diagnostic, check
 
@@ -35,9 +36,8 @@ def reported(
 def test_nothing_tells_gazebo(tmp_path: Path) -> None:
     add_file(tmp_path / "src" / "arm" / "meshes" / "b.stl")
     (found,) = reported(tmp_path, OWN, OWN, OWN.replace("a.stl", "b.stl"))
-    assert found.message == (
-        f"Gazebo cannot find '{OWN}', nor 1 more of this package: nothing in the workspace "
-        "sets GZ_SIM_RESOURCE_PATH or exports gazebo_model_path"
+    assert found.message == naming(
+        "Gazebo", OWN, "1", "nothing", "GZ_SIM_RESOURCE_PATH", "gazebo_model_path"
     )
     assert (found.span.line, found.span.text) == (2, OWN)
     assert found.related[0].span.source.path.endswith("launch/sim.launch.py")

@@ -1,5 +1,6 @@
 from pathlib import Path
 
+from tests.naming import naming
 from tests.xacros import codes, reported, told_of, write
 from urdfkit.lint import engine
 from urdfkit.lint.grouping import grouped
@@ -53,7 +54,7 @@ def test_found_by_name_and_beside(tmp_path: Path) -> None:
 def test_a_package_that_is_used_often_is_shown_once() -> None:
     uses = "\n".join(f'<link name="$(find shoulder)/{i}"/>' for i in range(7))
     (found,) = grouped(reported("XAC011", uses))
-    assert found.message.endswith("(and 6 more like this)")
+    assert found.message == naming("shoulder", "AMENT_PREFIX_PATH", "ROS_PACKAGE_PATH", "14", "6")
     assert len(found.related) == 6
 
 
@@ -69,7 +70,7 @@ def test_an_unknown_package_of_a_launch_file_is_reported_with_the_directories_se
     assert (finding.code, finding.severity) == ("XAC011", Severity.INFO)
     assert finding.span.text == "no_such_pkg"
     message, _, searched = finding.message.partition("; searched: ")
-    assert message == "package 'no_such_pkg' is not found"
+    assert message == naming("no_such_pkg", "found")
     assert str(tmp_path) in searched
 
 
@@ -80,8 +81,8 @@ def test_what_a_launch_file_lacks_is_one_finding_for_people(tmp_path: Path) -> N
     assert len(found) == 3
     (seen,) = grouped(found)
     assert [note.message for note in seen.related] == [
-        "package 'no_node' is not found",
-        "package 'no_drivers' is not found",
+        naming("no_node", "found"),
+        naming("no_drivers", "found"),
     ]
 
 
@@ -101,7 +102,7 @@ def test_a_typo_in_a_launch_file_is_a_warning(tmp_path: Path) -> None:
     path = str(tmp_path / "arm_bringup" / "a.launch")
     (found,) = engine.check(Source(path, launch("arm_drvier"))).diagnostics
     assert found.severity is Severity.WARNING
-    assert "and not declared in package.xml; did you mean 'arm_driver'?; searched" in found.message
+    assert "'arm_driver'?; searched" in found.message
     (found,) = engine.check(Source(path, launch("vesc_driver"))).diagnostics
     assert (found.severity, found.span.text) == (Severity.INFO, "vesc_driver")
     assert "<run_depend>vesc_driver</run_depend>" in found.help

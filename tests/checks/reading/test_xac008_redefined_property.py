@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.xacros import reported, told_of, write
 
 FIRST = '<xacro:property name="a" value="1"/>\n'
@@ -12,7 +13,7 @@ USE = '<link name="l${a}"/>'
 def test_before_its_first_use() -> None:
     (found,) = reported("XAC008", FIRST + SECOND + USE)
     assert (found.span.line, found.span.column, found.span.text) == (3, 23, "a")
-    assert found.message == "property 'a' is defined again before its first value is used"
+    assert found.message == naming("a", "before")
     assert [(one.span.line, one.message) for one in found.related] == [(2, "first defined here")]
 
 

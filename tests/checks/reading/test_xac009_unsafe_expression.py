@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.workspaces import add_package
 from tests.xacros import reported, told_of, write, xacro
 from urdfkit.lint import engine
@@ -13,15 +14,15 @@ from urdfkit.text.source import Source
     [
         (
             '<link name="${().__class__}"/>',
-            "rejected: attribute '__class__' is not allowed in expressions in ${().__class__}",
+            naming("rejected", "__class__", "${().__class__}"),
         ),
         (
             '<link name="${(lambda: 1)()}"/>',
-            "rejected: Lambda is not allowed in expressions in ${(lambda: 1)()}",
+            naming("rejected", "${(lambda: 1)()}"),
         ),
         (
             "<link name=\"${__import__('os')}\"/>",
-            "rejected: name '__import__' is not allowed in expressions in ${__import__('os')}",
+            naming("rejected", "__import__", "${__import__('os')}"),
         ),
     ],
 )
@@ -76,13 +77,13 @@ def test_what_models_do(expression: str) -> None:
 )
 def test_a_file_of_the_machine(body: str) -> None:
     (found,) = reported("XAC009", body)
-    assert "is outside the workspace and the packages of this model" in found.message
+    assert "outside the workspace" in found.message
     assert "/etc/hostname" in found.span.text
 
 
 def test_a_device() -> None:
     (found,) = reported("XAC009", '<xacro:include filename="/dev/zero"/>')
-    assert found.message == "/dev/zero is a device or a pipe, not a file"
+    assert found.message == naming("/dev/zero", "pipe")
 
 
 def test_a_link_that_leads_outside(tmp_path: Path) -> None:

@@ -1,5 +1,6 @@
 from pathlib import Path
 
+from tests.naming import naming
 from tests.xacros import codes, reported, told_of, write
 
 
@@ -9,8 +10,8 @@ def test_one_finding_per_argument_with_its_uses() -> None:
     )
     found = reported("XAC010", body)
     assert [(one.span.line, one.span.text, one.message) for one in found] == [
-        (2, "$(arg prefix)", "argument 'prefix' has no value and no default"),
-        (3, "$(arg side)", "argument 'side' has no value and no default"),
+        (2, "$(arg prefix)", naming("prefix", "default")),
+        (3, "$(arg side)", naming("side", "default")),
     ]
     assert [(one.span.line, one.message) for one in found[0].related] == [(4, "needed here")]
     assert found[0].help == "pass it: prefix:=VALUE"
@@ -19,7 +20,7 @@ def test_one_finding_per_argument_with_its_uses() -> None:
 def test_the_help_names_the_others_with_their_defaults() -> None:
     body = '<xacro:arg name="side" default="left"/><link name="$(arg prefix)$(arg side)"/>'
     (found,) = reported("XAC010", body)
-    assert found.help == "pass it: prefix:=VALUE; other arguments: side (default left)"
+    assert found.help == naming("prefix:=VALUE", "side", "left")
 
 
 def test_a_typo_in_what_was_given_is_named() -> None:
@@ -57,7 +58,7 @@ def test_a_default_that_only_stands_in(tmp_path: Path) -> None:
     )
     (found,) = told_of("XAC010", tmp_path / "robot.xacro")
     assert (found.span.line, found.span.text) == (2, "ur5x")
-    assert found.message.startswith("argument 'kind' is required")
+    assert found.message == naming("kind", "ur5x", "missing")
     assert told_of("XAC001", tmp_path / "robot.xacro") == []
     (tmp_path / "config" / "ur5e" / "b.yaml").write_text("x: 1\n")
     for arguments in ({"kind": "ur5e"}, {}):  # a directory in which all files are there is a value
@@ -73,7 +74,7 @@ def test_a_path_that_is_empty_unless_given(tmp_path: Path) -> None:
         """value="$(arg speeds)"/><link name="a${xacro.load_yaml(file)['x']}"/>""",
     )
     (found,) = told_of("XAC010", tmp_path / "robot.xacro")
-    assert found.message.startswith("argument 'speeds' is required: with its default ''")
+    assert found.message == naming("speeds", "", "missing")
     assert told_of("XAC001", tmp_path / "robot.xacro") == []
     (tmp_path / "a.yaml").write_text("x: 1\n")
     assert told_of("XAC010", tmp_path / "robot.xacro", speeds="a.yaml") == []
@@ -98,9 +99,8 @@ def test_a_default_that_only_stands_in_for_the_file_to_include(tmp_path: Path) -
 
 def test_a_default_that_needs_the_argument_itself() -> None:
     body = '<link name="$(arg a)"/>\n<xacro:arg name="a" default="$(arg a)"/>'
-    assert {one.message for one in reported("XAC010", body)} == {
-        "argument 'a' has no value and no default"
-    }
+    (message,) = {one.message for one in reported("XAC010", body)}
+    assert message == naming("a", "default")
     body = (
         '<xacro:arg name="a" default="$(arg b)"/>\n<xacro:arg name="b" default="$(arg a)"/>\n'
         '<link name="$(arg b)"/>'

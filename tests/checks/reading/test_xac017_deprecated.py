@@ -1,5 +1,6 @@
 import pytest
 
+from tests.naming import naming
 from tests.reported import fixed
 from tests.xacros import reported, xacro
 
@@ -16,7 +17,7 @@ def test_a_function_that_moved(old: str, new: str) -> None:
     robot = xacro(f'<link name="l${{{old}}}"/>')
     (found,) = reported("XAC017", f'<link name="l${{{old}}}"/>')
     name = found.span.text
-    assert found.message == f"{name}() without its namespace is deprecated"
+    assert found.message == naming(f"{name}()", "without")
     assert found.fix is not None
     assert found.fix.safe
     after = fixed("XAC017", robot, "robot.xacro")

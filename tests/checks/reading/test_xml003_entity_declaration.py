@@ -1,5 +1,6 @@
 import pytest
 
+from tests.naming import naming
 from tests.reported import reported
 from urdfkit.lint import engine
 from urdfkit.text.source import Source
@@ -18,8 +19,8 @@ def test_each_declaration_is_reported() -> None:
     )
     found = reported("XML003", robot)
     assert [(one.span.line, one.span.column, one.message) for one in found] == [
-        (2, 3, "entity 'base' is declared"),
-        (3, 3, "entity 'arm' is declared"),
+        (2, 3, naming("entity", "base")),
+        (3, 3, naming("entity", "arm")),
     ]
 
 
