@@ -281,3 +281,38 @@ def test_a_trajectory_controller(tmp_path: Path, old: str, new: str, message: st
 def test_commands_without_feedback_need_no_gains(tmp_path: Path) -> None:
     text = TRAJECTORY.replace("gains: {left_joint: {p: 1.0}}", "open_loop_control: true")
     assert reported(tmp_path, "RCT034", text) == []
+
+
+@pytest.mark.parametrize(
+    ("kind", "parameters", "message"),
+    [
+        (
+            "admittance_controller/AdmittanceController",
+            "admittance: {mass: [1.0, 1.0, 1.0]}",
+            "admittance.mass has 3 values, must have 6",
+        ),
+        (
+            "admittance_controller/AdmittanceController",
+            "kinematics: {plugin_package: kinematics_interface_kdl}",
+            "kinematics.plugin_package has 'kinematics_interface_kdl'",
+        ),
+        (
+            "ackermann_steering_controller/AckermannSteeringController",
+            "traction_wheels_radius: 0.0",
+            "traction_wheels_radius is 0.0, must be > 0",
+        ),
+        (
+            "pid_controller/PidController",
+            "gains: {left_joint: {antiwindup_strategy: clamp}}",
+            "gains.left_joint.antiwindup_strategy has 'clamp'",
+        ),
+    ],
+)
+def test_values_of_other_controllers(
+    tmp_path: Path, kind: str, parameters: str, message: str
+) -> None:
+    head = DRIVE.partition("drive:\n  ros__")[0].replace("diff_drive_controller/DiffDriveC", "X")
+    text = f"{head}drive:\n  ros__parameters:\n    {parameters}\n"
+    text = text.replace("Xontroller", kind)
+    found = [one.message for one in reported(tmp_path, "RCT034", text)]
+    assert any(one.startswith(f"controller 'drive': {message}") for one in found)

@@ -77,9 +77,23 @@ def test_missing_sensor(tmp_path: Path, kind: str) -> None:
     assert (found.severity, found.confidence) == (Severity.WARNING, Confidence.INFERRED)
 
 
+def test_an_interface_of_a_missing_sensor(tmp_path: Path) -> None:
+    names = "{force: {x: imu/force.x}, torque: {x: imuu/torque.x, y: imuu/torque.y}}"
+    (found,) = reported_broadcaster(tmp_path, controller("b", FORCE, interface_names=names))
+    assert found.span.text == "imuu/torque.x"
+    assert "'imuu' does not exist in <ros2_control>; did you mean 'imu'?" in found.message
+
+
+def test_the_sensor_of_an_admittance_controller(tmp_path: Path) -> None:
+    kind = "admittance_controller/AdmittanceController"
+    (found,) = reported_broadcaster(tmp_path, controller("b", kind, ft_sensor="{name: imuu}"))
+    assert found.span.text == "imuu"
+
+
 @pytest.mark.parametrize(
     "text",
     [
+        controller("b", FORCE, interface_names="{force: {x: imu/force.x}}"),
         controller("b", IMU_BROADCASTER, sensor_name="imu"),
         controller("b", IMU_BROADCASTER),
         controller("b", FORCE, sensor_name="''"),

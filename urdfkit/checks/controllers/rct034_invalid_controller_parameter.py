@@ -237,8 +237,8 @@ def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_
         elif wrong := _unknown_word(known, name, node):
             yield wrong
         elif isinstance(node, list) and len(node) != lengths.get(name, len(node)):
-            message = f"{name} has {len(node)} numbers, must have {lengths[name]}"
-            yield span, message, f"write {lengths[name]} numbers"
+            message = f"{name} has {len(node)} values, must have {lengths[name]}"
+            yield span, message, f"write {lengths[name]} values"
 
 
 def _bound(known: ControllerParameters, name: str, value: Value) -> str:

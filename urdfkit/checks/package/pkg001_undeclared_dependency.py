@@ -4,9 +4,9 @@ The file works only on machines where that package is installed. On other machin
 install it, colcon and catkin build in the wrong order, and `$(find ...)`, `package://` and the
 launch file fail with "package not found". In a launch file it is an info. In launch files of ROS 2,
 packages of the ROS distribution are reported, too: a smaller installation lacks `xacro` or
-`ros_gz_sim`. So are the control plugin of Gazebo and the controllers of its robots, if their own
-packages do not declare them either: "class diff_drive_controller/DiffDriveController does not
-exist".
+`ros_gz_sim`. So are the control plugin of Gazebo and the controllers of its robots, with the
+plugins of their kinematics, if their own packages do not declare them either: "class
+diff_drive_controller/DiffDriveController does not exist".
 
 A package that is found only by the name of its directory has another name in its `package.xml`: ROS
 does not find it.
@@ -47,6 +47,10 @@ FIXED_FILES = {
     b"<run_depend>bot_meshes</run_depend></package>"
 }
 
+#: The parameter of a controller that names the plugin of its kinematics.
+_SOLVER = "kinematics.plugin_name"
+#: A class whose package has another name than its type.
+_GRIPPER = "/GripperActionController"
 _MOVE_GROUP = "moveit_ros_move_group"
 _KINEMATICS = os.path.join("config", "kinematics.yaml")
 #: colcon and catkin reject cyclic dependencies of packages.
@@ -150,8 +154,10 @@ def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
         if own is None:
             continue
         names = [plugin.kind for plugin in control_plugins(robot.model)]
-        types = [controller.type for _, controller in robot.controllers if controller.ros == 2]
-        names += [type.partition("/")[0] for type in types]
+        loaded = [controller for _, controller in robot.controllers if controller.ros == 2]
+        plugins = [value.text for user in loaded for value in user.values([_SOLVER]) if value.text]
+        types = [*(controller.type for controller in loaded), *plugins]
+        names += [type.partition("/")[0] for type in types if not type.endswith(_GRIPPER)]
         for name in names if names and "ros2_controllers" not in own.dependencies else ():
             if comes_with_ros(name) and not _is_brought(name, own.dependencies):
                 yield name, description.frame.call.span

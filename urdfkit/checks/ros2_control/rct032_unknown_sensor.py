@@ -4,7 +4,8 @@ Sensors are matched by name. A `<sensor>` in `<ros2_control>` without a `<sensor
 in `<gazebo>` has no data in the simulator: an info if its interfaces are not those of an IMU or a
 force-torque sensor, the only sensors that Gazebo's hardware reads. A broadcaster whose
 `sensor_name` is not a `<sensor>` in `<ros2_control>` cannot be activated, unless the hardware
-driver exports unlisted sensors.
+driver exports unlisted sensors. Nor can one that names an interface of such a sensor, or an
+admittance controller whose `ft_sensor` is none.
 
 Sources:
     gazebo_ros2_control, gazebo_system.cpp: https://github.com/ros-controls/gazebo_ros2_control/blob/master/gazebo_ros2_control/src/gazebo_system.cpp
@@ -19,11 +20,13 @@ from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import simulated_hardware
+from urdfkit.ros.controllers import Controller
 from urdfkit.ros.gazebo.samples import control_xml, gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.ros_control import Component, components
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
+from urdfkit.text.located_yaml import Value
 
 BAD = robot_xml(
     solid_xml("base"),
@@ -37,12 +40,17 @@ FIXED = GOOD = BAD.replace("base_immu", "base_imu")
 
 #: State interfaces of the sensors that Gazebo's hardware reads.
 _SIMULATED = re.compile(r"(orientation|angular_velocity|linear_acceleration|force|torque)\.[xyzw]")
-_BROADCASTERS = (
-    "imu_sensor_broadcaster/IMUSensorBroadcaster",
-    "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster",
-    "range_sensor_broadcaster/RangeSensorBroadcaster",
-    "gps_sensor_broadcaster/GPSSensorBroadcaster",
-)
+#: The parameters of controllers that name a sensor, and those that name an interface of one.
+_SENSORS = {
+    "admittance_controller/AdmittanceController": "ft_sensor.name",
+    "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster": "sensor_name",
+    "gps_sensor_broadcaster/GPSSensorBroadcaster": "sensor_name",
+    "imu_sensor_broadcaster/IMUSensorBroadcaster": "sensor_name",
+    "magnetometer_broadcaster/MagnetometerBroadcaster": "sensor_name",
+    "pose_broadcaster/PoseBroadcaster": "pose_name",
+    "range_sensor_broadcaster/RangeSensorBroadcaster": "sensor_name",
+}
+_INTERFACES = [f"interface_names.{kind}.{axis}" for kind in ("force", "torque") for axis in "xyz"]
 
 
 @rule(Severity.WARNING)
@@ -78,9 +86,7 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
         return  # the broadcaster may be for another robot, and not be started
     exported = {part.name for part in parts}
     for file, controller in context.controllers:
-        values = controller.values(["sensor_name"]) if controller.type in _BROADCASTERS else []
-        for value in values:
-            name = value.text
+        for name, value in _named(controller).items():
             if name and not is_expression(name) and name not in exported:
                 yield Finding(
                     value.span,
@@ -90,3 +96,12 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
                     related=(file.note,),
                     confidence=Confidence.INFERRED,
                 )
+
+
+def _named(controller: Controller) -> dict[str, Value]:
+    """The sensors that a controller reads, also those of which it names an interface."""
+    if (parameter := _SENSORS.get(controller.type)) is None:
+        return {}
+    interfaces = reversed(controller.values(_INTERFACES))  # the first place of each name remains
+    named = {value.text.rpartition("/")[0]: value for value in interfaces}
+    return {**named, **{value.text: value for value in controller.values([parameter])}}
