@@ -33,6 +33,23 @@ TALKER = "{'console_scripts': ['talker = arm.talker:main']}"
         ("install(PROGRAMS scripts/a.py DESTINATION lib/${PROJECT_NAME})\n", "a.py", None),
         ("install(DIRECTORY scripts DESTINATION lib/${PROJECT_NAME})\n", "a.py", None),
         ("add_executable(${PROJECT_NAME} a.cpp)\n" + INSTALL, "arm", Absence(True, ("arm",))),
+        (
+            "install(PROGRAMS scripts/a.py DESTINATION bin/)\n",
+            "a.py",
+            Absence(True, ("a.py",), "bin"),
+        ),
+        (
+            BUILT + "install(TARGETS talker LIBRARY DESTINATION lib RUNTIME DESTINATION bin)\n",
+            "talker",
+            Absence(True, ("talker",), "bin"),
+        ),
+        (
+            BUILT + "install(TARGETS talker LIBRARY DESTINATION lib RUNTIME DESTINATION lib/arm)\n",
+            "talker",
+            None,
+        ),
+        (BUILT + INSTALL.replace("lib/", "bin)\n") + INSTALL, "talker", None),
+        (BUILT + INSTALL.replace("lib/${PROJECT_NAME}", "${BIN}"), "talker", None),
         ('rclcpp_components_register_node(a PLUGIN "b" EXECUTABLE c)\n', "c", None),
     ],
 )

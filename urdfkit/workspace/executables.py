@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import os
+import posixpath
 import re
 from collections.abc import Iterator
 
@@ -21,6 +22,7 @@ _UNCLEAR = re.compile(
 _EXECUTABLE = r"(?i)\badd_executable\s*\(\s*([\w.-]+)"
 _PROGRAM = r"(?i)\binstall\s*\(\s*PROGRAMS\b([^)]*?)\bDESTINATION\b"
 _TARGETS = r"(?i)\binstall\s*\(\s*TARGETS\b([^)]*)\)"
+_INSTALL = r"(?i)\binstall\s*\(\s*(?:PROGRAMS|TARGETS)\b([^)]*)\)"
 _COMPONENT = r"(?i)\bEXECUTABLE\s+\"?([\w.-]+)"
 
 
@@ -40,6 +42,7 @@ class Absence(Record):
 
     is_built: bool  # True if it is built all the same
     others: tuple[str, ...]  # the executables that it has
+    place: str = ""  # where it is installed instead of lib/PACKAGE; empty if nowhere
 
 
 def absence(directory: str, package: str, name: str) -> Absence | None:
@@ -58,6 +61,8 @@ def _of_cmake(text: str, package: str, name: str) -> Absence | None:
     built = re.findall(_EXECUTABLE, text)
     scripts = [path for group in re.findall(_PROGRAM, text) for path in group.split()]
     others = [*built, *map(os.path.basename, scripts), *re.findall(_COMPONENT, text)]
+    if place := _misplaced(text, package, name):
+        return Absence(True, tuple(others), place)
     if name in built and "ament_auto_package" not in text:
         installed = " ".join(re.findall(_TARGETS, text))
         is_installed = "${" in installed or name in re.split(r"[\s\"]+", installed)
@@ -65,6 +70,24 @@ def _of_cmake(text: str, package: str, name: str) -> Absence | None:
     stem = re.escape(name.removesuffix(".py"))
     is_named = re.search(rf"(?<![\w-]){stem}(?![\w-])", text.replace(package, " ", 1))
     return None if is_named or ("${" in text and not others) else Absence(False, tuple(others))
+
+
+def _misplaced(text: str, package: str, name: str) -> str:
+    """Where a build installs an executable that ROS looks for in ``lib/PACKAGE``; empty if unknown.
+
+    ``install`` has a destination for each kind of target; that of executables is RUNTIME.
+    """
+    places: set[str] = set()
+    for arguments in re.findall(_INSTALL, text):
+        words = [word.strip('"') for word in arguments.split()]
+        end = next((i for i, word in enumerate(words) if word.isupper()), len(words))
+        if name not in map(os.path.basename, words[:end]):
+            continue
+        kinds = [i for i in range(end, len(words) - 1) if words[i] == "DESTINATION"]
+        runtime = [i for i in kinds if words[i - 1] == "RUNTIME"] or kinds
+        places.update(posixpath.normpath(words[i + 1]) for i in runtime)
+    is_known = places and "$" not in "".join(places) and f"lib/{package}" not in places
+    return ", ".join(sorted(places)) if is_known else ""
 
 
 def _of_python(text: str, name: str) -> Absence | None:

@@ -55,6 +55,17 @@ def place_of(directory: str, package: str, relative: str) -> str:
     return wanted if wanted in places else "".join(places[:1])
 
 
+def globbed_files(tree: ast.Module) -> Iterator[tuple[str, ast.Constant]]:
+    """The patterns of the data files of a setup.py that are written there, with their targets."""
+    reader = _Constants(tree)
+    for target, files in reader.data_files():
+        is_glob = isinstance(files, ast.Call) and _called(files) == "glob" and files.args
+        pattern = files.args[0] if isinstance(files, ast.Call) and is_glob else None
+        place = reader.text(target)
+        if place and isinstance(pattern, ast.Constant) and isinstance(pattern.value, str):
+            yield place, pattern
+
+
 class _Constants:
     """Evaluates constant expressions of a module."""
 

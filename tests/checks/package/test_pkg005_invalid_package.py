@@ -315,10 +315,18 @@ def test_dependencies_that_ros_2_does_not_have(
         ("setup(", 'setup(packages=["arm"], ', ""),
         (
             "setup(",
-            "setup(packages=find_packages(), ",
+            "from setuptools import find_packages\nsetup(packages=find_packages(), ",
             "find_packages does not find 'arm'",
         ),
-        ("setup(", "setup(packages=find_namespace_packages(), ", ""),
+        (
+            "setup(",
+            "from setuptools import *\nsetup(packages=find_namespace_packages(), ",
+            "",
+        ),
+        ("setup(", "import glob\nsetup(x=glob('a'), ", "setup.py calls the module 'glob'"),
+        ("setup(", "import glob\nsetup(x=glob.glob('a'), ", ""),
+        ("setup(", "import glob\nfrom glob import glob\nsetup(x=glob('a'), ", ""),
+        ("setup(", "setup(x=os.path, ", "setup.py: name 'os' is not defined"),
     ],
 )
 def test_modules_that_are_not_built(tmp_path: Path, old: str, new: str, message: str) -> None:
@@ -326,3 +334,15 @@ def test_modules_that_are_not_built(tmp_path: Path, old: str, new: str, message:
     found = of_python(tmp_path, setup, CONFIG, "def main(): ...")
     assert len(found) == bool(message)
     assert all(one.message.startswith(message) for one in found)
+
+
+@pytest.mark.parametrize(
+    ("pattern", "count"), [("*.launch.py", 1), ("launch/*.launch.py", 0), ("*.md", 0)]
+)
+def test_a_pattern_without_its_directory(tmp_path: Path, pattern: str, count: int) -> None:
+    files = f"data_files=[('share/arm/launch', glob('{pattern}'))], "
+    setup = "from glob import glob\n" + RUNNING.replace("setup(", f"setup({files}")
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "launch" / "arm.launch.py").write_text("")
+    found = of_python(tmp_path, setup, CONFIG, "def main(): ...")
+    assert [one.span.text for one in found] == [f"'{pattern}'"] * count

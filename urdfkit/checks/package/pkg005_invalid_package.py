@@ -19,8 +19,9 @@ resolve.
 - The executables of a Python package of ROS 2 are installed where `ros2 run` does not find them:
   setup.cfg does not set `install_scripts` to `$base/lib/NAME`. Or their module or function does not
   exist (warning).
-- The setup.py of a Python package of ROS 2 is not a Python program, or names a directory of modules
-  that does not exist; or `find_packages()` misses a directory without `__init__.py` (warning).
+- The setup.py of a Python package of ROS 2 is not a Python program, or uses a name that it does not
+  import, such as `glob`. It names a directory of modules that does not exist; or `find_packages()`
+  misses a directory without `__init__.py`, or a pattern for installed files matches none (warning).
 - A Python package of ROS 2 is not registered. `ros2 launch`, `package://` and `$(find ...)` find it
   only if setup.py installs an existing file of its name into
   `share/ament_index/resource_index/packages`. If setup.py does not mention that directory, colcon

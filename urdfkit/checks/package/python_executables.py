@@ -4,6 +4,7 @@ import os
 import re
 
 from urdfkit.checks.package.build_files import package_file
+from urdfkit.checks.package.setup_programs import unmatched_patterns, wrong_names
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Severity
@@ -24,12 +25,14 @@ def not_runnable(name: str, directory: str) -> Findings:
         return
     text = setup.data.decode("utf-8", "replace")
     try:
-        parse(setup.data, setup.path)
+        tree = parse(setup.data, setup.path)
     except SyntaxError as error:
         start = setup.offset(error.lineno or 1, error.offset or 1)
         message = f"setup.py is not a Python program: {error.msg}"
         yield Finding(Span(setup, start, start), message, "fix it: colcon cannot build the package")
         return
+    yield from wrong_names(setup, tree)
+    yield from unmatched_patterns(setup, tree, directory)
     entries = entry_points(text) or []
     config = package_file(directory, "setup.cfg")
     written = config.data if config else b""

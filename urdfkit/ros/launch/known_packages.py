@@ -94,7 +94,10 @@ def _own_executable(program: StartedProgram, resolver: Resolver) -> Iterator[Pro
     if missing is None:
         return
     file = os.path.basename(build_file(directory))
-    if missing.is_built:
+    if missing.place:
+        message = f"{file} of '{program.package}' installs '{name}' to {missing.place}"
+        help = "write DESTINATION lib/${PROJECT_NAME}, where ros2 looks for executables"
+    elif missing.is_built:
         message = f"{file} of '{program.package}' builds '{name}', but does not install it"
         help = f"write install(TARGETS {name} DESTINATION lib/${{PROJECT_NAME}})"
     else:

@@ -26,7 +26,7 @@ def wrong_names(tree: ast.Module, values: Values) -> Iterator[Problem]:
     if any(isinstance(node, ast.Name) and node.id in _DYNAMIC for node in nodes(tree)):
         return
     yield from _wrong_imports(tree, values)
-    bound = set(_bound(tree))
+    bound = set(bound_names(tree))
     if "*" in bound or not _imports_launch(tree):
         return
     known = bound | _OF_MODULES | set(dir(builtins))
@@ -86,7 +86,7 @@ def _modules_of(name: str) -> list[str]:
     return [module for module, names in modules.items() if name in names.split()]
 
 
-def _bound(tree: ast.Module) -> Iterator[str]:
+def bound_names(tree: ast.Module) -> Iterator[str]:
     """All names that a file defines anywhere; ``*`` if it imports all names of a module."""
     for node in nodes(tree):
         if isinstance(node, (*_FUNCTIONS, ast.ClassDef)):
