@@ -1,4 +1,4 @@
-"""Costmaps that do not move with the robot, are smaller than it, or have the map in another frame.
+"""Costmaps that do not move, do not inflate, or have their map or topics elsewhere.
 
 Sources: ``costmap_2d_ros.cpp``, ``layered_costmap.cpp``, ``static_layer.cpp`` and
 ``obstacle_layer.cpp`` of nav2_costmap_2d, humble to rolling; ros-navigation/navigation2#1214.
@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.checks.bringup.costmap_parameters import COSTMAPS
+from urdfkit.checks.bringup.costmaps import COSTMAPS, class_of_active_layer, class_of_layer
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Node, Value, mapping, scalars
 from urdfkit.workspace.launch_files import launch_files
 
-_STATIC = "StaticLayer"
+_STATIC, _INFLATION = "StaticLayer", "InflationLayer"
+_OF_OBSTACLES = ("ObstacleLayer", _STATIC, "VoxelLayer")
 #: Layers that take the size of the costmap as it is.
 _SIZELESS = ("InflationLayer", "ObstacleLayer", "VoxelLayer", "SpatioTemporalVoxelLayer")
 #: The frame of the map in the parameters of the nodes that localize.
@@ -30,8 +31,7 @@ _NEW = re.compile(rb"\b(introspection_mode|bond_heartbeat_period|allow_parameter
 
 def unmoved(node: NodeParameters) -> Findings:
     """A costmap that stays where the robot started, without a map that gives it a size."""
-    layers = scalars(node.values.get("plugins")) if node.name in COSTMAPS else []
-    classes = [_class(node, layer) for layer in layers]
+    classes = _classes_of_layers(node)
     has_size = "width" in node.values and "height" in node.values
     if not classes or not set(classes) <= {*_SIZELESS} or _rolls(node) is not False:
         return
@@ -47,6 +47,24 @@ def unmoved(node: NodeParameters) -> Findings:
         )
 
 
+def not_inflated(node: NodeParameters) -> Findings:
+    """A layer of obstacles behind the inflation layer, which inflates those of earlier layers."""
+    layers = scalars(node.values.get("plugins")) if node.name in COSTMAPS else []
+    kinds = [class_of_active_layer(node.values.get(layer.text)) for layer in layers]
+    if _INFLATION not in kinds:
+        return
+    last = len(kinds) - 1 - kinds[::-1].index(_INFLATION)
+    for layer, kind in list(zip(layers, kinds, strict=True))[last + 1 :]:
+        if kind in _OF_OBSTACLES:
+            yield Finding(
+                layer.span,
+                f"'{node.name}': the obstacles of '{layer.text}' are not inflated: it stands "
+                f"behind '{layers[last].text}'",
+                f"write {layers[last].text} behind {layer.text}",
+                severity=Severity.WARNING,
+            )
+
+
 def untransformed_map(sections: list[NodeParameters]) -> Findings:
     """A costmap with the map in the frame of odometry: only a rolling one transforms the map."""
     frames = {
@@ -56,8 +74,7 @@ def untransformed_map(sections: list[NodeParameters]) -> Findings:
     }
     for node in sections if frames == {"map"} else ():
         frame = node.values.get("global_frame")
-        layers = scalars(node.values.get("plugins")) if node.name in COSTMAPS else []
-        has_map = _STATIC in [_class(node, layer) for layer in layers] and _rolls(node) is False
+        has_map = _STATIC in _classes_of_layers(node) and _rolls(node) is False
         if has_map and isinstance(frame, Value) and frame.text.strip("/") == "odom":
             yield Finding(
                 frame.span,
@@ -134,14 +151,14 @@ def _relative(node: NodeParameters) -> list[Value]:
     return found
 
 
+def _classes_of_layers(node: NodeParameters) -> list[str]:
+    """The classes of the layers of a costmap, in order; empty for other nodes."""
+    layers = scalars(node.values.get("plugins")) if node.name in COSTMAPS else []
+    return [class_of_layer(node.values.get(layer.text)) for layer in layers]
+
+
 def _rolls(node: NodeParameters) -> bool | None:
     """None if it is not known."""
     value = node.values.get("rolling_window")
     text = value.text.lower() if isinstance(value, Value) else "false" if value is None else ""
     return {"true": True, "false": False}.get(text)
-
-
-def _class(node: NodeParameters, layer: Value) -> str:
-    """The class of a layer without its package; empty if unknown."""
-    plugin = mapping(node.values.get(layer.text)).get("plugin")
-    return re.split("::|/", plugin.text)[-1] if isinstance(plugin, Value) else ""

@@ -5,22 +5,19 @@ Sources: ``costmap_plugins.xml`` and ``obstacle_layer.cpp`` of nav2_costmap_2d (
 
 import re
 
+from urdfkit.checks.bringup.costmaps import COSTMAPS, has_default_plugins
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.known_parameters import has_parameter
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
+from urdfkit.text.located_yaml import Node, Value, mapping, scalars
 
-COSTMAPS = ("local_costmap", "global_costmap")
 _PACKAGE = "nav2_costmap_2d"
 _KIND = r"(Layer|Filter)s?$"
 #: Least similarity of a misspelt layer: inflate is inflation, but semantic is not static.
 _MIN_SIMILARITY = 0.75
 #: The classes with a slash up to Iron, and colons from Jazzy on.
 _RENAMED = re.compile(r"nav2_(?:behaviors|navfn_planner|smac_planner|theta_star_planner)(/|::)")
-_INFLATION = "InflationLayer"
-_OF_OBSTACLES = ("ObstacleLayer", "StaticLayer", "VoxelLayer")
 _DATA = ("LaserScan", "PointCloud2")
 
 
@@ -30,12 +27,9 @@ def plugins(node: NodeParameters) -> Findings:
     for key, defaults in data("nodes")["lists"].items():
         if key in ("plugins", "filters") and node.name not in COSTMAPS:
             continue
-        plugin_names = scalars(node.values.get(key))
-        is_default = key not in node.values and has_parameter(node, key)
-        if is_default or [plugin.text for plugin in plugin_names] == defaults:
-            yield from _unread_plugin(node, key, defaults)
+        if has_default_plugins(node, key, defaults):
             continue
-        for plugin in plugin_names:
+        for plugin in scalars(node.values.get(key)):
             if plugin.text not in sections and f"{plugin.text}.plugin" not in node.values:
                 yield Finding(
                     plugin.span,
@@ -48,29 +42,6 @@ def plugins(node: NodeParameters) -> Findings:
             yield from _sources(layer)
             if node.name in COSTMAPS:
                 yield from _layer(layer)
-
-
-def _unread_plugin(node: NodeParameters, key: str, defaults: list[str]) -> Findings:
-    """The parameters of a default plugin below another name: the node runs with its defaults."""
-    listed = {item.text for value in node.values.values() for item in scalars(value)}
-    listed.update(value.text for value in node.values.values() if isinstance(value, Value))
-    missing = [
-        name for name in defaults if not any(_belongs_to(given, name) for given in node.values)
-    ]
-    for name, value in node.values.items() if len(missing) == len(defaults) == 1 else ():
-        is_unread = name not in listed and isinstance(name, Key) and "plugin" in mapping(value)
-        if is_unread and isinstance(name, Key) and nearest(name, missing):
-            yield Finding(
-                name.span,
-                f"'{node.name}': the parameters of '{name}' are not read: {key} has '{missing[0]}'",
-                f"write {missing[0]}, or write {name} in {key}",
-                severity=Severity.WARNING,
-            )
-
-
-def _belongs_to(given: str, name: str) -> bool:
-    """True for the section of a plugin, and for a parameter of it with dots."""
-    return given == name or given.startswith(f"{name}.")
 
 
 def misspelt_servers(node: NodeParameters) -> Findings:
@@ -106,58 +77,6 @@ def mixed_names(sections: list[NodeParameters]) -> Findings:
             f"write {re.sub('/|::', sign, fewer[0].text)}",
             severity=Severity.WARNING,
         )
-
-
-def misplaced(node: NodeParameters) -> Findings:
-    """Costmap parameters that are not below the costmap's name twice, its namespace and node."""
-    is_nested = node.name in node.namespace.split("/") or "*" in node.namespace
-    if node.name in COSTMAPS and not is_nested and "robot_base_frame" in node.values:
-        yield Finding(
-            node.at,
-            f"the parameters of '{node.name}' are not read: the node is '{node.name}/{node.name}'",
-            f"write {node.name} twice, the second below the first",
-        )
-
-
-def not_inflated(node: NodeParameters) -> Findings:
-    """A layer of obstacles behind the inflation layer, which inflates those of earlier layers."""
-    layers = scalars(node.values.get("plugins")) if node.name in COSTMAPS else []
-    kinds = [_active_class(mapping(node.values.get(layer.text))) for layer in layers]
-    if _INFLATION not in kinds:
-        return
-    last = len(kinds) - 1 - kinds[::-1].index(_INFLATION)
-    for layer, kind in list(zip(layers, kinds, strict=True))[last + 1 :]:
-        if kind in _OF_OBSTACLES:
-            yield Finding(
-                layer.span,
-                f"'{node.name}': the obstacles of '{layer.text}' are not inflated: it stands "
-                f"behind '{layers[last].text}'",
-                f"write {layers[last].text} behind {layer.text}",
-                severity=Severity.WARNING,
-            )
-
-
-def unlisted_filters(node: NodeParameters) -> Findings:
-    """A filter that a costmap does not load; an info, as it may be left for later use."""
-    listed = {name.text for key in ("plugins", "filters") for name in scalars(node.values.get(key))}
-    for name, section in node.values.items() if node.name in COSTMAPS else ():
-        kind = _active_class(mapping(section))
-        if kind.endswith("Filter") and isinstance(name, Key) and name not in listed:
-            yield Finding(
-                name.span,
-                f"'{node.name}' does not load '{name}', which filters does not have",
-                f'write filters: ["{name}"]',
-                severity=Severity.INFO,
-            )
-
-
-def _active_class(layer: dict[str, Node]) -> str:
-    """The class of a layer without its package; empty if unknown, or if it is disabled."""
-    plugin, enabled = layer.get("plugin"), layer.get("enabled")
-    is_disabled = isinstance(enabled, Value) and enabled.text.lower() == "false"
-    if is_disabled or not isinstance(plugin, Value):
-        return ""
-    return re.split("::|/", plugin.text)[-1]
 
 
 def _sources(layer: dict[str, Node]) -> Findings:

@@ -31,6 +31,9 @@
   reads them on another topic. Reported only if all programs of the workspace are known.
 - A teleoperation node, or Nav2, publishes `Twist` on the topic of a drive that reads
   `TwistStamped`, as those of ros2_control do: no message arrives, without an error.
+- A lifecycle manager of Nav2 waits for a node that nothing starts, or `autostart` of the manager is
+  false, as it is by default. Or no manager activates a node of Nav2, or of slam_toolbox since
+  Jazzy, which stays unconfigured.
 - The collision monitor of Nav2 reads commands on another topic than that of the velocity smoother.
 
 A launch file is not checked if it includes unavailable files that are not part of ROS.
@@ -43,10 +46,11 @@ Sources:
     ros-controls/gz_ros2_control#720: https://github.com/ros-controls/gz_ros2_control/issues/720
     Ekumen-OS/andino_gz#39: https://github.com/Ekumen-OS/andino_gz/issues/39
     turtlebot/turtlebot4#571: https://github.com/turtlebot/turtlebot4/issues/571
+    Nav2, lifecycle manager: https://docs.nav2.org/configuration/packages/configuring-lifecycle.html
     ROS 2, clock and time: https://design.ros2.org/articles/clock_and_time.html
 """
 
-from urdfkit.checks.bringup import mismatched_names, simulation
+from urdfkit.checks.bringup import lifecycle, mismatched_names, simulation
 from urdfkit.checks.bringup.defined_controllers import defined_controllers
 from urdfkit.checks.bringup.navigation_commands import mistyped_navigation, unpublished_commands
 from urdfkit.checks.bringup.unpublished_odometry import unpublished_odometry
@@ -93,6 +97,9 @@ _JOINT_STATES = ("joint_state_publisher", "joint_state_publisher_gui")
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
+    yield from lifecycle.not_activated(context)
+    yield from lifecycle.not_started(context)
+    yield from lifecycle.inactive_mapping(context)
     launch = context.launch
     programs = launch.programs
     if not _is_whole(launch) or not all(node.is_sure for node in programs):

@@ -92,6 +92,7 @@ def _long_period(node: NodeParameters) -> Findings:
                 f"{1 / frequency:.4g} s of controller_frequency {frequency:g}",
                 f"write model_dt: {_rounded_up(1 / frequency)}, or a controller_frequency of "
                 f"{1 / seconds:g} or more",
+                severity=Severity.ERROR,
             )
 
 
@@ -169,6 +170,7 @@ def without_footprint(sections: list[NodeParameters]) -> Findings:
                         f"'{node.name}' stops: {name} has {_CONSIDERED}, but local_costmap has "
                         "robot_radius and no footprint",
                         f"write {_CONSIDERED}: false, or give local_costmap a footprint",
+                        severity=Severity.ERROR,
                     )
 
 

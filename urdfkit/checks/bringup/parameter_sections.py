@@ -1,14 +1,15 @@
-"""Sections of parameter files that have another name or namespace than the node that loads them."""
+"""Sections of parameter files that no node and no plugin reads: they are below another name."""
 
 from itertools import chain
 
-from urdfkit.checks.bringup.costmap_parameters import COSTMAPS
+from urdfkit.checks.bringup.costmaps import COSTMAPS, class_of_active_layer, has_default_plugins
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.node_parameters import NodeParameters
+from urdfkit.text.located_yaml import Key, Value, mapping, scalars
 
 #: Programs that start several nodes, or nodes of other names.
 _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node", "move_group")
@@ -122,3 +123,56 @@ def _has_known_name(program: StartedProgram) -> bool:
         and program.namespace == ""
         and not any(program.executable.startswith(name) for name in _CONTAINERS)
     )
+
+
+def unread_plugins(node: NodeParameters) -> Findings:
+    """The parameters of a default plugin below another name: the node runs with its defaults."""
+    listed = {item.text for value in node.values.values() for item in scalars(value)}
+    listed.update(value.text for value in node.values.values() if isinstance(value, Value))
+    for key, defaults in data("nodes")["lists"].items():
+        is_given = any(_belongs_to(given, name) for given in node.values for name in defaults)
+        is_of_costmap = key in ("plugins", "filters")
+        if len(defaults) != 1 or is_given or (is_of_costmap and node.name not in COSTMAPS):
+            continue
+        default = defaults[0]
+        for name, value in node.values.items() if has_default_plugins(node, key, defaults) else ():
+            is_unread = name not in listed and "plugin" in mapping(value)
+            if is_unread and isinstance(name, Key) and nearest(name, [default]):
+                yield Finding(
+                    name.span,
+                    f"'{node.name}': the parameters of '{name}' are not read: {key} has "
+                    f"'{default}'",
+                    f"write {default}, or write {name} in {key}",
+                    severity=Severity.WARNING,
+                )
+
+
+def _belongs_to(given: str, name: str) -> bool:
+    """True for the section of a plugin, and for a parameter of it with dots."""
+    return given == name or given.startswith(f"{name}.")
+
+
+def misplaced(node: NodeParameters) -> Findings:
+    """Costmap parameters that are not below the costmap's name twice, its namespace and node."""
+    is_nested = node.name in node.namespace.split("/") or "*" in node.namespace
+    if node.name in COSTMAPS and not is_nested and "robot_base_frame" in node.values:
+        yield Finding(
+            node.at,
+            f"the parameters of '{node.name}' are not read: the node is '{node.name}/{node.name}'",
+            f"write {node.name} twice, the second below the first",
+            severity=Severity.ERROR,
+        )
+
+
+def unlisted_filters(node: NodeParameters) -> Findings:
+    """A filter that a costmap does not load; an info, as it may be left for later use."""
+    listed = {name.text for key in ("plugins", "filters") for name in scalars(node.values.get(key))}
+    for name, section in node.values.items() if node.name in COSTMAPS else ():
+        kind = class_of_active_layer(section)
+        if kind.endswith("Filter") and isinstance(name, Key) and name not in listed:
+            yield Finding(
+                name.span,
+                f"'{node.name}' does not load '{name}', which filters does not have",
+                f'write filters: ["{name}"]',
+                severity=Severity.INFO,
+            )

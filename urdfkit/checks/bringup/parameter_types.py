@@ -12,13 +12,15 @@ from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.known_parameters import CONFIGURATION, given_values
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
-from urdfkit.text.located_yaml import Key, Node, Value, entries, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, entries, mapping, scalars
 
 _SIZES = ("width", "height")
 PUBLISHER, FREQUENCY = "robot_state_publisher", "publish_frequency"
 #: Values of a configuration of robot_localization: position, angles, velocities, rates,
 #: accelerations.
 _STATES = 15
+#: Of each input and each lock of twist_mux its parameters, all of them required.
+_OF_INPUT = {"topic": "string", "timeout": "double", "priority": "int"}
 
 
 def wrong_types(node: NodeParameters) -> Findings:
@@ -89,3 +91,19 @@ def outdated_motion_model(node: NodeParameters) -> Findings:
             f"write {name}",
             severity=Severity.WARNING,
         )
+
+
+def inputs_of_twist_mux(node: NodeParameters) -> Findings:
+    """Inputs of twist_mux without a parameter, or with one of another type, at which it stops."""
+    for group in ("topics", "locks") if node.name == "twist_mux" else ():
+        for name, entry in mapping(node.values.get(group)).items():
+            values = mapping(entry)
+            for key, kind in _OF_INPUT.items():
+                value = values.get(key)
+                actual = type_of(value) if isinstance(value, Value) else None
+                who = f"'{node.name}' stops: {key} of '{name}' is"
+                if values and key not in values and isinstance(name, Key):
+                    yield Finding(name.span, f"{who} not given", f"add {key}")
+                elif actual and actual != kind and isinstance(value, Value):
+                    message = f"{who} {TYPES[actual]}, must be {TYPES[kind]}"
+                    yield Finding(value.span, message, correction(value, kind))

@@ -13,7 +13,6 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import given_values, kind_of
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.ros.parameter_types import TYPES, correction, type_of
 from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
 
 _LIBRARIES = "plugin_lib_names"
@@ -22,8 +21,6 @@ _LIBRARY = re.compile(r"nav2_\w+_bt_node")
 _OLDER = re.compile(r"humble|iron|galactic|foxy")
 _MONITOR = "collision_monitor"
 _MUX, _STAMPED = "twist_mux", "use_stamped"
-#: Of each input and each lock of twist_mux its parameters, all of them required.
-_OF_INPUT = {"topic": "string", "timeout": "double", "priority": "int"}
 
 
 def outdated(context: Context, sections: list[NodeParameters]) -> Findings:
@@ -32,8 +29,6 @@ def outdated(context: Context, sections: list[NodeParameters]) -> Findings:
     of_older: list[Finding] = []
     for node in sections:
         yield from _unread_sections(node)
-        if node.name == _MUX:
-            yield from _inputs(node)
         if not _OLDER.search(node.at.source.path):
             of_older += _renamed(node)
             of_older += _renamed_node(node, names)
@@ -122,22 +117,6 @@ def _listed_points(node: NodeParameters) -> Findings:
                 f"'{node.name}' of Iron and later stops: points is a list, must be a string",
                 f'write "[{pairs}]"',
             )
-
-
-def _inputs(node: NodeParameters) -> Findings:
-    """Inputs of twist_mux without a parameter, or with one of another type, at which it stops."""
-    for group in ("topics", "locks"):
-        for name, entry in mapping(node.values.get(group)).items():
-            values = mapping(entry)
-            for key, kind in _OF_INPUT.items():
-                value = values.get(key)
-                actual = type_of(value) if isinstance(value, Value) else None
-                who = f"'{_MUX}' stops: {key} of '{name}' is"
-                if values and key not in values and isinstance(name, Key):
-                    yield Finding(name.span, f"{who} not given", f"add {key}")
-                elif actual and actual != kind and isinstance(value, Value):
-                    message = f"{who} {TYPES[actual]}, must be {TYPES[kind]}"
-                    yield Finding(value.span, message, correction(value, kind))
 
 
 def _finding(at: Key | Value, message: str, help: str) -> Finding:

@@ -30,8 +30,10 @@
   applies to the actions after it. A condition of Python tests or compares a `LaunchConfiguration`
   (warning), which has no value when Python runs.
 - A path is in place of the name of a package (error): `$(find-pkg-share arm/config)`.
-- ROS arguments are not as rcl reads them (error): `-p name=value`. An option of the spawner, or a
-  verb or state of `ros2 control`, does not exist, or no longer.
+- ROS arguments are not as rcl reads them (error): `-p name=value`. An option of the spawner or of
+  static_transform_publisher, or a verb or state of `ros2 control`, does not exist, or no longer. Or
+  static_transform_publisher has a wrong number of arguments (error): a period after the frames
+  belongs to ROS 1.
 - The command line of `ExecuteProcess` is one string (error): launch looks for a program that is
   called `ros2 topic list`.
 - A string and a substitution are joined by a plus (error): "can only concatenate str (not
@@ -75,6 +77,7 @@ from urdfkit.lint.rules import (
     rule,
 )
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.transforms import mistakes
 
 NAME = "robot.launch"
 BAD = '<launch><node name="rviz" pkg="rviz" type="rviz" respwan="true"/></launch>'
@@ -86,6 +89,10 @@ def check(context: Context) -> Findings:
     for finding in reported(context, "LAU010"):
         yield finding._replace(group_key=finding.message)  # a file of the other ROS has many
     yield from _without_terminal(context)
+    for program in context.launch.started:
+        for word, message, help in mistakes(program):
+            at = Location(word.span, program.frame)
+            yield Finding(at, message, help, severity=Severity.ERROR)
 
 
 def _without_terminal(context: Context) -> Findings:

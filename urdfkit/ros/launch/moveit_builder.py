@@ -138,7 +138,7 @@ def _several_controllers(robot: str | None, directory: str, at: Span) -> Iterato
     if robot and len(found) > 1 and preferred.isdisjoint(found):
         message = "the builder cannot choose between " + ", ".join(found)
         help = 'write .trajectory_execution(file_path="config/...")'
-        yield Problem("LAU024", at, message, help)
+        yield Problem("LAU029", at, message, help)
 
 
 def _named_pipelines(call: ast.Call, directory: str, values: Values, collector: Collector) -> None:
@@ -162,7 +162,7 @@ def _default(call: ast.Call, values: Values, collector: Collector) -> None:
     if node is not None and default and known and default not in names and None not in names:
         message = f"default_planning_pipeline '{default}' is not in pipelines: {', '.join(known)}"
         help = f"add '{default}' to pipelines"
-        collector.problems.append(Problem("LAU024", values.span(node), message, help))
+        collector.problems.append(Problem("LAU029", values.span(node), message, help))
 
 
 def _without_plugin(directory: str, collector: Collector) -> None:
@@ -182,7 +182,7 @@ def _without_plugin(directory: str, collector: Collector) -> None:
                 message += f": its settings are below '{name}'"
                 help = f"remove '{name}:', and the indentation below it"
             first = next(key for key in root if isinstance(key, Key))
-            problem = Problem("LAU024", first.span, message, help, severity=Severity.WARNING)
+            problem = Problem("LAU029", first.span, message, help, severity=Severity.WARNING)
             collector.problems.append(problem)
 
 
@@ -204,7 +204,7 @@ def _wrapped(method: str, path: str, collector: Collector) -> None:
             continue
         names = ", ".join(f"'{name}:'" for name in extra)
         help = f"remove {names}, and the indentation of what is below"
-        problem = Problem("LAU024", key.span, message, help, severity=Severity.WARNING)
+        problem = Problem("LAU029", key.span, message, help, severity=Severity.WARNING)
         if problem not in collector.problems:
             collector.problems.append(problem)
 

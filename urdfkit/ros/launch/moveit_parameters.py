@@ -42,7 +42,7 @@ def missing_of_move_group(file: PythonLaunchFile, node: ast.Call) -> Iterator[Pr
     if _DESCRIPTION in keys and _SEMANTIC not in keys:
         message = f"move_group gets no {_SEMANTIC}, and so no planning groups"
         help = f'add {{"{_SEMANTIC}": ...}} with the text of the SRDF'
-        yield Problem("LAU024", values.span(node), message, help, severity=Severity.WARNING)
+        yield Problem("LAU029", values.span(node), message, help, severity=Severity.WARNING)
     for item in items:
         for name, place in reader.pipelines(item):
             plugins = (_OPEN, "planning_plugin", "planning_plugins")
@@ -50,7 +50,7 @@ def missing_of_move_group(file: PythonLaunchFile, node: ast.Call) -> Iterator[Pr
                 continue
             message = f"planning pipeline '{name}' has no planning plugin"
             help = f'add "{name}" with planning_plugins, as in {name}_planning.yaml'
-            yield Problem("LAU024", values.span(place), message, help, severity=Severity.WARNING)
+            yield Problem("LAU029", values.span(place), message, help, severity=Severity.WARNING)
     if any(key.endswith(_SOLVER) and key.count(".") == 1 for key in keys):
         message = (
             f"the kinematics solvers are not in {_KINEMATICS}: from ROS 2 Iron on, no planning "
@@ -58,7 +58,7 @@ def missing_of_move_group(file: PythonLaunchFile, node: ast.Call) -> Iterator[Pr
         )
         help = f'write {{"{_KINEMATICS}": ...}} around them'
         # MoveIt of Humble, for which a launch file may be, reads them there as well.
-        yield Problem("LAU024", values.span(node), message, help, severity=Severity.INFO)
+        yield Problem("LAU029", values.span(node), message, help, severity=Severity.INFO)
 
 
 def missing_of_rviz(file: PythonLaunchFile, node: ast.Call) -> Iterator[Problem]:
@@ -79,7 +79,7 @@ def missing_of_rviz(file: PythonLaunchFile, node: ast.Call) -> Iterator[Problem]
     if _OPEN not in names and _SEMANTIC in names and _KINEMATICS not in names:
         message = f"RViz has {_SEMANTIC}, but not {_KINEMATICS}: its MotionPlanning has no markers"
         help = f"add {_KINEMATICS} to its parameters"
-        yield Problem("LAU024", values.span(node), message, help, severity=Severity.WARNING)
+        yield Problem("LAU029", values.span(node), message, help, severity=Severity.WARNING)
 
 
 class _Reader:

@@ -1,0 +1,59 @@
+"""LAU022: see the rule; planted defects are in tests/bringup/planted.txt."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.bringup.nav2 import CONTROLLER, JAZZY, PARAMETERS, messages
+from tests.launched import reported
+
+
+@pytest.mark.parametrize(
+    ("names", "message"),
+    [
+        ('"controller_server"', ""),
+        ('"controller_server", "planner_server"', "waits for planner_server"),
+        ('"planner_server"', ""),  # whose nodes another file starts
+        ("", ""),
+    ],
+)
+def test_lifecycle_managers(tmp_path: Path, names: str, message: str) -> None:
+    found = messages("LAU022", tmp_path, PARAMETERS.format("controller_server"), CONTROLLER, names)
+    assert [message in one for one in found] == [True] * bool(message)
+
+
+MANAGER = (
+    "from launch_ros.actions import Node\n\nnodes = [Node(package='nav2_lifecycle_manager', "
+    "executable='lifecycle_manager', name='m', parameters=[{{'node_names': ['a']{}}}])]\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("more", "count"),
+    [("", 1), (", 'autostart': True", 0), (", 'autostart': False", 1), (", 'autostart': x()", 0)],
+)
+def test_autostart(tmp_path: Path, more: str, count: int) -> None:
+    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", MANAGER.format(more))
+    assert ["stay unconfigured" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("yaml", "more", "count"),
+    [
+        (JAZZY, "", 1),
+        ("", "", 0),
+        (JAZZY, MANAGER.format(", 'autostart': True").replace("'a'", "'slam_toolbox'"), 0),
+        (JAZZY, "\nChangeState\n", 0),
+    ],
+)
+def test_slam_is_activated(tmp_path: Path, yaml: str, more: str, count: int) -> None:
+    text = (
+        "from launch_ros.actions import Node\n\n"
+        "slam = Node(package='slam_toolbox', executable='async_slam_toolbox_node', "
+        "name='slam_toolbox')\n"
+        "other = Node(package='nav2_behaviors', executable='behavior_server', "
+        "parameters=['../a.yaml'])\n"
+    )
+    files = {"a.yaml": yaml or "a: 1\n"}
+    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text + more, files)
+    assert sum("which nothing activates" in one.message for one in found) == count

@@ -1,0 +1,83 @@
+"""A node stops at its parameters: a value or a type is invalid, or a parameter is missing.
+
+- A value has another type than the declared one, such as an integer for a double: "expected
+  [double] got [integer]". A list contains lists.
+- `odom0_config` or a similar parameter does not have 15 values, five rows of three, as
+  robot_localization requires.
+- A mode or a footprint is invalid, a list has the wrong length, or a limit the wrong sign. A
+  required parameter is missing (warning): "parameter 'polygons' is not initialized".
+- A plugin in `plugins` or `filters` of a costmap has no parameters: "Can not get 'plugin' param
+  value for voxel_layer". The same holds for `controller_plugins` and the other lists of Nav2, and
+  for polygons, sources and docks. A source in `observation_sources` has no parameters (warning):
+  the layer subscribes to a topic of that name.
+- A planner or controller of Nav2 is misspelt (warning), lacks its critics or its primary
+  controller, or has an unknown critic. The classes of plugins have names of different versions of
+  Nav2 (warning).
+- A costmap layer has an unknown class or an unsupported `data_type`.
+- A behaviour tree has no full path (warning). The frames of the map and of odometry are swapped
+  (warning).
+- `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
+- A map lacks a value or has an invalid one, at which map_server stops. Or it gets no map (warning).
+  For `localization` slam_toolbox needs a `map_file_name` (info).
+
+Sources:
+    robot_localization, state estimation: https://docs.ros.org/en/noetic/api/robot_localization/html/state_estimation_nodes.html
+    Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
+    Nav2, map server: https://docs.nav2.org/configuration/packages/configuring-map-server.html
+    rst-tu-dortmund/teb_local_planner#202: https://github.com/rst-tu-dortmund/teb_local_planner/issues/202
+"""
+
+from urdfkit.checks.bringup import costmap_parameters, parameter_types, parameter_values
+from urdfkit.checks.bringup.invalid_maps import invalid_maps, missing_graphs, missing_maps
+from urdfkit.checks.bringup.plugin_parameters import unloadable_plugins
+from urdfkit.checks.bringup.read_parameters import parameter_files, whole_sections
+from urdfkit.lint.rules import Context, Findings, Need, Severity, rule
+
+NAME = "launch/filter.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+
+nodes = [
+    Node(
+        package="robot_localization",
+        executable="ekf_node",
+        name="ekf_filter_node",
+        parameters=["../ekf.yaml"],
+    ),
+]
+"""
+GOOD = BAD.replace("ekf.yaml", "sound.yaml")
+_EKF = b"ekf_filter_node:\n  ros__parameters:\n    odom0: odom\n    odom0_config: [%s]\n"
+_XY_AND_YAW = (b"true, true, false", b"false, false, true")
+_REST = b"false, false, false"
+FILES = {
+    "ekf.yaml": _EKF % b", ".join((*_XY_AND_YAW, _REST)),
+    "sound.yaml": _EKF % b", ".join((*_XY_AND_YAW, _REST, _REST, _REST)),
+    "package.xml": b"<package><name>arm</name></package>",
+}
+
+
+@rule(Severity.ERROR, needs=(Need.LAUNCH,))
+def check(context: Context) -> Findings:
+    files = parameter_files(context)
+    sections = [section for own in files.values() for section in own]
+    for section in sections:
+        yield from parameter_types.wrong_configurations(section)
+        yield from parameter_types.wrong_types(section)
+        yield from parameter_types.inputs_of_twist_mux(section)
+        yield from parameter_types.outdated_motion_model(section)
+        yield from parameter_types.wrong_sizes(section)
+        yield from parameter_values.invalid_values(section)
+        yield from parameter_values.wrong_signs(section)
+        yield from costmap_parameters.misspelt_servers(section)
+    for section in whole_sections(sections):
+        yield from costmap_parameters.plugins(section)
+        yield from unloadable_plugins(section)
+        yield from parameter_values.missing(section)
+    for own in files.values():
+        yield from costmap_parameters.mixed_names(own)
+    for program in context.launch.started:
+        yield from parameter_types.integer_frequency(program)
+    yield from invalid_maps(context)
+    yield from missing_maps(context)
+    yield from missing_graphs(context, sections)

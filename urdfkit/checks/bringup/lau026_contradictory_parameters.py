@@ -1,0 +1,64 @@
+"""Parameters contradict one another, those of another node, or the robot.
+
+Each value is valid, but what it is meant for does not happen.
+
+- The step of MPPI is below the period of the controller, which stops it, or a critic of MPPI
+  considers the footprint of a robot that has only a radius (errors).
+- An inflation radius is within the robot, rays that clear obstacles are shorter than the range of
+  obstacles, or no source clears them. A minimum is above its maximum. The heights of obstacles
+  exclude all lidars of the robot.
+- An initial pose is given without `set_initial_pose`, or `allow_reversing` of the regulated pure
+  pursuit with `use_rotate_to_heading`.
+- A row of `imu0_config` is of values that an IMU does not have. A filter reads the acceleration of
+  an IMU with that of gravity (info). With a `transform_publish_period` of 0 slam_toolbox publishes
+  no transform (info).
+- An obstacle layer stands behind the last inflation layer, which does not inflate its obstacles.
+- A costmap without a map does not move with the robot (`rolling_window`), is smaller than its
+  footprint, or has the map in the frame of odometry.
+- A server of Nav2 reads the footprint or the costs from a topic that a costmap does not publish. A
+  layer reads a relative topic, which up to Jazzy is in the namespace of the costmap (an info for
+  Jazzy).
+- Nodes of Nav2 differ in `enable_stamped_cmd_vel`.
+
+Sources:
+    Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
+    Nav2, MPPI: https://docs.nav2.org/configuration/packages/configuring-mppic.html
+    robot_localization, preparing data: https://docs.ros.org/en/noetic/api/robot_localization/html/preparing_sensor_data.html
+"""
+
+from urdfkit.checks.bringup import costmap_geometry
+from urdfkit.checks.bringup.navigation_commands import mixed_stamps
+from urdfkit.checks.bringup.obstacle_heights import discarded_scans
+from urdfkit.checks.bringup.parameter_relations import contradictions, without_footprint
+from urdfkit.checks.bringup.read_parameters import parameter_sections, whole_sections
+from urdfkit.lint.rules import Context, Findings, Need, Severity, rule
+
+NAME = "launch/localization.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+
+nodes = [Node(package="nav2_amcl", executable="amcl", parameters=["../amcl.yaml"])]
+"""
+GOOD = BAD.replace("amcl.yaml", "sound.yaml")
+_AMCL = b"amcl:\n  ros__parameters: {min_particles: %d, max_particles: 2000}\n"
+FILES = {
+    "amcl.yaml": _AMCL % 5000,
+    "sound.yaml": _AMCL % 500,
+    "package.xml": b"<package><name>arm</name></package>",
+}
+
+
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(context: Context) -> Findings:
+    sections = parameter_sections(context)
+    for section in sections:
+        yield from contradictions(section)
+        yield from costmap_geometry.misread_costmaps(section)
+    for section in whole_sections(sections):
+        yield from costmap_geometry.not_inflated(section)
+        yield from costmap_geometry.unmoved(section)
+    yield from costmap_geometry.untransformed_map(sections)
+    yield from costmap_geometry.relative_topics(context, sections)
+    yield from without_footprint(sections)
+    yield from mixed_stamps(sections)
+    yield from discarded_scans(context, sections)

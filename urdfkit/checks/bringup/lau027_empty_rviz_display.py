@@ -1,0 +1,43 @@
+"""RViz shows nothing of what its configuration names.
+
+- A display has a class that RViz 2 does not have, such as `rviz/LaserScan` of ROS 1.
+- The robot's meshes have paths, such as `$(find PACKAGE)/mesh.stl`, or Gazebo's `model://`: "Could
+  not load resource".
+- The display of the map is volatile, and misses what map_server published before.
+- The tool for goals or for the initial pose has the topic of ROS 1 or a misspelt one, which Nav2
+  does not read.
+
+Sources:
+    RViz 2, display types: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/plugins_description.xml
+    resource_retriever: https://github.com/ros/resource_retriever/blob/rolling/resource_retriever/src/retriever.cpp
+"""
+
+from urdfkit.checks.bringup.rviz_displays import (
+    meshes_without_uri,
+    unknown_classes,
+    unread_goals,
+    volatile_maps,
+)
+from urdfkit.lint.rules import Context, Findings, Need, Severity, rule
+
+NAME = "launch/view.launch.xml"
+BAD = """\
+<launch>
+  <node pkg="rviz2" exec="rviz2" args="-d $(dirname)/../view.rviz"/>
+</launch>
+"""
+GOOD = BAD.replace("view.rviz", "sound.rviz")
+_DISPLAYS = b"Visualization Manager:\n  Displays:\n    - Class: %s/LaserScan\n"
+FILES = {
+    "view.rviz": _DISPLAYS % b"rviz",
+    "sound.rviz": _DISPLAYS % b"rviz_default_plugins",
+    "package.xml": b"<package><name>arm</name></package>",
+}
+
+
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(context: Context) -> Findings:
+    yield from unknown_classes(context)
+    yield from meshes_without_uri(context)
+    yield from volatile_maps(context)
+    yield from unread_goals(context)

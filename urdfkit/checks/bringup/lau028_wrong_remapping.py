@@ -1,0 +1,43 @@
+"""A remapping has no effect, or makes a node read its own output.
+
+- A spawner or robot_state_publisher remaps the topics of a controller, whose node is the controller
+  manager. Pass `--controller-ros-args` to the spawner, or remap in ros2_control_node.
+- A remapping is the wrong way round: from another name to that of the node.
+- `cmd_vel_unstamped` of a drive is remapped, which it has only with `use_stamped_vel: false`.
+- `odometry/filtered` of robot_localization is remapped to its own input.
+
+Sources:
+    ros2_controllers, topics of controllers: https://github.com/ros-controls/ros2_controllers/issues/262
+    ros2_control_demos, remapping of a diff drive: https://github.com/ros-controls/ros2_control_demos/issues/185
+"""
+
+from urdfkit.checks.bringup.unread_remappings import (
+    read_own_output,
+    reversed_remappings,
+    unread_remappings,
+    unstamped_commands,
+)
+from urdfkit.lint.rules import Context, Findings, Need, Severity, rule
+
+NAME = "launch/drive.launch.xml"
+BAD = """\
+<launch>
+  <node pkg="controller_manager" exec="spawner" args="drive">
+    <remap from="/drive/cmd_vel" to="/cmd_vel"/>
+  </node>
+</launch>
+"""
+GOOD = """\
+<launch>
+  <node pkg="controller_manager" exec="spawner"
+        args="drive --controller-ros-args '-r /drive/cmd_vel:=/cmd_vel'"/>
+</launch>
+"""
+
+
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(context: Context) -> Findings:
+    yield from unread_remappings(context)
+    yield from reversed_remappings(context)
+    yield from read_own_output(context)
+    yield from unstamped_commands(context)

@@ -1,0 +1,58 @@
+"""MoveIt does not get parameters that it needs, or reads them in another place.
+
+- A planning pipeline has no plugin (warning), neither in the file of MoveItConfigsBuilder nor in
+  the dictionaries that the launch file passes to move_group ("Planning plugin name is empty or not
+  defined in namespace 'ompl'").
+- `default_planning_pipeline` is not in `planning_pipelines` (warning; the builder stops).
+- The solvers are not below `robot_description_kinematics` (info: in Humble they may also be at the
+  top level). RViz does not get them (warning): "No active joints or end effectors found", and no
+  interactive markers.
+- A file of MoveItConfigsBuilder has `ros__parameters`, or the name that the builder puts around it
+  (warning). Or the builder cannot choose among several files of controllers.
+- move_group gets no SRDF (warning).
+
+Sources:
+    MoveIt, MoveItConfigsBuilder: https://github.com/moveit/moveit2/blob/main/moveit_configs_utils/moveit_configs_utils/moveit_configs_builder.py
+    MoveIt, since Iron: https://github.com/Interbotix/interbotix_ros_manipulators/issues/133
+"""
+
+from urdfkit.core.words import few
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, reported, rule
+from urdfkit.ros.launch.contents import StartedProgram
+
+NAME = "launch/move_group.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+
+OMPL = "ompl_interface/OMPLPlanner"
+nodes = [
+    Node(
+        package="moveit_ros_move_group",
+        executable="move_group",
+        parameters=[{"planning_pipelines": ["ompl"], "ompl": {}}],
+    ),
+]
+"""
+GOOD = BAD.replace("{}", '{"planning_plugins": [OMPL]}')
+FILES = {"package.xml": b"<package><name>arm</name></package>"}
+
+
+@rule(Severity.ERROR, needs=(Need.LAUNCH,))
+def check(context: Context) -> Findings:
+    yield from reported(context, "LAU029")
+    for program in context.launch.started:
+        yield from _unknown_pipeline(program)
+
+
+def _unknown_pipeline(program: StartedProgram) -> Findings:
+    """A default planning pipeline of MoveIt that is not loaded."""
+    name = program.parameters.values.get("default_planning_pipeline")
+    loaded = program.parameters.lists.get("planning_pipelines", ())
+    names = [pipeline for pipeline in loaded if pipeline]
+    if name and names and len(names) == len(loaded) and name not in names:
+        yield Finding(
+            program.at,
+            f"default_planning_pipeline '{name}' is not in planning_pipelines: {few(names, 4)}",
+            f"add '{name}' to planning_pipelines, with its settings",
+            severity=Severity.WARNING,
+        )

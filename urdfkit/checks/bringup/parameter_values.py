@@ -1,0 +1,81 @@
+"""Parameters that a node lacks, and values that it rejects.
+
+Sources: the nodes of ros-navigation/navigation2 and SteveMacenski/slam_toolbox, humble to rolling.
+"""
+
+import re
+from math import inf
+
+from urdfkit.core.suggest import did_you_mean
+from urdfkit.lint.rules import Finding, Findings, Severity
+from urdfkit.robot.values import number
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.known_parameters import given_values
+from urdfkit.ros.node_parameters import NodeParameters
+from urdfkit.text.located_yaml import Value, scalars
+
+
+def missing(node: NodeParameters) -> Findings:
+    """Parameters without which the node does not start; only if it has others."""
+    required: dict[str, str] = data("node_parameters")["required"].get(node.name, {})
+    for name, since in required.items():
+        if name not in node.values and len(node.values) > 1:
+            yield Finding(
+                node.at,
+                f"'{node.name}' of {since} stops: parameter '{name}' is not given",
+                f"add {name}",
+                severity=Severity.WARNING,
+            )
+
+
+def invalid_values(node: NodeParameters) -> Findings:
+    """Modes that a node does not have, lists of another length, and footprints."""
+    choices: dict[str, str] = data("node_parameters")["choices"]
+    lengths: dict[str, list[int]] = data("node_parameters")["lengths"].get(node.name, {})
+    most: dict[str, int] = data("node_parameters")["most"]
+    for given in given_values(node):
+        value, expected = given.value, lengths.get(given.at)
+        modes = choices.get(f"{given.owner}.{given.at}", "").split()
+        if isinstance(value, Value) and modes and value.text not in modes:
+            if value.text and value.text[0].isalpha():
+                message = f"'{node.name}': unknown {given.at} '{value.text}'"
+                message += did_you_mean(value.text, modes)
+                yield Finding(value.span, message, f"write one of {', '.join(modes)}")
+        elif isinstance(value, list) and expected and len(value) not in expected:
+            message = f"'{node.name}' stops: {given.at} has {len(value)} numbers, must have "
+            message += f"{expected[0]}"
+            yield Finding(given.at.span, message, "write one for x, y and the rotation")
+        elif isinstance(value, Value) and (number(value.text) or 0.0) > most.get(given.at, inf):
+            message = f"'{node.name}': {given.at} is {value.text}, must be at most "
+            yield Finding(value.span, f"{message}{most[given.at]}", f"write {most[given.at]}")
+        elif given.at == "footprint" and isinstance(value, Value) and not _is_footprint(value.text):
+            message = f"'{node.name}': the footprint is no list of three or more points"
+            yield Finding(value.span, message, 'write "[[x, y], [x, y], [x, y]]"')
+
+
+def wrong_signs(node: NodeParameters) -> Findings:
+    """Limits with the wrong sign; those of velocities stop the node only from Jazzy on."""
+    signs: dict[str, int] = data("node_parameters")["signs"].get(node.name, {})
+    for given in given_values(node):
+        sign = signs.get(given.at, 0)
+        for value in scalars(given.value) if sign else ():
+            if (number(value.text) or 0.0) * sign < 0:
+                is_negative = sign < 0
+                since = " of Jazzy and later" if "velocity" in given.at else ""
+                yield Finding(
+                    value.span,
+                    f"'{node.name}'{since} stops: {given.at} has {value.text}, must not be "
+                    f"{'positive' if is_negative else 'negative'}",
+                    f"write {'-' if is_negative else ''}{value.text.lstrip('+-')}",
+                    severity=Severity.WARNING if since else None,
+                )
+
+
+def _is_footprint(text: str) -> bool:
+    """True for a list of points, for none, and for a value that is known at run time only."""
+    number = r"\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*"
+    point = rf"\s*\[{number},{number}\]\s*"
+    is_open = not text.strip() or text.strip() == "[]" or any(mark in text for mark in "$<{")
+    return is_open or bool(
+        re.fullmatch(rf"\s*\[({point},){{2,}}{point},?\]\s*", text, re.IGNORECASE)
+    )
