@@ -16,6 +16,7 @@ from tests.physics.collision.robots import joint as colliding_joint
 from tests.reported import messages, reported
 from tests.srdfs import findings as of_srdf
 from tests.workspaces import add_file
+from tests.xacros import xacro
 from urdfkit import check
 
 MODEL = "<gazebo>{}</gazebo>"
@@ -322,3 +323,29 @@ def test_the_collision_that_a_contact_sensor_names(
     sensor = f'<sensor name="s" type="contact"><contact>{collision}</contact></sensor>'
     world = f'<model name="m"><link name="l">{sensor}</link></model>'
     assert len(of_world(tmp_path, "WLD002", world=world)) == count
+
+
+@pytest.mark.parametrize(("axis", "is_steered"), [("0 0 1", True), ("1 0 0", False)])
+def test_a_wheel_that_a_joint_steers(axis: str, is_steered: bool) -> None:
+    """A buggy whose universal joints became continuous ones about z: the wheels only steer."""
+    tyre = '<origin rpy="1.5708 0 0"/><geometry><cylinder radius="0.1" length="0.05"/></geometry>'
+    wheel = f'<link name="wheel"><collision>{tyre}</collision></link>'
+    turn = f'<parent link="base"/><child link="wheel"/><axis xyz="{axis}"/>'
+    robot = f'<link name="base"/>{wheel}<joint name="turn" type="continuous">{turn}</joint>'
+    (found,) = reported("JNT033", robot)
+    assert ("steers" in found.help) == is_steered
+
+
+def test_the_surface_of_a_collision() -> None:
+    """A mecanum base: the friction of SDF, directly in the <gazebo> of the link."""
+    (found,) = reported("GAZ003", BASE + block("<surface><friction/></surface>", "base"))
+    assert found.help == "move <surface> into a <collision>, inside the <gazebo>"
+
+
+def test_the_files_that_an_argument_may_name(tmp_path: Path) -> None:
+    """A base with one of several cameras: the directory of a missing file has the others."""
+    for name in ("d435.urdf.xacro", "lidar.urdf", "notes.txt"):
+        add_file(tmp_path / "sensors" / name, b"<robot/>")
+    add_file(tmp_path / "r.xacro", xacro('<xacro:include filename="sensors/astra.urdf"/>').encode())
+    (found,) = check(tmp_path / "r.xacro", select=["XAC001"]).diagnostics
+    assert found.help == "correct the path; available: d435.urdf.xacro, lidar.urdf"

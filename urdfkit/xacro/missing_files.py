@@ -1,6 +1,7 @@
 """Messages about files that xacro does not find."""
 
 import os
+from collections.abc import Iterable
 from itertools import pairwise
 
 from urdfkit.core import disk
@@ -11,8 +12,10 @@ from urdfkit.workspace.manifest import nearest_manifest
 from urdfkit.workspace.package_directories import package_name
 from urdfkit.xacro.errors import NOT_BUILT, ONLY_XACRODOC, MessageText
 
-#: Most directories in a help text.
-_MAX_DIRECTORIES = 10
+#: Most directories or files in a help text.
+_MAX_NAMED = 10
+#: Suffixes of files that stand for one another.
+_KINDS = ((".xacro", ".urdf"), (".yaml", ".yml"))
 #: Most directories in the path of a file in a macro.
 _MAX_LEVELS = 5
 
@@ -82,6 +85,18 @@ def _from_parent(path: str) -> tuple[str, str] | None:
     return None
 
 
+def _other_file(name: str, siblings: Iterable[str]) -> str:
+    """The help for a missing file whose directory exists: few files of its kind, if there are any.
+
+    Often the name depends on an argument, and these are its valid values.
+    """
+    kinds = next((kinds for kinds in _KINDS if name.endswith(kinds)), (os.path.splitext(name)[1],))
+    files = sorted(sibling for sibling in siblings if sibling.endswith(kinds))
+    if 0 < len(files) <= _MAX_NAMED:
+        return f"correct the path; available: {', '.join(files)}"
+    return "correct the path; a relative one begins at the directory of its file"
+
+
 def _nearest_file(path: str) -> str:
     """The help for a missing file: the missing directory in its path, or a similar file."""
     directory, name = os.path.split(os.path.normpath(path))
@@ -99,8 +114,8 @@ def _nearest_file(path: str) -> str:
     suggested = nearest_file_name(name, siblings)
     hint = f"did you mean '{suggested}'?" if suggested else ""
     if name == last:
-        return hint or "correct the path; a relative one begins at the directory of its file"
+        return hint or _other_file(name, siblings)
     present = sorted(path for path in siblings if disk.is_directory(os.path.join(directory, path)))
-    if not hint and 0 < len(present) <= _MAX_DIRECTORIES:  # often the valid values of an argument
+    if not hint and 0 < len(present) <= _MAX_NAMED:  # often the valid values of an argument
         hint = f"available: {', '.join(present)}"
     return f"directory '{name}' not found in {shown(directory)}" + (f"; {hint}" if hint else "")

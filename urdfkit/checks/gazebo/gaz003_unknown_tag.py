@@ -31,6 +31,8 @@ FIXED = GOOD = BAD.replace("mu>", "mu1>")
 
 #: Elements that their parsers read only directly in ``<robot>``.
 _OF_ROBOT = ("ros2_control", "transmission", "gazebo")
+#: Tags of SDF that belong in a ``<collision>``.
+_OF_COLLISION = ("surface",)
 
 #: Replacements for tags of a sensor that belong elsewhere.
 _INSTEAD = {
@@ -69,6 +71,8 @@ def _unknown(tag: str, elements: list[Element]) -> Finding:
     count = f" ({len(elements)} times)" if len(elements) > 1 else ""
     others = tuple(Related(one.span, f"<{tag}>") for one in elements[1:5])
     help = f"move <{tag}> out of the <gazebo>, into <robot>" if tag in _OF_ROBOT else ""
+    if tag in _OF_COLLISION:
+        help = f"move <{tag}> into a <collision>, inside the <gazebo>"
     message = f"unknown element <{tag}> in <gazebo> (ignored){count}"
     return Finding(elements[0], message, help, related=others)
 

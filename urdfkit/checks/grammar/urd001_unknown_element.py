@@ -50,9 +50,7 @@ _ROOT = re.compile(rb"<([A-Za-z][\w:.-]*)(?=[^<>]*>)")
 _MAX_NAMED = 5
 
 
-@rule(
-    Severity.WARNING, help="remove it, or give it the namespace prefix of the program that reads it"
-)
+@rule(Severity.WARNING, help="remove it, unless a program of yours reads it")
 def check(context: Context) -> Findings:
     misplaced: list[Element] = []
     unknown: list[tuple[Element, str]] = []

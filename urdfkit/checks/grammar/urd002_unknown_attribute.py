@@ -30,9 +30,7 @@ FIXED = GOOD = BAD.replace("fricton", "friction")
 _MAX_NAMED = 5
 
 
-@rule(
-    Severity.WARNING, help="remove it, or give it the namespace prefix of the program that reads it"
-)
+@rule(Severity.WARNING, help="remove it, unless a program of yours reads it")
 def check(context: Context) -> Findings:
     foreign: dict[tuple[str, bool], list[Attribute]] = {}
     for element, attribute, _, suggested in context.deviations.get("URD002", ()):

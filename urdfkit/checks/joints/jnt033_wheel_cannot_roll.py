@@ -31,6 +31,9 @@ BAD = robot_xml(
 )
 GOOD = BAD.replace("<geometry>", '<origin rpy="1.5707963 0 0"/>\n    <geometry>', 1)
 
+#: Added to the help for a vertical axis.
+_STEERED = "; a wheel that steers needs two joints, with a link between them"
+
 #: Words in the names of links whose cylinder need not roll.
 _NOT_WHEELS = ("caster", "castor", "swivel", "steer", "mount", "support", "bracket", "hub", "fork")
 
@@ -65,12 +68,14 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
     (body, axle), axis = wheel, direction(joint)
     shape = "cylinder" if body.shape and body.shape.kind == "cylinder" else "mesh"
     shape_name = f"{'collision' if body in link.collisions else 'visual'} {shape}"
+    is_vertical = abs(rotate(joint.origin.rotation, axis)[2]) > _MIN_COSINE_ALONG
     if abs(dot(axis, axle)) < _MAX_COSINE_ACROSS:
         yield Finding(
             joint.at.child_or_self("axis"),
             f"joint '{joint.name}' turns wheel '{link.name}' about {rounded(axis, 3)}, but the "
             f"axis of its {shape_name} is {rounded(axle, 3)}",
-            f"write the axis of the {shape_name}, or rotate the shapes with their <origin>",
+            f"write the axis of the {shape_name}, or rotate the shapes with their <origin>"
+            + (_STEERED if is_vertical else ""),
             related=(Related(body.at.span, f"the {shape_name}"),),
             confidence=Confidence.INFERRED,
         )
