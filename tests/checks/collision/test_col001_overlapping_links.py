@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.physics.collision.robots import box, cube, cylinder, joint, link, mesh, revolute, sphere
 from tests.reported import messages, places, reported
 from urdfkit.core.installation import install_command
@@ -57,9 +58,7 @@ def test_a_millimetre_is_deep(depth: float, count: int) -> None:
 
 def test_the_depth_and_the_smaller_body() -> None:
     text = bent(0.004)
-    assert messages("COL001", text) == [
-        "links 'tool' and 'base' overlap by 4 mm where all joints are at zero"
-    ]
+    assert messages("COL001", text) == [naming("tool", "base", "4 mm", "zero")]
     assert severities(text) == ["warning"]
     ((line, what),) = places("COL001", text)
     assert (line, what) == (4, "<collision>")
@@ -147,7 +146,7 @@ def body(head: str, more: str = NECK, kind: str = "continuous") -> str:
 
 def test_a_ball_that_turns_in_place_overlaps_in_every_pose() -> None:
     (message,) = (one for one in messages("COL001", body(sphere(0.2))) if "'leg'" in one)
-    assert message.startswith("links 'head' and 'leg' overlap in every pose, by ")
+    assert message == naming("head", "leg", "80 mm", "zero")
     assert float(message.split()[9]) == pytest.approx(80, abs=0.1)
     assert set(severities(body(sphere(0.2)))) == {"info"}
 
@@ -179,9 +178,7 @@ def wheel(inside: float, shape: str = box(0.2, 0.04, 0.2), kind: str = "continuo
 
 
 def test_a_wheel_deep_in_its_chassis() -> None:
-    assert messages("COL001", wheel(0.035)) == [
-        "link 'wheel' overlaps adjacent link 'chassis' by 35 mm, 88% of its thickness"
-    ]
+    assert messages("COL001", wheel(0.035)) == [naming("wheel", "chassis", "35 mm", "88%")]
     assert severities(wheel(0.035)) == ["info"]
     assert places("COL001", wheel(0.035)) == [(3, "<collision>")]
 

@@ -3,6 +3,7 @@ from pathlib import Path
 import pytest
 
 from tests.controls import NEXT, ROBOT, plugin
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
@@ -14,7 +15,7 @@ def robot(path: str) -> str:
 
 def test_missing_file() -> None:
     assert messages("RCT026", robot("/no/such/directory/c.yaml")) == [
-        "parameter file not found on this machine: /no/such/directory/c.yaml"
+        naming("machine", "/no/such/directory/c.yaml")
     ]
     assert places("RCT026", robot("/no/such/directory/c.yaml")) == [(NEXT, "<parameters>")]
 
@@ -40,7 +41,7 @@ def test_path_on_another_machine(tmp_path: Path) -> None:
 def test_suggested_file_next_to_it(tmp_path: Path) -> None:
     (tmp_path / "controllers.yaml").write_text("")
     (message,) = messages("RCT026", robot(f"{tmp_path}/controler.yaml"))
-    assert message.endswith("/controler.yaml; did you mean 'controllers.yaml'?")
+    assert message == naming(f"{tmp_path}/controler.yaml", "controllers.yaml")
     assert reported("RCT026", robot(f"{tmp_path}/controllers.yaml")) == []
 
 
@@ -61,4 +62,4 @@ def test_a_path_of_a_package(tmp_path: Path) -> None:
     assert check(file, select=["RCT026"]).diagnostics == ()
     (tmp_path / "config" / "c.yaml").unlink()
     (found,) = check(file, select=["RCT026"]).diagnostics
-    assert found.message == f"parameter file not found: {tmp_path}/config/c.yaml"
+    assert found.message == naming(f"{tmp_path}/config/c.yaml")

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.gazebos import WHEELS, plugin
+from tests.naming import naming
 from tests.reported import places, reported
 
 DRIVE = "libgazebo_ros_diff_drive.so"
@@ -16,9 +17,7 @@ def tags(text: str) -> list[str]:
 def test_a_joint_that_is_not_a_wheel(kind: str) -> None:
     text = ROBOT.replace('"left_joint" type="continuous"', f'"left_joint" type="{kind}"')
     (found,) = reported("GAZ024", text)
-    assert found.message == (
-        f"plugin 'p' ({DRIVE}) drives joint 'left_joint' as a wheel, but it is {kind}"
-    )
+    assert found.message == naming("p", DRIVE, "left_joint", kind)
     assert tags(text) == ["<leftJoint>"]
 
 
@@ -46,6 +45,6 @@ def test_other_plugins_may_move_any_joint() -> None:
 def test_one_joint_for_both_sides() -> None:
     text = WHEELS + plugin(DRIVE, TAGS.replace("right_joint", "left_joint"))
     (found,) = reported("GAZ024", text)
-    assert found.help == "name the joint of the other wheel"
+    assert found.help == naming("wheel")
     assert [note.span.text for note in found.related] == ["<leftJoint>"]
     assert tags(text) == ["<rightJoint>"]

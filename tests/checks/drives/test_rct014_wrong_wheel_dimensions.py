@@ -6,6 +6,7 @@ from tests.controls import controller, reported_with_file
 from tests.gazebos import BASE, WHEELS
 from tests.gazebos import plugin as gazebo_plugin
 from tests.gazebos import wheel as tyre
+from tests.naming import naming
 from tests.reported import messages, places
 from tests.reported import reported as reported_anywhere
 from urdfkit import Diagnostic
@@ -66,9 +67,7 @@ def test_a_length_that_is_multiplied(
 
 def test_separation(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, drive(0.3, 0.1), robot())
-    assert found.message == (
-        "controller 'd': wheel_separation is 0.3 m, but the distance between the wheels is 0.4 m"
-    )
+    assert found.message == naming("d", "wheel_separation", "0.3 m", "0.4 m")
     assert found.help == "write 0.4"
     assert found.span.source.path == str(tmp_path / "c.yaml")
     assert (found.span.line, found.span.text) == (6, "0.3")
@@ -81,10 +80,7 @@ def test_within_five_percent(separation: float, found: int, tmp_path: Path) -> N
 
 def test_radius(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, drive(0.4, 0.2), robot())
-    assert (
-        found.message
-        == "controller 'd': wheel_radius is 0.2 m, but the wheels have a radius of 0.1 m"
-    )
+    assert found.message == naming("d", "wheel_radius", "0.2 m", "0.1 m")
 
 
 @pytest.mark.parametrize(("separation", "radius"), [(0.4, 0.1), (0.419, 0.1049), (0.381, 0.0951)])
@@ -97,7 +93,7 @@ def test_tyres_away_from_their_joints(tmp_path: Path) -> None:
     assert reported(tmp_path, drive(0.5, 0.1), model) == [], "between the tyres"
     assert reported(tmp_path, drive(0.4, 0.1), model) == [], "between the joints"
     (found,) = reported(tmp_path, drive(0.6, 0.1), model)
-    assert found.message.endswith("but the distance between the wheels is 0.5 m")
+    assert found.message == naming("d", "wheel_separation", "0.6 m", "0.5 m")
 
 
 @pytest.mark.parametrize(
@@ -140,8 +136,8 @@ def test_a_steered_car(tmp_path: Path) -> None:
     assert reported(tmp_path, car(0.6, 0.4), robot()) == []
     found = reported(tmp_path, car(0.8, 0.5), robot())
     assert [one.message for one in found] == [
-        "controller 'car': wheelbase is 0.8 m, but the distance between the axles is 0.6 m",
-        "controller 'car': rear_wheel_track is 0.5 m, but the distance between the wheels is 0.4 m",
+        naming("car", "0.8 m", "0.6 m"),
+        naming("car", "rear_wheel_track", "0.5 m", "0.4 m"),
     ]
 
 
@@ -160,9 +156,7 @@ def test_the_wheelbase_of_front_wheel_drive(tmp_path: Path) -> None:
 def test_mecanum_wheels(tmp_path: Path) -> None:
     text = controller("m", MECANUM, front_left_wheel_command_joint_name="fl", kinematics="")
     (found,) = reported(tmp_path, text + "      wheels_radius: 0.3\n", robot())
-    assert found.message == (
-        "controller 'm': kinematics.wheels_radius is 0.3 m, but the wheels have a radius of 0.1 m"
-    )
+    assert found.message == naming("m", "kinematics.wheels_radius", "0.3 m", "0.1 m")
     assert reported(tmp_path, text + "      wheels_radius: 0.1\n", robot()) == []
 
 
@@ -184,7 +178,7 @@ def plugged(separation: str = "0.3", diameter: str = "0.2", robot: str = WHEELS)
 
 def test_a_wrong_diameter() -> None:
     assert messages("RCT014", plugged(diameter="0.1")) == [
-        f"plugin 'p' ({DRIVE}): <wheelDiameter> is 0.1 m, but the wheels have a diameter of 0.2 m"
+        naming("p", DRIVE, "<wheelDiameter>", "0.1 m", "0.2 m")
     ]
     assert [text for _, text in places("RCT014", plugged(diameter="0.1"))] == ["<wheelDiameter>"]
     assert [found.help for found in of_plugin(plugged(diameter="0.1"))] == ["write 0.2"]
@@ -192,10 +186,7 @@ def test_a_wrong_diameter() -> None:
 
 def test_a_wrong_separation() -> None:
     (message,) = messages("RCT014", plugged("0.15"))
-    assert message == (
-        f"plugin 'p' ({DRIVE}): <wheelSeparation> is 0.15 m, but the distance between the "
-        "wheels is 0.3 m"
-    )
+    assert message == naming("p", DRIVE, "<wheelSeparation>", "0.15 m", "0.3 m")
 
 
 @pytest.mark.parametrize(
@@ -226,7 +217,7 @@ def test_a_radius_of_a_plugin() -> None:
     tags = "<wheel_separation>0.3</wheel_separation><wheel_radius>0.2</wheel_radius>"
     text = WHEELS + gazebo_plugin("gz-sim-diff-drive-system", joints + tags)
     (message,) = messages("RCT014", text)
-    assert message.endswith(": <wheel_radius> is 0.2 m, but the wheels have a radius of 0.1 m")
+    assert message == naming("p", "gz-sim-diff-drive-system", "<wheel_radius>", "0.2 m", "0.1 m")
 
 
 def test_wheels_that_slip_may_have_a_larger_separation() -> None:
@@ -255,4 +246,4 @@ def test_wheels_of_different_sizes_have_no_common_diameter() -> None:
 def test_wheels_at_the_same_place(tmp_path: Path) -> None:
     wheels = "".join(wheel(name, 0, 0) for name in ("fl", "rl", "fr", "rr"))
     (found,) = reported(tmp_path, drive(0.3, 0.1), '<link name="base"/>' + wheels)
-    assert found.help == "write the positions of the wheels into the <origin> of their joints"
+    assert found.help == naming("positions", "<origin>")

@@ -4,6 +4,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.massive import MESH, inertial, joint, link, shape
+from tests.naming import naming
 from tests.reported import messages, reported
 from urdfkit.core.installation import install_command
 from urdfkit.lint import engine
@@ -22,10 +23,7 @@ def on_wheels(center: str, casters: str = "-0.15 0 0", more: str = "") -> str:
 
 def test_it_falls_forwards() -> None:
     (found,) = reported("DYN004", on_wheels("0.02 0 0.1"))
-    assert found.message == (
-        "the robot falls forwards (+x): its centre of mass is 0.02 m outside of what it stands "
-        "on, left, right, caster"
-    )
+    assert found.message == naming("forwards", "0.02 m", "outside", "left", "right")
     assert len(found.related) == 3
 
 

@@ -37,7 +37,7 @@ def test_what_is_light_and_harmless() -> None:
 
 def test_a_negative_mass_makes_it_indefinite() -> None:
     (message,) = messages("DYN005", tower(-1, -0.05))
-    assert "the mass matrix is singular" in message
+    assert "singular" in message
 
 
 def test_one_of_two_branches() -> None:

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.gazebos import BASE, block
+from tests.naming import naming
 from tests.reported import fixed, messages, reported
 from tests.sensing import findings
 from urdfkit.ros.catalog.extensions import extensions, suggested
@@ -9,7 +10,7 @@ from urdfkit.ros.catalog.extensions import extensions, suggested
 @pytest.mark.parametrize(("wrong", "right"), [*suggested().items(), ("selfcollide", "selfCollide")])
 def test_typos_are_fixed(wrong: str, right: str) -> None:
     text = BASE + block(f"<{wrong}>1</{wrong}>")
-    assert messages("GAZ003", text) == [f"unknown element <{wrong}> in <gazebo> (ignored)"]
+    assert messages("GAZ003", text) == [naming("unknown", f"<{wrong}>", "<gazebo>", "ignored")]
     assert f"<{right}>1</{right}>" in fixed("GAZ003", text)
 
 
@@ -19,16 +20,16 @@ def test_a_robot_with_joints_is_not_made_static(kind: str, count: int) -> None:
     arm = '<link name="a"/><joint name="j" type="{}"><parent link="base"/><child link="a"/></joint>'
     text = BASE + arm.format(kind) + "<gazebo><is_static>true</is_static></gazebo>"
     (found,) = reported("GAZ003", text)
-    assert (found.fix is not None, found.help == "did you mean <static>?") == (count, count)
+    assert (found.fix is not None, "mean <static>" in found.help) == (count, count)
 
 
 def test_one_finding_for_a_name_that_nothing_is_like() -> None:
     assert messages("GAZ003", BASE + block("<stopKp>1</stopKp>")) == [
-        "unknown element <stopKp> in <gazebo> (ignored)"
+        naming("unknown", "<stopKp>", "<gazebo>", "ignored")
     ]
     text = BASE + block("<stopKp>1</stopKp>") + block("<stopKp>2</stopKp>")
     (found,) = reported("GAZ003", text)
-    assert found.message == "unknown element <stopKp> in <gazebo> (ignored) (2 times)"
+    assert found.message == naming("unknown", "<stopKp>", "<gazebo>", "ignored", "2")
     assert [note.span.text for note in found.related] == ["<stopKp>"]
     assert found.fix is None
     (found,) = reported("GAZ003", BASE + 9 * block("<stopKp>1</stopKp>"))
@@ -45,15 +46,14 @@ def test_what_belongs_into_the_robot_is_reported() -> None:
     hardware = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
     control = block(f'<ros2_control name="c" type="system">{hardware}</ros2_control>', "")
     (found,) = reported("GAZ003", BASE + control)
-    assert found.help == "move <ros2_control> out of the <gazebo>, into <robot>"
+    assert found.help == naming("<ros2_control>", "<gazebo>", "<robot>")
     assert messages("GAZ010", BASE + control) == []
 
 
 def test_the_nearest_name_is_suggested():
     (finding,) = findings("GAZ003", "imu", "<updaterate>1</updaterate>")
-    assert finding.message == (
-        "sensor 's': unknown element <updaterate> in <sensor> (ignored); "
-        "did you mean 'update_rate'?"
+    assert finding.message == naming(
+        "s", "unknown", "<updaterate>", "<sensor>", "ignored", "update_rate"
     )
     assert finding.span.line == 10
 
@@ -66,10 +66,7 @@ def test_what_sensors_have_is_not_reported(tag):
 def test_a_typo_deep_in_the_settings():
     inner = "<camera><image>\n<widht>640</widht></image></camera>"
     (finding,) = findings("GAZ003", "camera", inner)
-    assert (
-        finding.message
-        == "sensor 's': unknown element <widht> in <image> (ignored); did you mean 'width'?"
-    )
+    assert finding.message == naming("s", "unknown", "<widht>", "<image>", "ignored", "width")
     assert (finding.span.line, finding.span.text) == (11, "<widht>")
     assert finding.fix
 
@@ -97,7 +94,7 @@ def test_what_sdf_knows_is_not_reported(inner):
 @pytest.mark.parametrize(("tag", "instead"), [("origin", "<pose>"), ("noise", "<ray>")])
 def test_what_belongs_elsewhere_is_reported(tag, instead):
     (finding,) = findings("GAZ003", "ray", f"<{tag}/>")
-    assert finding.message == f"sensor 's': unknown element <{tag}> in <sensor> (ignored)"
+    assert finding.message == naming("s", "unknown", f"<{tag}>", "<sensor>", "ignored")
     assert instead in finding.help
 
 
@@ -105,5 +102,5 @@ def test_the_parent_is_not_suggested_for_its_own_child():
     """tauv: the fix made <distortionModel> a <distortion> in the <distortion>."""
     inner = "<camera><distortion><distortionModel>plumb_bob</distortionModel></distortion></camera>"
     (finding,) = findings("GAZ003", "camera", inner)
-    message = "sensor 's': unknown element <distortionModel> in <distortion> (ignored)"
+    message = naming("s", "unknown", "<distortionModel>", "<distortion>", "ignored")
     assert (finding.message, finding.help, finding.fix) == (message, "remove it", None)

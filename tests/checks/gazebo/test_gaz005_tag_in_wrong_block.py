@@ -1,6 +1,7 @@
 import pytest
 
 from tests.gazebos import BASE, block, child
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from urdfkit.text.diagnostic import Severity
 
@@ -16,7 +17,7 @@ def test_a_joint_tag_at_a_link() -> None:
     assert heard("preserveFixedJoint", "cam") == [
         (
             "<preserveFixedJoint> is for a joint, but 'cam' is a link (ignored)",
-            'move it into <gazebo reference="cam_joint">',
+            naming("move", '<gazebo reference="cam_joint">'),
         )
     ]
 
@@ -25,7 +26,7 @@ def test_a_link_tag_at_a_joint() -> None:
     assert heard("mu1", "arm_joint") == [
         (
             "<mu1> is for a link, but 'arm_joint' is a joint (ignored)",
-            'move it into <gazebo reference="arm">',
+            naming("move", '<gazebo reference="arm">'),
         )
     ]
 
@@ -119,7 +120,7 @@ def test_the_physics_of_a_world_are_for_no_joint() -> None:
     physics = '<physics type="ode"><max_step_size>0.001</max_step_size></physics>'
     (found,) = reported("GAZ005", BASE + block(physics, ""))
     assert found.severity is Severity.WARNING
-    assert found.help == "write it into the <world> of the SDF file"
+    assert found.help == naming("write", "<world>")
     assert "for a joint" in reported("GAZ005", BASE + block("<physics/>", ""))[0].message
 
 

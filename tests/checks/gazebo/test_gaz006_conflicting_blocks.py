@@ -1,14 +1,13 @@
 import pytest
 
 from tests.gazebos import BASE, block, child
+from tests.naming import naming
 from tests.reported import messages, reported
 
 
 def test_the_last_one_wins() -> None:
     text = BASE + block("<mu1>1</mu1>") + block("<mu1>2</mu1>")
-    assert messages("GAZ006", text) == [
-        "conflicting <mu1> of 'base': 1 and 2; Gazebo takes the last"
-    ]
+    assert messages("GAZ006", text) == [naming("<mu1>", "base", "1", "2", "Gazebo")]
     assert [note.span.line for one in reported("GAZ006", text) for note in one.related] == [4]
 
 
@@ -24,10 +23,7 @@ def test_a_merged_body_has_one_value(tag: str, one: str, other: str) -> None:
     robot = BASE + child("cam", "fixed")
     text = robot + block(f"<{tag}>{one}</{tag}>", "cam") + block(f"<{tag}>{other}</{tag}>")
     assert messages("GAZ006", text) == [
-        (
-            f"conflicting <{tag}> of 'cam' and 'base', which Gazebo merges into 'base': "
-            f"{one} and {other}"
-        )
+        naming(f"<{tag}>", "cam", "base", "Gazebo", "base", one, other)
     ]
 
 

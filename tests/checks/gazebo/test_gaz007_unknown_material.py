@@ -1,6 +1,7 @@
 import pytest
 
 from tests.gazebos import BASE, block
+from tests.naming import naming
 from tests.reported import fixed, messages, reported
 from urdfkit.ros.catalog.materials import materials
 
@@ -16,7 +17,7 @@ from urdfkit.ros.catalog.materials import materials
 )
 def test_the_nearest_is_written(wrong: str, right: str) -> None:
     text = BASE + block(f"<material> {wrong} </material>")
-    assert messages("GAZ007", text) == [f"unknown Gazebo material '{wrong}'"]
+    assert messages("GAZ007", text) == [naming("unknown", "Gazebo", wrong)]
     assert fixed("GAZ007", text).count(f"<material> {right} </material>") == 1
 
 
@@ -33,7 +34,7 @@ def test_nothing_is_near(name: str) -> None:
 def test_colours_where_a_name_belongs() -> None:
     colours = "<material><ambient>1 0 0 1</ambient></material>"
     (found,) = reported("GAZ007", BASE + block(colours))
-    assert found.message == "Gazebo ignores <ambient> in <material>, which names a material"
+    assert found.message == naming("Gazebo", "<ambient>", "<material>")
     assert reported("GAZ007", BASE + block(f"<visual>{colours}</visual>")) == []
 
 
@@ -48,8 +49,8 @@ def test_materials_of_gazebo_and_of_vendors() -> None:
 
 
 ROBOT = BASE + block("<material>Gazebo/Red</material>") + block("<material>Gazebo/Wood</material>")
-RED = "material 'Gazebo/Red' has no effect in Gazebo Fortress"
-WOOD = "material 'Gazebo/Wood' has no effect in Gazebo Fortress"
+RED = naming("Gazebo/Red", "Gazebo", "Fortress")
+WOOD = naming("Gazebo/Wood", "Gazebo", "Fortress")
 
 
 def heard(target: str) -> list[str]:
@@ -61,7 +62,7 @@ def test_fortress_has_no_materials() -> None:
 
 
 def test_gz_sim_has_no_textures() -> None:
-    assert heard("gz-harmonic") == ["gz-sim does not draw the texture of material 'Gazebo/Wood'"]
+    assert heard("gz-harmonic") == [naming("draw", "Gazebo/Wood")]
 
 
 def test_classic_has_both() -> None:

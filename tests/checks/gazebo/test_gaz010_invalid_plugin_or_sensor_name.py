@@ -1,6 +1,7 @@
 import pytest
 
 from tests.gazebos import BASE, BODY, child, plugin, sensor
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from urdfkit.lint.rule_examples import whole_robot
 
@@ -8,14 +9,14 @@ from urdfkit.lint.rule_examples import whole_robot
 @pytest.mark.parametrize(
     ("attributes", "expected"),
     [
-        ('filename="libx.so"', ["plugin libx.so has no name: Gazebo rejects the model"]),
-        ('filename="libx.so" name=" "', ["plugin libx.so has no name: Gazebo rejects the model"]),
-        ('name="x"', ["plugin 'x' has no filename: Gazebo rejects the model"]),
+        ('filename="libx.so"', [naming("libx.so", "no name", "Gazebo", "rejects")]),
+        ('filename="libx.so" name=" "', [naming("libx.so", "no name", "Gazebo", "rejects")]),
+        ('name="x"', [naming("x", "no filename", "Gazebo", "rejects")]),
         (
             "",
             [
-                "<plugin> has no filename: Gazebo rejects the model",
-                "<plugin> has no name: Gazebo rejects the model",
+                naming("<plugin>", "no filename", "Gazebo", "rejects"),
+                naming("<plugin>", "no name", "Gazebo", "rejects"),
             ],
         ),
         ('name="x" filename="libx.so"', []),
@@ -60,7 +61,7 @@ NEW = "<odometry_frame>odom</odometry_frame>"
 def test_names_that_ros2_rejects(name: str, good: str) -> None:
     text = BASE + plugin(MOVE, NEW, name)
     (message,) = messages("GAZ010", text)
-    assert "not a valid ROS 2 node name" in message
+    assert "valid ROS 2" in message
     assert places("GAZ010", text) == [(4, name)]
     assert f'<plugin name="{good}"' in fixed("GAZ010", text)
 
@@ -82,9 +83,7 @@ def test_other_plugins_are_no_nodes_of_that_name() -> None:
 def test_a_sensor_without_a_name() -> None:
     for name in ("", ' name=""', ' name=" "'):
         text = BASE + sensor("imu", "").replace(' name="s"', name)
-        assert messages("GAZ010", text) == [
-            "sensor of type 'imu' on 'base' has no name: Gazebo rejects the model"
-        ]
+        assert messages("GAZ010", text) == [naming("imu", "base", "no name", "Gazebo", "rejects")]
         ((_, at),) = places("GAZ010", text)
         assert at.startswith("<sensor")
 
@@ -104,9 +103,7 @@ def pair(first: str = "<publish_rate>1</publish_rate>", second: str = "") -> str
 
 
 def test_two_nodes_of_one_name() -> None:
-    assert messages("GAZ010", pair()) == [
-        f"plugin 'p' ({P3D}) and plugin 'p' ({MOVE}) are ROS nodes of the same name"
-    ]
+    assert messages("GAZ010", pair()) == [naming("p", P3D, "p", MOVE)]
     assert places("GAZ010", pair()) == [(7, "p")]
 
 
@@ -127,13 +124,13 @@ LUMPED = BASE + child("tip", "fixed", inside=BODY)
 
 def test_two_on_one_link() -> None:
     assert messages("GAZ010", BASE + sensor("imu", "") + sensor("camera", "")) == [
-        "duplicate sensor 's' on 'base': gz-sim rejects the model"
+        naming("duplicate", "s", "base", "rejects")
     ]
 
 
 def test_two_on_links_that_gazebo_merges() -> None:
     assert messages("GAZ010", LUMPED + sensor("imu", "") + sensor("imu", "", "tip")) == [
-        "duplicate sensor 's' on 'tip' (merged into 'base'): gz-sim rejects the model"
+        naming("duplicate", "s", "tip", "base", "rejects")
     ]
 
 
@@ -174,5 +171,5 @@ CAMERA = '<gazebo><plugin name="{}" filename="libgazebo_ros_camera.so">{}</plugi
 )
 def test_cameras_of_one_name(front: str, rear: str, count: int) -> None:
     text = BASE + CAMERA.format("front", front) + CAMERA.format("rear", rear)
-    both = [one for one in messages("GAZ010", text) if "both publish on 'eye/image_raw'" in one]
+    both = [one for one in messages("GAZ010", text) if "publish on 'eye/image_raw'" in one]
     assert len(both) == count

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.gazebos import BASE, plugin
+from tests.naming import naming
 from tests.reported import fixed, places, reported
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.catalog import plugins
@@ -46,7 +47,7 @@ def test_every_library_of_the_catalogue_is_known() -> None:
 def test_a_typo_is_fixed(file: str, suggested: str) -> None:
     text = BASE + plugin(file)
     (found,) = reported("GAZ011", text)
-    assert (found.severity, found.help) == (Severity.WARNING, f"did you mean '{suggested}'?")
+    assert (found.severity, found.help) == (Severity.WARNING, naming(suggested))
     assert fixed("GAZ011", text) == whole_robot(BASE + plugin(suggested))
 
 
@@ -112,7 +113,7 @@ def test_a_library_that_is_called_like_a_system(file: str, system: str | None) -
     (found,) = reported("GAZ011", BASE + plugin(file))
     assert found.severity is (Severity.WARNING if system else Severity.INFO)
     assert found.fix is None
-    assert system is None or found.help == f"did you mean '{system}'?"
+    assert system is None or found.help == naming(system)
 
 
 @pytest.mark.parametrize(
@@ -135,7 +136,7 @@ def test_of_a_library_and_the_class_of_another_one_the_tags_show_which_is_wrong(
     tags: str, fixed_as: str | None
 ) -> None:
     (found,) = reported("GAZ011", BASE + plugin(POSES, tags, "gz::sim::systems::DiffDrive"))
-    assert found.help == (
-        'write name="gz::sim::systems::PosePublisher", or filename="gz-sim-diff-drive-system"'
+    assert found.help == naming(
+        'name="gz::sim::systems::PosePublisher"', 'filename="gz-sim-diff-drive-system"'
     )
     assert (found.fix and found.fix.title) == (fixed_as and f"write {fixed_as}")

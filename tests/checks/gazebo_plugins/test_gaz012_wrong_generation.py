@@ -1,17 +1,14 @@
 import pytest
 
 from tests.gazebos import BASE, plugin, sensor
+from tests.naming import naming
 from tests.reported import reported
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
-MESSAGE = (
-    "plugin 'p' (libgazebo_ros_laser.so) is for Gazebo Classic with ROS 1, but the robot "
-    "is for Gazebo Classic with ROS 2"
+MESSAGE = naming(
+    "p", "libgazebo_ros_laser.so", "Gazebo", "Classic", "ROS 1", "Gazebo", "Classic", "ROS 2"
 )
-HELP = (
-    "use libgazebo_ros_ray_sensor.so (with output_type sensor_msgs/LaserScan); its tags have "
-    "other names"
-)
+HELP = naming("libgazebo_ros_ray_sensor.so", "output_type", "sensor_msgs/LaserScan")
 LASER = BASE + sensor("ray", '<plugin name="p" filename="libgazebo_ros_laser.so"/>')
 
 
@@ -36,19 +33,19 @@ def test_a_library_that_ros2_no_longer_has() -> None:
 def test_the_successor_of_the_successor(target: str) -> None:
     ((severity, _, help),) = heard(BASE + plugin("libgazebo_ros_skid_steer_drive.so"), target)
     assert severity == "error"
-    assert help == "use gz-sim-diff-drive-system; its tags have other names"
+    assert help == naming("gz-sim-diff-drive-system", "tags")
 
 
 def test_gz_sim_in_classic() -> None:
     text = BASE + plugin("gz-sim-diff-drive-system", name="gz::sim::systems::DiffDrive")
-    assert [help for _, _, help in heard(text, "classic-ros1")] == ["no successor is known"]
+    assert [help for _, _, help in heard(text, "classic-ros1")] == [naming("successor")]
     assert heard(text, "gz-harmonic") == []
 
 
 def test_the_classes_of_gz_sim_in_fortress() -> None:
     text = BASE + plugin("gz-sim-diff-drive-system", name="gz::sim::systems::DiffDrive")
     assert [help for _, _, help in heard(text, "gz-fortress")] == [
-        "use the names of Fortress: ignition-gazebo-... and ignition::gazebo::systems::..."
+        naming("Fortress", "ignition::gazebo::systems")
     ]
     old = plugin("ignition-gazebo-diff-drive-system", name="ignition::gazebo::systems::DiffDrive")
     assert heard(BASE + old, "gz-fortress") == []
@@ -124,7 +121,15 @@ def test_a_given_target_decides() -> None:
 
 def test_the_message() -> None:
     (found,) = reported("GAZ012", BASE + BOTH + GZ)
-    assert found.message == (
-        "plugin 'p' (gz-sim-diff-drive-system) is for gz-sim, but plugin 'p' "
-        "(libgazebo_ros_p3d.so) for Gazebo Classic with ROS 1 or Gazebo Classic with ROS 2"
+    assert found.message == naming(
+        "p",
+        "gz-sim-diff-drive-system",
+        "p",
+        "libgazebo_ros_p3d.so",
+        "Gazebo",
+        "Classic",
+        "ROS 1",
+        "Gazebo",
+        "Classic",
+        "ROS 2",
     )

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.gazebos import BASE, block, plugin, sensor
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Severity
 
@@ -8,36 +9,33 @@ DRIVE = '<plugin name="p" filename="libgazebo_ros_planar_move.so"/>'
 LASER = '<plugin name="p" filename="libgazebo_ros_laser.so"/>'
 VENDOR = '<plugin name="p" filename="libvendor.so"/>'
 SHADER = '<plugin name="p" filename="gz-sim-shader-param-system"/>'
-MODEL = "in a <gazebo> block without a reference"
-SENSOR = "in a <sensor> in the block of a link"
-VISUAL = "in a <visual> in the block of a link"
 
 
 @pytest.mark.parametrize(
-    ("text", "file", "message"),
+    ("text", "file", "place"),
     [
         (
             block(DRIVE),
             "gazebo_ros_planar_move",
-            "directly in <gazebo> of 'base' and never loaded",
+            ["<gazebo>", "base", "never"],
         ),
-        (block(VENDOR), "vendor", "directly in <gazebo> of 'base' and never loaded"),
-        (block(LASER, ""), "gazebo_ros_laser", f"{MODEL}, but is a sensor plugin"),
-        (sensor("ray", DRIVE), "gazebo_ros_planar_move", f"{SENSOR}, but is a model plugin"),
+        (block(VENDOR), "vendor", ["<gazebo>", "base", "never"]),
+        (block(LASER, ""), "gazebo_ros_laser", ["<gazebo>", "a sensor plugin"]),
+        (sensor("ray", DRIVE), "gazebo_ros_planar_move", ["<sensor>", "a model plugin"]),
         (
             plugin("libgazebo_ros_init.so"),
             "gazebo_ros_init",
-            f"{MODEL}, but is a system plugin",
+            ["<gazebo>", "a system plugin"],
         ),
         (
             block(f"<visual>{LASER}</visual>"),
             "gazebo_ros_laser",
-            f"{VISUAL}, but is a sensor plugin",
+            ["<visual>", "a sensor plugin"],
         ),
     ],
 )
-def test_the_wrong_place(text: str, file: str, message: str) -> None:
-    heard = f"plugin 'p' (lib{file}.so) is {message}"
+def test_the_wrong_place(text: str, file: str, place: list[str]) -> None:
+    heard = naming("p", f"lib{file}.so", *place)
     assert messages("GAZ014", BASE + text) == [heard]
 
 
@@ -59,15 +57,15 @@ def test_the_right_place(text: str) -> None:
 @pytest.mark.parametrize(
     ("kind", "file", "wanted"),
     [
-        ("gpu_ray", "libgazebo_ros_laser.so", "'ray'"),
-        ("ray", "libgazebo_ros_gpu_laser.so", "'gpu_ray'"),
-        ("camera", "libgazebo_ros_openni_kinect.so", "'depth'"),
-        ("imu", "libgazebo_ros_bumper.so", "'contact'"),
+        ("gpu_ray", "libgazebo_ros_laser.so", "ray"),
+        ("ray", "libgazebo_ros_gpu_laser.so", "gpu_ray"),
+        ("camera", "libgazebo_ros_openni_kinect.so", "depth"),
+        ("imu", "libgazebo_ros_bumper.so", "contact"),
     ],
 )
 def test_the_wrong_sensor(kind: str, file: str, wanted: str) -> None:
     text = BASE + sensor(kind, f'<plugin name="p" filename="{file}"/>')
-    message = f"plugin 'p' ({file}) needs a sensor of type {wanted}, but this one is '{kind}'"
+    message = naming("p", file, wanted, kind)
     assert messages("GAZ014", text) == [message]
     assert places("GAZ014", text) == [(4, kind)]
 
@@ -107,7 +105,7 @@ def test_a_sensor_without_a_type() -> None:
 )
 def test_a_world_system_of_gz_runs_in_a_model_too(text: str) -> None:
     (found,) = reported("GAZ014", BASE + text)
-    assert (found.severity, found.help) == (Severity.INFO, "put it in the world file")
+    assert (found.severity, found.help) == (Severity.INFO, naming("world"))
 
 
 @pytest.mark.parametrize(

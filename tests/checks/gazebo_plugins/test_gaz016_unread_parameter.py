@@ -1,12 +1,12 @@
 import pytest
 
 from tests.gazebos import BASE, plugin, sensor
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.editing.apply import apply_edits
 
 MOVE = "libgazebo_ros_planar_move.so"
-NAME = f"plugin 'p' ({MOVE})"
 TYPO = BASE + plugin(MOVE, "<robotBaseFrme>base</robotBaseFrme><odometryFrame>o</odometryFrame>")
 
 
@@ -14,7 +14,7 @@ def test_a_tag_that_is_not_read() -> None:
     text = BASE + plugin(MOVE, "<odometryFrame>odom</odometryFrame><enableYAxis>1</enableYAxis>")
     (found,) = reported("GAZ016", text)
     assert (found.message, found.severity) == (
-        f"{NAME}: unknown element <enableYAxis> (ignored)",
+        naming("p", MOVE, "unknown", "<enableYAxis>", "ignored"),
         Severity.INFO,
     )
     assert places("GAZ016", text) == [(4, "<enableYAxis>")]
@@ -24,7 +24,7 @@ def test_a_block_is_reported_once_with_its_path() -> None:
     wheel = '<wheel link_name="base"><wheel_normal_force>1</wheel_normal_force><a><b/></a></wheel>'
     text = BASE + plugin("libWheelSlipPlugin.so", wheel)
     assert messages("GAZ016", text) == [
-        "plugin 'p' (libWheelSlipPlugin.so): unknown element <a> in <wheel> (ignored)"
+        naming("p", "libWheelSlipPlugin.so", "unknown", "<a>", "<wheel>", "ignored")
     ]
 
 
@@ -61,15 +61,15 @@ def of_other_generation(tags: str, target: str = "classic-ros2") -> list[tuple[s
 @pytest.mark.parametrize(
     ("old", "help"),
     [
-        ("odometryFrame", "write <odometry_frame>"),
-        ("odometryRate", "write <publish_rate>"),
-        ("robotNamespace", "write <ros><namespace>...</namespace></ros>"),
-        ("commandTopic", "write <ros><remapping>FROM:=TO</remapping></ros>"),
-        ("cmdTimeout", "remove it, or write what the plugin reads there"),
+        ("odometryFrame", naming("<odometry_frame>")),
+        ("odometryRate", naming("<publish_rate>")),
+        ("robotNamespace", naming("<ros>", "<namespace>...</namespace>", "</ros>")),
+        ("commandTopic", naming("<ros>", "<remapping>FROM:=TO</remapping>", "</ros>")),
+        ("cmdTimeout", naming("remove")),
     ],
 )
 def test_names_of_ros1(old: str, help: str) -> None:
-    message = f"{NAME} reads <{old}> in ROS 1, but not in ROS 2"
+    message = naming("p", MOVE, f"<{old}>", "ROS 1", "ROS 2")
     assert of_other_generation(f"<{old}>x</{old}>") == [(message, help)]
     assert of_other_generation(f"<{old}>x</{old}>", "classic-ros1") == []
 
@@ -108,7 +108,7 @@ def test_no_second_tag_of_one_name() -> None:
 def test_a_typo_is_fixed() -> None:
     (found,) = reported("GAZ016", TYPO)
     assert found.severity is Severity.WARNING
-    assert found.help == "did you mean <robotBaseFrame>?"
+    assert found.help == naming("<robotBaseFrame>")
     assert "<robotBaseFrame>base</robotBaseFrame>" in fixed("GAZ016", TYPO)
     assert reported("GAZ016", TYPO.replace(MOVE, "libvendor.so")) == []
 

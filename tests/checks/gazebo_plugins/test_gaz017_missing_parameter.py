@@ -1,6 +1,7 @@
 import pytest
 
 from tests.gazebos import BASE, WHEELS, plugin
+from tests.naming import naming
 from tests.reported import messages, reported
 
 SLIP = "libgazebo_ros_wheel_slip.so"
@@ -9,7 +10,7 @@ DRIVE = "libgazebo_ros_diff_drive.so"
 
 def test_a_tag_without_which_nothing_works() -> None:
     assert messages("GAZ017", BASE + plugin("libgazebo_ros_hand_of_god.so")) == [
-        "plugin 'p' (libgazebo_ros_hand_of_god.so): required <linkName> is missing"
+        naming("p", "libgazebo_ros_hand_of_god.so", "<linkName>", "missing")
     ]
 
 
@@ -20,12 +21,10 @@ def test_an_empty_tag_is_none() -> None:
 
 
 def test_in_a_block_only_where_the_block_is() -> None:
-    assert messages("GAZ017", BASE + plugin(SLIP)) == [
-        f"plugin 'p' ({SLIP}): required <wheel> is missing"
-    ]
+    assert messages("GAZ017", BASE + plugin(SLIP)) == [naming("p", SLIP, "<wheel>", "missing")]
     wheel = "<wheel><wheel_normal_force>1</wheel_normal_force></wheel>"
     assert messages("GAZ017", BASE + plugin(SLIP, wheel)) == [
-        f"plugin 'p' ({SLIP}): required attribute link_name in <wheel> is missing"
+        naming("p", SLIP, "link_name", "<wheel>", "missing")
     ]
 
 
@@ -34,17 +33,14 @@ def test_a_default_that_names_no_joint() -> None:
     assert reported("GAZ017", text) == [], "right_joint is the default, and it exists"
     other = text.replace('"right_joint"', '"right_wheel_joint"')
     (message,) = messages("GAZ017", other)
-    assert message == (
-        f"plugin 'p' ({DRIVE}): no <rightJoint>, and its default 'right_joint' is not a joint of "
-        "the robot: "
-        "it throws as it is loaded"
-    )
+    assert message == naming("p", DRIVE, "<rightJoint>", "right_joint")
 
 
 def test_one_of_two() -> None:
     text = BASE + plugin("libgazebo_ros_ft_sensor.so", "<update_rate>1</update_rate>")
-    name = "plugin 'p' (libgazebo_ros_ft_sensor.so)"
-    assert messages("GAZ017", text) == [f"{name}: <body_name> or <joint_name> is required"]
+    assert messages("GAZ017", text) == [
+        naming("p", "libgazebo_ros_ft_sensor.so", "<body_name>", "<joint_name>")
+    ]
     assert reported("GAZ017", text.replace("<update", "<body_name>base</body_name><update")) == []
 
 

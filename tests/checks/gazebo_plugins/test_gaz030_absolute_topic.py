@@ -1,6 +1,7 @@
 import pytest
 
 from tests.gazebos import BASE, plugin
+from tests.naming import naming
 from tests.reported import places, reported
 
 MOVE = "libgazebo_ros_planar_move.so"
@@ -10,10 +11,8 @@ def test_topics_that_begin_with_a_slash() -> None:
     tags = "<commandTopic>/cmd</commandTopic><odometryTopic>odom</odometryTopic>"
     text = BASE + plugin(MOVE, tags)
     (found,) = reported("GAZ030", text)
-    assert found.message == (
-        f"plugin 'p' ({MOVE}): topic '/cmd' is absolute and ignores the robot namespace"
-    )
-    assert found.help == "write 'cmd' if the robot may get a namespace"
+    assert found.message == naming("p", MOVE, "/cmd")
+    assert found.help == naming("cmd", "namespace")
     assert places("GAZ030", text) == [(4, "<commandTopic>")]
 
 

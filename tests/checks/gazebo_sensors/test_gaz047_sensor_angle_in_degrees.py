@@ -1,5 +1,6 @@
 import pytest
 
+from tests.naming import naming
 from tests.sensing import findings, scan
 
 
@@ -12,7 +13,7 @@ def test_more_than_a_turn_is_taken_for_degrees(first, last, count):
 
 def test_the_angle_in_radians_is_shown():
     (finding,) = findings("GAZ047", "ray", scan(0, 180))
-    assert finding.help == "if it is in degrees, write 3.14159"
+    assert finding.help == naming("degrees", "3.14159")
 
 
 @pytest.mark.parametrize(
@@ -42,7 +43,7 @@ def test_the_field_of_view_is_an_angle_in_radians(angle, count):
 def test_the_angle_in_radians_is_shown_56():
     inner = "<camera><horizontal_fov>90</horizontal_fov></camera>"
     (finding,) = findings("GAZ047", "camera", inner)
-    assert finding.help == "if it is in degrees, write 1.5708"
+    assert finding.help == naming("degrees", "1.5708")
 
 
 @pytest.mark.parametrize("angle", [0, -1])
