@@ -4,6 +4,7 @@ import pytest
 
 from tests.mesh import made
 from tests.meshed import SOUND, link, mesh, messages, reported
+from tests.naming import naming
 from urdfkit import Severity
 from urdfkit.mesh.samples import box, stl
 
@@ -13,7 +14,7 @@ TEXT = made.ascii_stl()
 
 def test_a_binary_one_that_says_solid(tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH007", link(mesh("a.stl")), {"a.stl": MISLEADING}) == [
-        "link 'arm': the collision mesh 'a.stl' is a binary STL and begins with 'solid'"
+        naming("arm", "collision", "a.stl", "binary", "STL", "solid")
     ]
 
 
@@ -32,9 +33,8 @@ def test_an_ascii_one_in_rviz_2(tmp_path: Path) -> None:
     files = {"a.stl": TEXT, "b.stl": SOUND}
     both = link(mesh("a.stl", "visual"), mesh("b.stl", "visual"))
     (found,) = reported(tmp_path, "MSH007", both, files, ("ros2",))
-    assert found.message == (
-        "link 'arm': the visual mesh 'a.stl' is an ASCII STL, which RViz 2 does not load up to "
-        "ROS 2 Iron"
+    assert found.message == naming(
+        "arm", "visual", "a.stl", "ASCII", "STL", "RViz 2", "ROS 2", "Iron"
     )
     assert found.severity is Severity.INFO
     assert reported(tmp_path, "MSH007", both, files, ("ros1",)) == []

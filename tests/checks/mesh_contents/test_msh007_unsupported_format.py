@@ -3,6 +3,7 @@ from pathlib import Path
 import pytest
 
 from tests.mesh import made
+from tests.naming import naming
 from tests.reported import reported
 from tests.workspaces import add_file, mesh_link
 from urdfkit.text.diagnostic import Severity
@@ -22,20 +23,17 @@ def message(tmp_path: Path, name: str, data: bytes) -> str | None:
 def test_a_cad_file(tmp_path: Path) -> None:
     step = b"ISO-10303-21;\nHEADER;\n"
     for name in ("arm.step", "arm.stl"):
-        assert (
-            message(tmp_path, name, step)
-            == "is of STEP, which Gazebo, MuJoCo and Drake do not read"
-        )
+        assert message(tmp_path, name, step) == naming("STEP", "Gazebo", "MuJoCo", "Drake")
 
 
 @pytest.mark.parametrize(
     ("name", "data", "expected"),
     [
-        ("a.stl", made.obj(), "is OBJ by content, and its name ends in '.stl'"),
-        ("a.DAE", made.binary_stl(), "is binary STL by content, and its name ends in '.DAE'"),
-        ("a.stlb", made.ascii_stl(), "is ASCII STL by content, and its name ends in '.stlb'"),
-        ("a.bin", made.collada(), "is COLLADA by content, and its name ends in '.bin'"),
-        ("mesh", made.collada(), "is COLLADA by content, and its name ends in ''"),
+        ("a.stl", made.obj(), naming("OBJ", ".stl")),
+        ("a.DAE", made.binary_stl(), naming("binary", "STL", ".DAE")),
+        ("a.stlb", made.ascii_stl(), naming("ASCII", "STL", ".stlb")),
+        ("a.bin", made.collada(), naming("COLLADA", ".bin")),
+        ("mesh", made.collada(), naming("COLLADA", "")),
     ],
 )
 def test_the_suffix_of_another_format(

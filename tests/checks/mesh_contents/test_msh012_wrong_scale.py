@@ -7,6 +7,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import SOUND, link, mesh, messages, reported
+from tests.naming import naming
 from urdfkit.mesh.samples import box, collada, stl
 from urdfkit.text.editing.apply import apply_edits
 
@@ -23,10 +24,7 @@ def robot(part: str, reach: float = 0.2) -> str:
 
 def test_a_part_of_300_m(tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH012", robot(mesh("a.stl")), {"a.stl": HUGE}) == [
-        (
-            "link 'arm': the collision mesh 'a.stl' is 300 m long, the rest of the robot 0.2 m; "
-            "in mm it would be 0.3 m"
-        )
+        naming("arm", "collision", "a.stl", "300 m", "0.2 m", "0.3 m")
     ]
 
 
@@ -72,7 +70,7 @@ FILES = {"a.stl": SOUND, "mm.stl": stl(box((0, 0, 0), (1.5, 2, 3)))}
 def test_a_part_of_30_cm(tmp_path: Path) -> None:
     scaled = mesh("a.stl", more=' scale="0.001 0.001 0.001"')
     assert messages(tmp_path, "MSH012", link(scaled), FILES) == [
-        ("link 'arm': the collision mesh 'a.stl' is 0.3 mm long by its scale, and 0.3 m without it")
+        naming("arm", "collision", "a.stl", "0.3 mm", "0.3 m", "without")
     ]
 
 

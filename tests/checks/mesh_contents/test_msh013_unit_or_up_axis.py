@@ -4,16 +4,17 @@ import pytest
 
 from tests.mesh.made import glb, whole_gltf
 from tests.meshed import link, mesh, messages, reported
+from tests.naming import naming, values
 from urdfkit.mesh.samples import collada
 
 INCH = collada('<unit name="inch" meter="0.0254"/>')
-TAIL = "RViz and Gazebo multiply by it, MoveIt, Pinocchio and coal do not"
+BY_IT = ("RViz", "Gazebo", "MoveIt", "Pinocchio", "coal")
 
 
 def test_a_file_in_inches_is_reported_once(tmp_path: Path) -> None:
     robot = link(mesh("a.dae", "visual"), mesh("a.dae"))
     assert messages(tmp_path, "MSH013", robot, {"a.dae": INCH}) == [
-        f"link 'arm': the visual mesh 'a.dae' has the unit 0.0254 m: {TAIL}"
+        naming("arm", "visual", "a.dae", "0.0254 m", *BY_IT)
     ]
 
 
@@ -49,7 +50,14 @@ def test_another_up_axis_is_reported_once(tmp_path: Path, axis: str) -> None:
     files = {"a.dae": other, "b.dae": other, "c.dae": collada("<up_axis>Z_UP</up_axis>")}
     (found,) = reported(tmp_path, "MSH013", robot, files)
     assert found.severity.value == "info"
-    assert f"'a.dae' has {axis} (and 1 more like this): Bullet rotates it" in found.message
+    assert found.message == naming(
+        "arm",
+        "collision",
+        "a.dae",
+        axis,
+        "1",
+        *("Bullet", "90", "RViz", "Gazebo", "MoveIt", "Pinocchio"),
+    )
 
 
 @pytest.mark.parametrize("asset", ["", "<up_axis>Z_UP</up_axis>", "<up_axis>up</up_axis>"])
@@ -62,7 +70,7 @@ def test_gltf_is_reported_once(tmp_path: Path) -> None:
     files = {"a.gltf": whole_gltf(), "b.glb": glb(), "c.dae": collada()}
     (found,) = reported(tmp_path, "MSH013", robot, files)
     assert found.severity.value == "info"
-    assert "'a.gltf' is glTF, where y is up (and 1 more like this): RViz" in found.message
+    assert values(found.message)[:4] == ["arm", "a.gltf", "glTF", "1"]
 
 
 def test_a_broken_gltf_is_not_reported(tmp_path: Path) -> None:

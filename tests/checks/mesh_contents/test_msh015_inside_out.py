@@ -7,6 +7,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import SOUND, link, mesh, messages
+from tests.naming import naming
 from urdfkit.core.spatial import Vector
 from urdfkit.mesh.samples import BOX, box, stl
 
@@ -15,14 +16,12 @@ def inside_out(low: Vector, high: Vector) -> list[list[Vector]]:
     return box(low, high, (face[::-1] for face in BOX))
 
 
-WHO = "link 'arm': the collision mesh 'a.stl' is inside out: "
+WHO = ("arm", "collision", "a.stl", "inside out")
 
 
 def test_all_of_it(tmp_path: Path) -> None:
     files = {"a.stl": stl(inside_out((0, 0, 0), (1, 1, 1)))}
-    assert messages(tmp_path, "MSH015", link(mesh("a.stl")), files) == [
-        WHO + "its triangles face inward"
-    ]
+    assert messages(tmp_path, "MSH015", link(mesh("a.stl")), files) == [naming(*WHO, "triangles")]
 
 
 @pytest.mark.parametrize(("size", "is_reported"), [(1.0, True), (0.3, True), (0.2, False)])
@@ -30,7 +29,7 @@ def test_a_piece_that_matters(tmp_path: Path, size: float, is_reported: bool) ->
     """Of 1 % of the volume: a cube of 0.2 beside one of 1 has less."""
     pieces = [*box((0, 0, 0), (1, 1, 1)), *inside_out((2, 0, 0), (2 + size, size, size))]
     assert messages(tmp_path, "MSH015", link(mesh("a.stl")), {"a.stl": stl(pieces)}) == (
-        [WHO + "1 of its 2 pieces face inward"] if is_reported else []
+        [naming(*WHO, "1", "2", "pieces")] if is_reported else []
     )
 
 

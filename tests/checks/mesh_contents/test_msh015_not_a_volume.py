@@ -7,6 +7,7 @@ pytest.importorskip("lxml")
 pytest.importorskip("manifold3d")
 
 from tests.meshed import SOUND, link, mesh, messages, reported
+from tests.naming import naming
 from urdfkit.mesh.samples import BOX, box, stl
 
 CUBE = box((0, 0, 0), (1, 1, 1))
@@ -18,11 +19,8 @@ def test_holes_and_twists(tmp_path: Path) -> None:
     robot = link(mesh("open.stl"), mesh("twisted.stl"), mesh("sound.stl"))
     files = {"open.stl": OPEN, "twisted.stl": TWISTED, "sound.stl": SOUND}
     assert messages(tmp_path, "MSH015", robot, files) == [
-        "link 'arm': the collision mesh 'open.stl' is not closed: 4 open edges among 10 triangles",
-        (
-            "link 'arm': the collision mesh 'twisted.stl' is not closed: 3 inconsistent edges "
-            "among 12 triangles"
-        ),
+        naming("arm", "collision", "open.stl", "4", "10 triangles"),
+        naming("arm", "collision", "twisted.stl", "3", "12 triangles"),
     ]
 
 
@@ -40,10 +38,7 @@ def test_a_sheet_with_two_sides_encloses_nothing(tmp_path: Path) -> None:
     """Each triangle is there both ways round, so that no edge is open."""
     sides = stl([*CUBE[2:], *(face[::-1] for face in CUBE[2:])])
     assert messages(tmp_path, "MSH015", link(mesh("a.stl")), {"a.stl": sides}) == [
-        (
-            "link 'arm': the collision mesh 'a.stl' encloses nothing: its 20 triangles are two "
-            "sides of a sheet"
-        )
+        naming("arm", "collision", "a.stl", "nothing", "20 triangles")
     ]
     assert messages(tmp_path, "MSH015", link(mesh("a.stl", "visual")), {"a.stl": sides}) == []
 
@@ -55,17 +50,14 @@ def test_a_square_is_flat(tmp_path: Path) -> None:
     robot = link(mesh("a.stl"), mesh("b.stl"))
     (found,) = reported(tmp_path, "MSH015", robot, {"a.stl": FLAT, "b.stl": SOUND})
     assert found.severity.value == "warning"
-    assert found.message == "link 'arm': the collision mesh 'a.stl' is flat: 0 x 1 x 1 m"
+    assert found.message == naming("arm", "collision", "a.stl", "0 x 1 x 1 m")
 
 
 def test_an_oblique_sheet_is_flat_in_a_box_that_is_not(tmp_path: Path) -> None:
     """The parts of a convex decomposition in BestMan_Pybullet."""
     flat = stl([[(0, 0, 0), (1, 0, 1), (1, 1, 1)], [(0, 0, 0), (1, 1, 1), (0, 1, 0)]])
     assert messages(tmp_path, "MSH015", link(mesh("a.stl")), {"a.stl": flat}) == [
-        (
-            "link 'arm': the collision mesh 'a.stl' is flat: all its vertices are in one plane, "
-            "oblique in its bounding box of 1 x 1 x 1 m"
-        )
+        naming("arm", "collision", "a.stl", "1 x 1 x 1 m")
     ]
 
 
@@ -85,10 +77,7 @@ def boxes(shared: float) -> bytes:
 
 def test_overlapping_pieces(tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH015", link(mesh("a.stl")), {"a.stl": boxes(0.5)}) == [
-        (
-            "link 'arm': the collision mesh 'a.stl' has 2 pieces that overlap: a mass computed "
-            "from it is 33 % too large"
-        )
+        naming("arm", "collision", "a.stl", "2", "33 %")
     ]
 
 

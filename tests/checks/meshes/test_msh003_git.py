@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.meshed import SOUND, link, mesh, messages
+from tests.naming import naming
 
 OBJ = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
@@ -33,10 +34,7 @@ def repository(tmp_path: Path) -> Path:
 def test_what_git_ignores(repository: Path, pattern: str) -> None:
     files = {".gitignore": f"# of compilers\n{pattern}\n".encode(), "meshes/a.obj": OBJ}
     assert messages(repository, "MSH003", link(mesh("meshes/a.obj")), files) == [
-        (
-            "link 'arm': the collision mesh 'meshes/a.obj' is ignored by git: clones of the "
-            "repository lack it"
-        )
+        naming("arm", "collision", "meshes/a.obj", "ignored")
     ]
 
 

@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.reported import fixed, reported
 from tests.workspaces import add_file, add_package, mesh_link
 from urdfkit.text.diagnostic import Severity
@@ -22,10 +23,7 @@ def test_a_path_of_this_machine(robot: str, start: str) -> None:
     text = mesh_link(reference)
     (found,) = reported(CODE, text, robot)
     assert found.severity is Severity.WARNING
-    assert found.message == (
-        f"link 'arm': the visual mesh '{reference}' is an absolute path, which exists on "
-        "this machine only"
-    )
+    assert found.message == naming("arm", "visual", reference)
     right = mesh_link("package://arm/meshes/forearm.stl")
     assert fixed(CODE, text, robot) == fixed(CODE, right, robot)
 
@@ -69,17 +67,15 @@ def workspace(tmp_path: Path) -> str:
 @pytest.mark.parametrize(
     ("reference", "help_"),
     [
-        ("package://arm/../hand/hand.stl", "write package://hand_description/..."),
-        ("package://arm/meshes/../../loose.stl", "refer to it as package://PACKAGE/..."),
-        ("../../hand/hand.stl", "write package://hand_description/..."),
+        ("package://arm/../hand/hand.stl", naming("package://hand_description")),
+        ("package://arm/meshes/../../loose.stl", naming("refer", "package://PACKAGE")),
+        ("../../hand/hand.stl", naming("package://hand_description")),
     ],
 )
 def test_out_of_the_package(workspace: str, reference: str, help_: str) -> None:
     (found,) = reported(CODE, mesh_link(reference), workspace)
     assert found.severity is Severity.WARNING
-    assert found.message == (
-        f"link 'arm': the visual mesh '{reference}' leaves package 'arm': not found once installed"
-    )
+    assert found.message == naming("arm", "visual", reference, "arm")
     assert found.help == help_
 
 

@@ -4,6 +4,7 @@ import pytest
 
 from tests.gazebos import plugin
 from tests.jointed import joint, limit, mimic, robot
+from tests.naming import naming
 from tests.reported import messages, places
 from urdfkit.lint.rule_examples import whole_robot
 
@@ -22,9 +23,7 @@ TAGS = "<joint>index</joint>\n<mimicJoint>tip</mimicJoint>\n<multiplier>{}</mult
 
 def test_another_multiplier_in_gazebo() -> None:
     text = hand(TAGS.format("1.2"))
-    assert messages("JNT016", text) == [
-        "plugin 'p' moves joint 'tip' by 1.2 times 'index', its <mimic> by 1.5 times"
-    ]
+    assert messages("JNT016", text) == [naming("p", "tip", "1.2", "index", "<mimic>", "1.5")]
     ((line, _),) = places("JNT016", text)
     assert "<multiplier>1.2<" in whole_robot(text).splitlines()[line - 1]
 

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.jointed import joint, limit, mimic, robot
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 
@@ -14,40 +15,31 @@ def pair(leading: tuple[str, str], own: tuple[str, str], rest: str, kind: str = 
 @pytest.mark.parametrize(
     ("leading", "own", "rest", "taken"),
     [
-        (("0", "0.8"), ("0", "0.8757"), 'multiplier="-1"', "-0.8, 0"),
-        (("-0.1", "0.6"), ("0", "0.8"), 'multiplier="1.6"', "-0.16, 0.96"),
-        (("0", "1"), ("0", "1"), 'offset="0.5"', "0.5, 1.5"),
-        (("-1", "1"), ("-1", "1"), 'multiplier="-1.05"', "-1.05, 1.05"),
-        (("1", "1"), ("2", "3"), "", "1, 1"),
+        (("0", "0.8"), ("0", "0.8757"), 'multiplier="-1"', "[-0.8, 0] rad"),
+        (("-0.1", "0.6"), ("0", "0.8"), 'multiplier="1.6"', "[-0.16, 0.96] rad"),
+        (("0", "1"), ("0", "1"), 'offset="0.5"', "[0.5, 1.5] rad"),
+        (("-1", "1"), ("-1", "1"), 'multiplier="-1.05"', "[-1.05, 1.05] rad"),
+        (("1", "1"), ("2", "3"), "", "[1, 1] rad"),
     ],
 )
 def test_a_follower_beyond_its_limits(
     leading: tuple[str, str], own: tuple[str, str], rest: str, taken: str
 ) -> None:
     text = pair(leading, own, rest)
-    assert messages("JNT016", text) == [
-        (
-            f"joint 'b': the mimic of 'a' drives it through [{taken}] rad, beyond its limits "
-            f"[{own[0]}, {own[1]}]"
-        )
-    ]
+    assert messages("JNT016", text) == [naming("b", "a", taken, f"[{own[0]}, {own[1]}]")]
     assert places("JNT016", text) == [(6, f'<mimic joint="a" {rest}/>')]
 
 
 def test_the_unit_of_a_prismatic_joint() -> None:
     (message,) = messages("JNT016", pair(("0", "0.1"), ("0", "0.05"), "", "prismatic"))
-    assert message == (
-        "joint 'b': the mimic of 'a' drives it through [0, 0.1] m, beyond its limits [0, 0.05]"
-    )
+    assert message == naming("b", "a", "[0, 0.1] m", "[0, 0.05]")
 
 
 def test_a_sign_that_would_do_is_reported() -> None:
     (found,) = reported("JNT016", pair(("0", "0.8"), ("-0.8", "0"), ""))
-    assert found.help == (
-        'if it turns the right way, write lower="0" upper="0.8"; else multiplier -1'
-    )
+    assert found.help == naming("right", 'lower="0"', 'upper="0.8"', "-1")
     (found,) = reported("JNT016", pair(("0", "0.8"), ("0", "0.5"), ""))
-    assert found.help == "correct multiplier and offset, or the limits of one of the two"
+    assert found.help == naming("multiplier")
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.jointed import joint, mimic, robot
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit.ros.targets import GAZEBO, TARGETS
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -26,9 +27,7 @@ def test_every_gazebo_and_nobody_else(target: str) -> None:
 
 def test_gazebo_is_inferred_from_a_plugin() -> None:
     plugin = '<gazebo><plugin name="p" filename="libgazebo_ros_control.so"/></gazebo>'
-    assert messages("JNT026", HAND + plugin) == [
-        "joints 'b' and 'c': Gazebo does not enforce the <mimic>"
-    ]
+    assert messages("JNT026", HAND + plugin) == [naming("b", "c", "Gazebo", "<mimic>")]
     assert places("JNT026", HAND + plugin) == [(6, mimic("a"))]
     assert reported("JNT026", HAND) == []
 
@@ -47,7 +46,7 @@ PLUGIN = '<plugin name="{0}" filename="libmimic_joint.so"><mimicJoint> {0} </mim
 def test_joints_that_something_else_couples(coupling: str) -> None:
     assert told_to("classic-ros1", HAND + coupling.format("c")) == []
     (found,) = told_to("classic-ros1", HAND + coupling.format("z"))
-    assert found.message == "joint 'c': Gazebo does not enforce the <mimic>"
+    assert found.message == naming("c", "Gazebo", "<mimic>")
 
 
 def test_a_fixed_joint_need_not_be_coupled() -> None:
@@ -58,11 +57,11 @@ def test_a_fixed_joint_need_not_be_coupled() -> None:
 @pytest.mark.parametrize(
     ("target", "help"),
     [
-        ("classic-ros1", "add a mimic plugin"),
-        ("classic-ros2", "add a mimic plugin, or list the joints in <ros2_control>"),
+        ("classic-ros1", naming("mimic")),
+        ("classic-ros2", naming("list", "<ros2_control>")),
         (
             "gz-harmonic",
-            "list the joints in <ros2_control>, or use the physics engine bullet-featherstone",
+            naming("list", "<ros2_control>"),
         ),
     ],
 )

@@ -12,6 +12,7 @@ from tests.controls import (
     transmission,
 )
 from tests.jointed import joint, limit, robot
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from urdfkit import check
 
@@ -26,7 +27,7 @@ def test_a_joint_of_ros2_control() -> None:
 
 def test_a_joint_of_a_transmission() -> None:
     text = ROBOT + transmission("wheel")
-    assert messages("RCT001", text) == ["transmission 't': unknown joint 'wheel'"]
+    assert messages("RCT001", text) == [naming("t", "unknown", "wheel")]
     assert places("RCT001", text) == [(NEXT + 1, "wheel")]
     assert reported("RCT001", text, targets=("classic-ros1", "ros2")) != []
     assert reported("RCT001", text, targets=("ros2",)) == [], "nothing reads it there"
@@ -35,7 +36,7 @@ def test_a_joint_of_a_transmission() -> None:
 def test_a_transmission_of_ros2_finds_the_joints_of_its_block_only() -> None:
     inner = '<transmission name="t"><plugin>p/C</plugin><joint name="{}" role="r"/></transmission>'
     assert messages("RCT001", ROBOT + control(driven("swing"), inner.format("slide"))) == [
-        "transmission 't': joint 'slide' is not in <ros2_control> 'c'"
+        naming("t", "slide", "<ros2_control>", "c")
     ]
     assert reported("RCT001", ROBOT + control(driven("swing"), inner.format("swing"))) == []
 
@@ -88,4 +89,4 @@ def test_joints_of_a_broadcaster(tmp_path: Path, joints: str, other: str, count:
         f"hand: {{ros__parameters: {{type: {TRAJECTORY}, joints: [swing]}}}}\n"
     )
     found = reported_with_file("RCT001", tmp_path, text, "")
-    assert [one.message for one in found] == ["controller 'b': unknown joint 'wheel'"] * count
+    assert [one.message for one in found] == [naming("b", "unknown", "wheel")] * count

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.controls import CLASSIC, GZ, MOCK, NEXT, ROBOT, control, driven, plugin
+from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 
 PLUGIN = "<plugin>mock_components/GenericSystem</plugin>"
@@ -51,7 +52,7 @@ def test_hardware_without_plugin(old: str, new: str, message: str, place: tuple[
 def test_a_transmission_without_plugin() -> None:
     inner = '<transmission name="t">{}<joint name="swing" role="r"/></transmission>'
     assert messages("RCT005", ROBOT + control(driven("swing"), inner.format(""))) == [
-        "transmission 't' has no <plugin>"
+        naming("t", "<plugin>")
     ]
     complete = inner.format("<plugin>transmission_interface/SimpleTransmission</plugin>")
     assert reported("RCT005", ROBOT + control(driven("swing"), complete)) == []
@@ -115,7 +116,7 @@ def test_gz_hardware_for_classic_and_for_ros1() -> None:
     (found,) = reported("RCT005", text + LOADS_CLASSIC)
     assert found.help == "use gazebo_ros2_control/GazeboSystem"
     (found,) = reported("RCT005", text + plugin("libgazebo_ros_control.so"))
-    assert found.help == "use the control plugin of the same simulator"
+    assert found.help == naming("simulator")
 
 
 @pytest.mark.parametrize(

@@ -1,18 +1,17 @@
 """RCT007: see the rule."""
 
 from tests.controls import NEXT, ROBOT, control, driven
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 
 def test_two_blocks_for_one_joint() -> None:
     text = ROBOT + control(driven("swing")) + control(driven("swing"), name="sim")
-    assert messages("RCT007", text) == [
-        "joint 'swing': command interface 'position' is declared twice"
-    ]
+    assert messages("RCT007", text) == [naming("swing", "position", "twice")]
     assert places("RCT007", text) == [(NEXT + 6, '<command_interface name="position"/>')]
     (found,) = reported("RCT007", text)
     assert [(one.span.line, one.message) for one in found.related] == [
-        (NEXT + 2, "first declared here, in <ros2_control> 'c'")
+        (NEXT + 2, naming("<ros2_control>", "c"))
     ]
 
 
@@ -29,14 +28,14 @@ def test_two_blocks_for_all_joints_are_one_finding() -> None:
     assert places("RCT007", text) == [(NEXT + 7, '<ros2_control name="sim" type="system">')]
     (found,) = reported("RCT007", text)
     assert [(one.span.line, one.message) for one in found.related] == [
-        (NEXT, "first declared here, in <ros2_control> 'c'")
+        (NEXT, naming("<ros2_control>", "c"))
     ]
 
 
 def test_duplicate_in_one_block() -> None:
     twice = '<state_interface name="effort"/>' * 2
     assert messages("RCT007", ROBOT + control(driven("swing", more=twice))) == [
-        "joint 'swing': state interface 'effort' is declared twice"
+        naming("swing", "effort", "twice")
     ]
 
 
@@ -57,7 +56,7 @@ def test_sensor_and_gpio_may_have_the_same_name() -> None:
 
 def test_two_blocks_of_one_name() -> None:
     text = ROBOT + control(driven("swing")) + control(driven("slide"))
-    assert messages("RCT007", text) == ["duplicate <ros2_control> name 'c'"]
+    assert messages("RCT007", text) == [naming("duplicate", "<ros2_control>", "c")]
     assert places("RCT007", text) == [(NEXT + 4, "c")]
     (found,) = reported("RCT007", text)
     assert [(one.span.line, one.message) for one in found.related] == [(NEXT, "first defined here")]

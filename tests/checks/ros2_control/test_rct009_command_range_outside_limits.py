@@ -3,6 +3,7 @@
 import pytest
 
 from tests.controls import NEXT, ROBOT, control
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 
@@ -19,24 +20,15 @@ def commanded(name: str, interface: str, least: str, greatest: str) -> str:
     [
         (
             commanded("slide", "position", "0", "0.506"),
-            (
-                "joint 'slide': the range of command_interface 'position', [0, 0.506] m, exceeds "
-                "the joint limit [0, 0.5] m"
-            ),
+            naming("slide", "command_interface", "position", "[0, 0.506] m", "[0, 0.5] m"),
         ),
         (
             commanded("swing", "velocity", "-3", "3"),
-            (
-                "joint 'swing': the range of command_interface 'velocity', [-3, 3] rad/s, "
-                "exceeds the joint limit [-2, 2] rad/s"
-            ),
+            naming("swing", "command_interface", "velocity", "[-3, 3] rad/s", "[-2, 2] rad/s"),
         ),
         (
             commanded("slide", "effort", "-200", "x"),
-            (
-                "joint 'slide': the range of command_interface 'effort', [-200, ...] N, "
-                "exceeds the joint limit [-100, 100] N"
-            ),
+            naming("slide", "command_interface", "effort", "-200", "[-100, 100] N"),
         ),
     ],
 )
@@ -54,7 +46,16 @@ def test_location_is_the_bound_outside_the_limit() -> None:
 def test_one_block_is_one_finding() -> None:
     joints = [commanded("slide", "position", "-1", "1"), commanded("swing", "velocity", "-9", "9")]
     (found,) = reported("RCT009", ROBOT + control(*joints))
-    assert found.message.endswith(", and 1 more in <ros2_control> 'c'")
+    assert found.message == naming(
+        "slide",
+        "command_interface",
+        "position",
+        "[-1, 1] m",
+        "[0, 0.5] m",
+        "1",
+        "<ros2_control>",
+        "c",
+    )
     assert [related.span.line for related in found.related] == [NEXT + 3]
 
 
@@ -76,15 +77,15 @@ def test_within(joint: str) -> None:
 
 def test_swapped() -> None:
     outside = ROBOT + control(commanded("slide", "position", "0.6", "0"))
-    assert messages("RCT009", outside) == ["joint 'slide', position: min 0.6 > max 0"]
+    assert messages("RCT009", outside) == [naming("slide", "0.6", "0")]
     text = ROBOT + control(commanded("slide", "position", "0.5", "0"))
-    assert messages("RCT009", text) == ["joint 'slide', position: min 0.5 > max 0"]
+    assert messages("RCT009", text) == [naming("slide", "0.5", "0")]
     assert places("RCT009", text) == [(NEXT + 2, '<param name="min">')]
 
 
 def test_sign_error() -> None:
     text = ROBOT + control(commanded("slide", "effort", "-500", "-500"))
-    assert messages("RCT009", text) == ["joint 'slide', effort: min and max are both -500"]
+    assert messages("RCT009", text) == [naming("slide", "effort", "both", "-500")]
     assert messages("RCT009", ROBOT + control(commanded("slide", "effort", "0", "0"))) == []
     (swapped,) = messages("RCT009", ROBOT + control(commanded("slide", "position", "0", "-0.5")))
     assert swapped.endswith("min 0 > max -0.5")
@@ -115,7 +116,7 @@ def starting(name: str, interface: str, value: str) -> str:
 def test_outside() -> None:
     text = ROBOT + control(starting("slide", "position", "0.6"))
     assert messages("RCT009", text) == [
-        "joint 'slide': initial_value 0.6 m is outside the joint limit [0, 0.5] m"
+        naming("slide", "initial_value", "0.6 m", "outside", "[0, 0.5] m")
     ]
     assert places("RCT009", text) == [(NEXT + 2, '<param name="initial_value">')]
 

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.controls import CLASSIC, GZ, MOCK, NEXT, ROBOT, control, driven, plugin, transmission
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit.text.diagnostic import Severity
 
@@ -38,7 +39,7 @@ def test_hardware_without_a_simulator() -> None:
 def test_two_plugins_in_one_namespace() -> None:
     block = ROBOT + control(driven("swing"), plugin=CLASSIC)
     text = block + plugin(LOADS) * 2
-    assert messages("RCT010", text) == [f"plugin {LOADS} is used twice in one namespace"]
+    assert messages("RCT010", text) == [naming(LOADS, "twice")]
     assert [line for line, _ in places("RCT010", text)] == [NEXT + 5]
     left, right = (plugin(LOADS, NAMESPACE.format(side)) for side in ("left", "right"))
     assert reported("RCT010", block + left + right) == []
@@ -47,7 +48,7 @@ def test_two_plugins_in_one_namespace() -> None:
 
 def test_plugin_of_ros1_requires_transmissions() -> None:
     assert messages("RCT010", ROBOT + plugin("libgazebo_ros_control.so")) == [
-        "plugin libgazebo_ros_control.so drives no joint: there are no transmissions"
+        naming("libgazebo_ros_control.so", "transmissions")
     ]
     assert (
         reported("RCT010", ROBOT + plugin("libgazebo_ros_control.so") + transmission("swing")) == []
@@ -59,10 +60,7 @@ def test_plugin_of_ros1_requires_transmissions() -> None:
 def test_transmissions_for_gazebo_that_nothing_loads() -> None:
     drive = plugin("libgazebo_ros_planar_move.so", "<commandTopic>cmd_vel</commandTopic>")
     assert messages("RCT010", ROBOT + transmission("swing") + drive) == [
-        (
-            "the robot has transmissions for Gazebo Classic, but no plugin in <gazebo> "
-            "loads them (libgazebo_ros_control.so)"
-        )
+        naming("Gazebo", "Classic", "<gazebo>", "libgazebo_ros_control.so")
     ]
     assert reported("RCT010", ROBOT + transmission("swing")) == []
 

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming, values
 from tests.srdfs import findings
 from urdfkit import Severity
 
@@ -46,7 +47,7 @@ def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str,
             "moveit_controllers.yaml",
             "trajectory_execution:\n  a: 1\nallowed_start_tolerance: 0.1\n",
             3,
-            "'allowed_start_tolerance' is not read: it is a parameter of trajectory_execution",
+            naming("allowed_start_tolerance", "trajectory_execution"),
             "indent it below trajectory_execution:",
         ),
         (
@@ -60,14 +61,14 @@ def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str,
             "moveit_controllers.yaml",
             MANAGER + "    joint: [shoulder]\n",
             5,
-            "controller 'c' has no 'joint'",
+            naming("c", "joint"),
             "write joints",
         ),
         (
             "moveit_controllers.yaml",
             MANAGER + "    joints: [shoulder]\n  d: {type: a, joints: [shoulder]}\n",
             6,
-            "controller 'd' is not in controller_names, so MoveIt ignores it",
+            naming("d", "controller_names", "MoveIt"),
             "add d to controller_names",
         ),
         (
@@ -75,10 +76,15 @@ def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str,
             "sensors: [s]\n" + IMAGE,
             3,
             (
-                "DepthImageOctomapUpdater has no image_topic; it does not read point_cloud_topic, "
-                "max_range, point_subsample"
+                naming(
+                    "DepthImageOctomapUpdater",
+                    "image_topic",
+                    "point_cloud_topic",
+                    "max_range",
+                    "point_subsample",
+                )
             ),
-            "add image_topic, or name the plugin that reads point_cloud_topic",
+            naming("image_topic", "point_cloud_topic"),
         ),
         (
             "sensors_3d.yaml",
@@ -91,21 +97,21 @@ def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str,
             "pilz_cartesian_limits.yaml",
             LIMITS,
             1,
-            "cartesian_limits has no max_rot_vel: LIN and CIRC fail",
+            naming("cartesian_limits", "max_rot_vel"),
             "add max_rot_vel",
         ),
         (
             "ompl_planning.yaml",
             NEW + f"request_adapters: >-\n  {ADAPTER}\n",
             2,
-            "request_adapters is a text, but with planning_plugins (Jazzy) it is a list",
-            f"write each on a line: - {ADAPTER}",
+            naming("request_adapters", "planning_plugins", "Jazzy", "list"),
+            naming(ADAPTER),
         ),
         (
             "ompl_planning.yaml",
             OLD + f"request_adapters:\n  - {ADAPTER}\n",
             1,
-            "planning_plugin is of Humble, and the lists of adapters are of Jazzy",
+            naming("planning_plugin", "Humble", "Jazzy"),
             "write planning_plugins: [ompl_interface/OMPLPlanner]",
         ),
         (
@@ -113,8 +119,13 @@ def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str,
             SERVO.format("std_msgs/Float64MultiArray"),
             3,
             (
-                "servo.yaml: command_out_type is 'std_msgs/Float64MultiArray', but "
-                "/c/joint_trajectory is trajectory_msgs/JointTrajectory"
+                naming(
+                    "servo.yaml",
+                    "command_out_type",
+                    "std_msgs/Float64MultiArray",
+                    "/c/joint_trajectory",
+                    "trajectory_msgs/JointTrajectory",
+                )
             ),
             "write trajectory_msgs/JointTrajectory",
         ),
@@ -129,13 +140,13 @@ def test_settings_without_effect(
 @pytest.mark.parametrize(
     ("file", "text", "line", "message", "help"),
     [
-        ("sensors_3d.yaml", "sensors: s\n" + CLOUD, 1, "sensors is 's', not a list", "write [s]"),
-        ("sensors_3d.yaml", "sensors: [t]\n", 1, "sensor 't' has no settings", "fix the name"),
+        ("sensors_3d.yaml", "sensors: s\n" + CLOUD, 1, naming("s", "list"), "write [s]"),
+        ("sensors_3d.yaml", "sensors: [t]\n", 1, naming("t", "no settings"), "fix the name"),
         (
             "ompl_planning.yaml",
             "planner_configs:\n  RRT:\n    type: geometric::RRT\ng:\n  planner_configs: RRT\n",
             5,
-            "planner_configs of group 'g' is not a list",
+            naming("planner_configs", "g", "list"),
             "write [RRT]",
         ),
     ],
@@ -175,7 +186,7 @@ def test_settings_that_are_read(tmp_path: Path, file: str, text: str) -> None:
 
 def test_a_planning_group_of_another_robot_in_rviz(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, "v.rviz", DISPLAY.format("panda_arm"))
-    message = "RViz: unknown planning group 'panda_arm'"
+    message = naming("RViz", "unknown", "panda_arm")
     assert found == (5, Severity.INFO.name, message, "write one of g")
 
 
@@ -186,9 +197,8 @@ def test_settings_of_a_controller_manager_that_move_group_does_not_load(
     if package:
         (tmp_path / "package.xml").write_text('<package format="3"><name>p</name></package>')
     found = reported(tmp_path, "moveit_controllers.yaml", MANAGER)
-    message = "no moveit_controller_manager is named: move_group does not load "
-    message += "moveit_simple_controller_manager"
-    assert (message in [text for _, _, text, _ in found]) == package
+    names = ["moveit_controller_manager", "move_group", "moveit_simple_controller_manager"]
+    assert (names in [values(text) for _, _, text, _ in found]) == package
 
 
 CONTROLLERS = """\
@@ -217,5 +227,5 @@ def test_a_topic_of_servo_that_its_controller_does_not_read(
     (tmp_path / "ros2_controllers.yaml").write_text(CONTROLLERS)
     text = f"move_group_name: g\ncommand_out_topic: {topic}\n"
     found = [(message, help) for _, _, message, help in reported(tmp_path, "servo.yaml", text)]
-    message = f"servo.yaml: '{topic}' is not read: the controller reads '{read}'"
+    message = naming("servo.yaml", topic, read)
     assert found == ([(message, f"write {read}")] if read else [])

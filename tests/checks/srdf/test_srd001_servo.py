@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.srdfs import findings
 
 GROUP = '<group name="arm"><chain base_link="base" tip_link="hand"/></group>'
@@ -69,5 +70,5 @@ def test_the_frame_of_a_virtual_joint(tmp_path: Path) -> None:
 def test_controllers(tmp_path: Path, topic: str, controllers: str, count: int) -> None:
     text = SERVO.replace("/arm_controller/joint_trajectory", topic)
     found = messages(tmp_path, text, controllers=controllers)
-    words = "command_out_topic is of controller 'panda_arm_controller'"
+    words = naming("command_out_topic", "panda_arm_controller")
     assert [one.partition(",")[0] for one in found] == [words] * count

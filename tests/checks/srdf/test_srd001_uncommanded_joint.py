@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.workspaces import add_file
 from urdfkit import check
 
@@ -44,7 +45,7 @@ def messages(directory: Path, joints: str, srdf: str = "", robot: str = "</robot
 
 def test_one_is_forgotten(tmp_path: Path) -> None:
     (message,) = messages(tmp_path, "j1, j2, j3")
-    assert message.startswith("controller 'arm' lacks joint 'j4' of group 'arm'")
+    assert message == naming("arm", "j4", "arm", "MoveIt")
 
 
 FINGER = """<link name='f'/><joint name='finger' type='revolute'><parent link='l3'/>

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.srdfs import findings
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
@@ -66,17 +67,17 @@ def test_valid_elements(tmp_path: Path, body: str) -> None:
         (
             '<group_sate name="s" group="g"/>',
             "group_sate",
-            "unknown element <group_sate> in <robot> (ignored); did you mean 'group_state'?",
+            naming("unknown", "<group_sate>", "<robot>", "ignored", "group_state"),
         ),
         (
             '<group name="g"><chian base_link="base" tip_link="arm"/></group>',
             "chian",
-            "unknown element <chian> in <group> (ignored); did you mean 'chain'?",
+            naming("unknown", "<chian>", "<group>", "ignored", "chain"),
         ),
         (
             '<disable_collisions link1="base" link_2="arm"/>',
             "link_2",
-            "unknown attribute 'link_2' in <disable_collisions> (ignored); did you mean 'link2'?",
+            naming("unknown", "link_2", "<disable_collisions>", "ignored", "link2"),
         ),
     ],
 )

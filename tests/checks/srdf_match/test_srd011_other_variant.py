@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from urdfkit import Diagnostic, check
 from urdfkit.lint.grouping import grouped
 
@@ -60,9 +61,7 @@ def test_another_robot_of_the_package_has_the_names(
     monkeypatch.chdir(tmp_path)
     (found,) = about_srdf(write(tmp_path))
     assert (found.code, found.severity.value) == ("SRD011", "info")
-    assert found.message == (
-        "10 of 20 names in the SRDF are not in this robot; they are in robots/talos_full.urdf"
-    )
+    assert found.message == naming("10", "20", "robots/talos_full.urdf")
 
 
 def test_an_outdated_srdf_is_reported_in_groups(tmp_path: Path) -> None:
@@ -91,7 +90,7 @@ def test_a_prefix_is_one_finding(tmp_path: Path, prefix: str) -> None:
     (finding,) = found
     assert (finding.code, finding.message) == (
         "SRD011",
-        "6 of 6 names in the SRDF are not in this robot, whose names begin with 'left_'",
+        naming("6", "6", "left_"),
     )
 
 

@@ -2,13 +2,14 @@
 
 from pathlib import Path
 
+from tests.naming import naming
 from tests.srdfs import findings
 from urdfkit.text.diagnostic import Severity
 
 
 def test_both_names_are_reported(tmp_path: Path) -> None:
     (finding,) = findings(tmp_path, "", "SRD011", name="other")
-    assert finding.message == "robot name 'other' in the SRDF differs from 'r' in the URDF"
+    assert finding.message == naming("other", "r")
     assert (finding.span.line, finding.span.text) == (1, "other")
     assert finding.severity is Severity.WARNING  # MoveIt logs it and goes on
 

@@ -1,5 +1,6 @@
 import pytest
 
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
@@ -7,7 +8,7 @@ XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 def test_the_robot_is_the_place() -> None:
     robot = '<!-- empty -->\n<robot name="r">\n<joint name="j" type="fixed"/></robot>'
-    assert messages("TRE001", robot) == ["the robot has no link"]
+    assert messages("TRE001", robot) == [naming("robot")]
     assert places("TRE001", robot) == [(2, '<robot name="r">')]
 
 

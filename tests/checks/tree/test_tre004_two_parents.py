@@ -1,3 +1,4 @@
+from tests.naming import naming
 from tests.reported import messages, places, reported
 
 JOINT = '<joint name="{0}" type="fixed"><parent link="{1}"/><child link="{2}"/></joint>\n'
@@ -7,15 +8,15 @@ LINKS = '<link name="a"/><link name="b"/><link name="c"/>\n'
 def test_every_further_joint_is_reported_with_the_first() -> None:
     robot = LINKS + JOINT.format("i", "a", "c") + JOINT.format("j", "b", "c")
     (found,) = reported("TRE004", robot)
-    assert found.message == "link 'c' is the child of joint 'j' and of joint 'i'"
+    assert found.message == naming("c", "j", "i")
     assert places("TRE004", robot) == [(4, "c")]
     assert [(one.span.line, one.message) for one in found.related] == [(3, "joint 'i'")]
 
 
 def test_two_joints_between_the_same_links() -> None:
     assert messages("TRE004", LINKS + "".join(JOINT.format(n, "a", "b") for n in "ijk")) == [
-        "link 'b' is the child of joint 'j' and of joint 'i'",
-        "link 'b' is the child of joint 'k' and of joint 'i'",
+        naming("b", "j", "i"),
+        naming("b", "k", "i"),
     ]
 
 

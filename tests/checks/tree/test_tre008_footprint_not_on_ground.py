@@ -3,6 +3,7 @@ from math import pi
 import pytest
 
 from tests.conftest import MISSION
+from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit.lint import engine
 
@@ -13,10 +14,6 @@ LINK = (
 JOINT = (
     '<joint name="{0}_joint" type="fixed">\n<origin xyz="{1}" rpy="{2}"/><parent link="{0}"/>'
     '<child link="{3}"/></joint>\n'
-)
-MESSAGE = (
-    "the lowest collision point (link 'base_link') is {} 'base_footprint', which by convention "
-    "lies on the ground"
 )
 BOX = '<box size="1 2 4"/>'
 
@@ -46,10 +43,10 @@ def robot(shape: str, height: float, turn: str = "0 0 0", own: str = "0 0 0") ->
 def test_the_lowest_point_of_every_primitive(shape: str, turn: str, reach: float) -> None:
     assert messages("TRE008", robot(shape, reach, turn)) == []
     assert messages("TRE008", robot(shape, reach - 0.006, turn)) == [
-        MESSAGE.format("0.006 m below")
+        naming("base_link", "0.006 m", "below", "base_footprint")
     ]
     assert messages("TRE008", robot(shape, reach + 0.006, turn)) == [
-        MESSAGE.format("0.006 m above")
+        naming("base_link", "0.006 m", "above", "base_footprint")
     ]
 
 
@@ -75,7 +72,9 @@ def test_a_footprint_that_hangs_below_the_base() -> None:
         + JOINT.format("base_link", "0 0 {}", "0 0 0", "base_footprint")
     )
     assert messages("TRE008", model.format(-2)) == []
-    assert messages("TRE008", model.format(-1.5)) == [MESSAGE.format("0.5 m below")]
+    assert messages("TRE008", model.format(-1.5)) == [
+        naming("base_link", "0.5 m", "below", "base_footprint")
+    ]
 
 
 MESH = '<mesh filename="wheel.stl"/>'
@@ -106,7 +105,7 @@ def test_the_mission_s_model() -> None:
     report = engine.check(MISSION, select=["TRE008"])
     (found,) = report.diagnostics
     assert found.span.text == '<joint name="base_footprint_joint" type="fixed">'
-    assert "is 0.06 m below 'base_footprint'" in found.message
+    assert "0.06 m below 'base_footprint'" in found.message
 
 
 def test_the_height_is_not_known_where_a_mesh_may_reach_lower() -> None:

@@ -1,5 +1,6 @@
 import pytest
 
+from tests.naming import naming
 from tests.xacros import marked, reported, xacro
 from urdfkit.lint import engine
 from urdfkit.text.schema import XACRO_TAGS
@@ -11,8 +12,8 @@ ARM = '<xacro:macro name="arm" params="side"><link name="${side}"/></xacro:macro
 def test_a_macro() -> None:
     (found,) = reported("XAC002", f'{ARM}<link name="base"/>\n<arm side="left"/>')
     assert (found.span.line, found.span.text) == (4, '<arm side="left"/>')
-    assert found.message == "macro 'arm' is called without the xacro: prefix"
-    assert found.help == "write the tag, and its end tag, with the prefix: <xacro:...>"
+    assert found.message == naming("arm", "without")
+    assert found.help == naming("prefix", "<xacro:...>")
 
 
 def test_a_macro_inside_a_link() -> None:

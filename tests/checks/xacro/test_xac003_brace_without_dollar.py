@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.naming import naming
 from tests.reported import fixed, messages
 from urdfkit import check
 from urdfkit.text.source import Source
@@ -26,7 +27,7 @@ MACRO = (
 def test_a_name_in_braces(inside: str, name: str) -> None:
     text = MACRO.replace("INSIDE", inside)
     (found,) = check(Source("r.urdf.xacro", text.encode()), select=["XAC003"]).diagnostics
-    assert found.message == f"xacro does not replace {{{name}}}: the dollar before it is missing"
+    assert found.message == naming(f"{{{name}}}", "dollar")
     assert len(found.calls) == 2
 
 

@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.reported import reported
 from tests.urdfdom import needs_check_urdf, urdfdom_reads
 from tests.xacros import NAMESPACE
@@ -19,7 +20,7 @@ def test_in_an_attribute_and_in_a_text() -> None:
     )
     found = reported("XAC003", robot)
     assert [(one.span.line, one.span.text, one.message, one.severity) for one in found] == [
-        (2, "${side}_arm", 'name="${side}_arm" is not expanded', Severity.ERROR),
+        (2, "${side}_arm", naming('name="${side}_arm"', "expanded"), Severity.ERROR),
         (4, "<parameters>", "<parameters>$(find a)/b.yaml is not expanded", Severity.WARNING),
     ]
 

@@ -1,5 +1,6 @@
 import pytest
 
+from tests.naming import naming
 from tests.reported import fixed
 from tests.xacros import reported, xacro
 
@@ -16,7 +17,7 @@ from tests.xacros import reported, xacro
 def test_fewer_digits(name: str, value: str, off: str) -> None:
     body = f'<xacro:property name="{name}" value="{value}"/><link name="l${{{name}}}"/>'
     (found,) = reported("XAC007", body)
-    assert found.message == (f"property '{name}' is {float(value)}, {off} off the built-in pi")
+    assert found.message == naming(name, f"{float(value)}, {off}")
     assert found.fix is not None
     (edit,) = found.fix.edits
     assert (edit.span.text, edit.text) == (value, "${pi}")
