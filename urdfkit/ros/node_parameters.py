@@ -22,6 +22,7 @@ class NodeParameters(Record):
     at: Span  # location of the name
     values: dict[str, Node]  # parameters; sections are mappings
     namespace: str = ""  # as in the file, with slashes between its parts
+    kind: str = ""  # of the node in the catalogue, if its program is known
 
     @property
     def path(self) -> tuple[str, ...]:

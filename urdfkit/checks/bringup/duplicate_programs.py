@@ -2,7 +2,14 @@
 
 from collections.abc import Iterator
 
-from urdfkit.checks.bringup.odometry import OdometryTransform, of_bridges, of_drives, of_filters
+from urdfkit.checks.bringup.odometry import (
+    OdometryTransform,
+    of_bridges,
+    of_cartographer,
+    of_drives,
+    of_estimators,
+    of_filters,
+)
 from urdfkit.checks.bringup.published_robots import published_robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.bridges import is_bridge
@@ -18,6 +25,8 @@ from urdfkit.text.located_yaml import Value
 _PUBLISHER = "robot_state_publisher"
 #: The nodes of robot_localization that estimate a state, and their topic.
 _FILTERS, _FILTERED = ("ekf_node", "ukf_node"), "odometry/filtered"
+#: A filter that publishes a transform by default.
+_ORIENTATION = ("imu_filter_madgwick", "imu_filter_madgwick_node")
 #: Root links that are global frames.
 _WORLDS = ("world", "map", "odom")
 #: Packages of programs that publish the transform from map to odom, and the parameter for it.
@@ -67,13 +76,22 @@ def second_manager(context: Context, programs: list[StartedProgram]) -> Findings
 
 
 def second_odometry(context: Context, programs: list[StartedProgram]) -> Findings:
-    """A transform from odom to the robot by a filter, and by a controller or a bridge."""
+    """A transform from odom to the robot by a filter or an estimator, and by something else."""
     filters = {transform.parent: transform for transform in of_filters(programs, context)}
+    for estimator in of_estimators(programs, context):
+        other = filters.setdefault(estimator.parent, estimator)
+        if other is not estimator:
+            yield _twice(other, estimator, estimator.publisher, "set its publish_tf: false")
     for _, robot in context.described_robots if filters else ():
         for bridged in of_bridges(programs, context, robot):
             if filter := filters.get(bridged.parent):
                 publisher = f"{bridged.publisher} through the bridge"
                 yield _twice(filter, bridged, publisher, "remove /tf from the bridge")
+    children = {transform.child: transform for transform in filters.values()}
+    for slam in of_cartographer(programs, context):
+        if filter := children.get(slam.child):
+            help = f'write provide_odom_frame = false and published_frame = "{filter.parent}"'
+            yield _twice(filter, slam, slam.publisher, help)
     for drive in of_drives(programs, context) if filters else ():
         if filter := filters.get(drive.parent):
             yield _twice(filter, drive, drive.publisher, "write enable_odom_tf: false")
@@ -84,10 +102,10 @@ def _twice(
 ) -> Finding:
     return Finding(
         other.at,
-        f"the transform of '{other.parent}' is published twice: by {publisher}, and by "
+        f"the transform of '{filter.parent}' is published twice: by {publisher}, and by "
         f"{filter.publisher}",
         help,
-        related=(Related(filter.at.span, "the filter is started here"),),
+        related=(Related(filter.at.span, f"{filter.publisher} is started here"),),
     )
 
 
@@ -104,6 +122,27 @@ def second_filter(context: Context, programs: list[StartedProgram]) -> Findings:
                 f"'{other.title}' and '{node.title}' both publish on '{output}'",
                 f"remap {_FILTERED} of one of them",
                 related=(Related(other.span, f"'{other.title}' is started here"),),
+            )
+
+
+def second_orientation(context: Context, programs: list[StartedProgram]) -> Findings:
+    """A filter of an IMU that publishes the transform of the link of the IMU."""
+    for node in programs:
+        if (node.package, node.executable) != _ORIENTATION or context.launch.has_scopes:
+            continue
+        is_published = given_parameter(node, "publish_tf", context.resolver)
+        if is_published is None or is_published.lower() not in ("", "true"):
+            continue
+        frame = given_parameter(node, "fixed_frame", context.resolver) or "odom"
+        links = [link for robot in published_robots(context) for link in robot.model.links]
+        imu = next((link for link in links if "imu" in link.name.lower()), None)
+        if imu is not None:
+            yield Finding(
+                node.at,
+                f"'{node.title}' publishes the transform from {frame} to the frame of the IMU, and "
+                f"robot_state_publisher that of '{imu.name}': a frame has one parent",
+                "set publish_tf: false",
+                related=(Related(imu.at.span, f"link '{imu.name}'"),),
             )
 
 

@@ -49,12 +49,14 @@ from urdfkit.ros.launch.bridges import (
     BridgedTopic,
     all_messages,
     bridged_topics,
+    config_path,
     gazebo_messages,
     is_bridge,
     ros_messages,
     ros_types,
 )
 from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.text.located_yaml import Key, load, mapping
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -79,6 +81,7 @@ def check(context: Context) -> Findings:
     for program in context.launch.programs:
         yield from _merged(program, context)
         yield from _without_topics(program)
+        yield from _not_a_list(program, context)
     bridged = [
         (topic, program.frame)
         for program in context.launch.programs
@@ -106,6 +109,19 @@ def _without_topics(program: StartedProgram) -> Findings:
         help = 'write {"config_file": PATH} in its parameters'
         at = program.at
         yield Finding(at, message, help, severity=Severity.WARNING)
+
+
+def _not_a_list(program: StartedProgram, context: Context) -> Findings:
+    """A file of topics that is a mapping, such as a single topic without its dash."""
+    path = config_path(program) if is_bridge(program) else None
+    source = context.resolver.readable(path) if path else None
+    entries = load(source) if source else None
+    for key in mapping(entries):
+        if isinstance(key, Key):
+            message = "the bridge has no topics: the file is a mapping, must be a list"
+            help = f"write - {key}: ..., and the other keys below it"
+            yield Finding(Location(key.span, program.frame), message, help)
+            return
 
 
 def _merged(program: StartedProgram, context: Context) -> Findings:

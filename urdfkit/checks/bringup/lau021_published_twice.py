@@ -73,6 +73,7 @@ def check(context: Context) -> Findings:
     yield from duplicate_programs.second_manager(context, programs)
     yield from duplicate_programs.second_odometry(context, programs)
     yield from duplicate_programs.second_filter(context, programs)
+    yield from duplicate_programs.second_orientation(context, programs)
     yield from duplicate_programs.second_parent(context, programs)
     yield from duplicate_programs.static_odometry(context, programs)
     yield from duplicate_programs.second_map(context, programs)

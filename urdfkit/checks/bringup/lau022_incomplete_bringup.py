@@ -51,6 +51,7 @@ Sources:
 """
 
 from urdfkit.checks.bringup import lifecycle, mismatched_names, simulation
+from urdfkit.checks.bringup.containers import missing_container
 from urdfkit.checks.bringup.defined_controllers import defined_controllers
 from urdfkit.checks.bringup.navigation_commands import mistyped_navigation, unpublished_commands
 from urdfkit.checks.bringup.unpublished_odometry import unpublished_odometry
@@ -113,6 +114,7 @@ def check(context: Context) -> Findings:
     yield from simulation.unloaded_hardware(context, programs)
     yield from simulation.hardware_without_simulator(context, programs)
     if not launch.has_scopes and all(map(is_part_of_ros, launch.unread)):
+        yield from missing_container(context)
         yield from mismatched_names.unpublished_description(context, programs)
         yield from mismatched_names.unread_description(programs)
         yield from simulation.unpublished_joint_states(context, programs)

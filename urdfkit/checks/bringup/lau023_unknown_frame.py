@@ -33,6 +33,7 @@ Sources:
     RViz, frame_manager.cpp: https://github.com/ros2/rviz/blob/rolling/rviz_common/src/rviz_common/frame_manager.cpp
 """
 
+import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.checks.bringup.published_frames import (
@@ -46,7 +47,13 @@ from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.launch.contents import Launch
-from urdfkit.ros.launch.frames import GLOBAL, NamedFrame, default_frames, named_frames
+from urdfkit.ros.launch.frames import (
+    GLOBAL,
+    NamedFrame,
+    default_frames,
+    named_frames,
+    sensor_frames,
+)
 from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import Value
@@ -78,12 +85,24 @@ FILES = {
 #: Usual global frames of a costmap.
 _GLOBAL = ("map", "odom")
 _MAX_NAMED = 4
+#: Packages whose programs publish no frames of sensors, and those that need these frames.
+_PLAIN = re.compile(
+    r"controller_manager|joint_state_publisher(_gui)?|joy(_linux)?|ros_gz_\w+|rviz2|tf2_ros"
+    r"|twist_mux|teleop_twist_(joy|keyboard)|rplidar_ros|sllidar_ros2|ldlidar_stl_ros2|urg_node2"
+    r"|usb_cam|velodyne_\w+|laser_filters|pointcloud_to_laserscan|imu_filter_madgwick"
+    r"|robot_state_publisher|robot_localization|slam_toolbox|nav2_\w+|micro_ros_agent|xacro"
+)
+_LOCATED = re.compile(r"robot_state_publisher|robot_localization|slam_toolbox|nav2_\w+")
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     launch = context.launch
     frames = [*named_frames(launch, context.resolver), *default_frames(launch, context.resolver)]
+    if all(_PLAIN.fullmatch(node.package) for node in launch.programs) and any(
+        _LOCATED.fullmatch(node.package) for node in launch.programs
+    ):
+        frames += sensor_frames(launch, context.resolver)
     if not frames and not any(True for _ in static_transforms(launch)):
         return
     if known := published_frames(context):
@@ -102,7 +121,7 @@ def _unpublished(context: Context, frames: list[NamedFrame], known: frozenset[st
         frame
         for frame in frames
         if frame.name not in known
-        and frame.key not in overridden
+        and (frame.named_at is None or frame.key not in overridden)
         and (frame.key or frame.name not in frames_of_drivers)
         and not _is_in_namespace(frame, launch, last_words)
         and (frame.key != GLOBAL or _is_typo(frame, frames))

@@ -7,7 +7,8 @@
   Or the parameters of a plugin are below another name than the list of plugins has.
 - A parameter file is a list, such as the topics of ros_gz_bridge, which belong into `config_file`
   (error).
-- A parameter of a node or plugin of Nav2, or of slam_toolbox, is misspelt.
+- A parameter of a node or plugin of Nav2, of slam_toolbox or of a driver is misspelt, or has the
+  name of an earlier release: `dev` of joy_node, `enable_pointcloud` of realsense2_camera.
 - A name is that of an earlier release, while other files are for Jazzy: `recoveries_server`,
   `progress_checker_plugin`, Nav2's own libraries in `plugin_lib_names`, a twist_mux without
   `use_stamped`.
@@ -24,7 +25,11 @@ Sources:
 import os
 
 from urdfkit.checks.bringup import parameter_names, parameter_sections
-from urdfkit.checks.bringup.read_parameters import parameter_files, whole_sections
+from urdfkit.checks.bringup.read_parameters import (
+    parameter_files,
+    parameters_of_started,
+    whole_sections,
+)
 from urdfkit.checks.bringup.renamed_parameters import outdated
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.text.located_yaml import load
@@ -56,14 +61,15 @@ _BELOW_NODE = "write the parameters below the name of the node and ros__paramete
 def check(context: Context) -> Findings:
     files = parameter_files(context)
     sections = [section for own in files.values() for section in own]
-    for section in sections:
+    started = parameters_of_started(context, files)
+    for section in (*sections, *started):
         yield from parameter_names.misspelt(section)
     for section in whole_sections(sections):
         yield from parameter_sections.unread_plugins(section)
         yield from parameter_sections.misplaced(section)
         yield from parameter_sections.unlisted_filters(section)
         yield from parameter_names.unread_inputs(section)
-    yield from outdated(context, sections)
+    yield from outdated(context, [*sections, *started])
     yield from _lists(context)
     yield from parameter_sections.misnamed_sections(context, files)
 

@@ -29,8 +29,13 @@ Sources:
 
 from urdfkit.checks.bringup import costmap_parameters, parameter_types, parameter_values
 from urdfkit.checks.bringup.invalid_maps import invalid_maps, missing_graphs, missing_maps
-from urdfkit.checks.bringup.plugin_parameters import unloadable_plugins
-from urdfkit.checks.bringup.read_parameters import parameter_files, whole_sections
+from urdfkit.checks.bringup.plugin_parameters import missing_behaviors, unloadable_plugins
+from urdfkit.checks.bringup.read_parameters import (
+    parameter_files,
+    parameters_of_started,
+    whole_sections,
+)
+from urdfkit.checks.bringup.rejected_files import rejected_files
 from urdfkit.lint.rules import Context, Findings, Need, Severity, rule
 
 NAME = "launch/filter.launch.py"
@@ -61,14 +66,15 @@ FILES = {
 def check(context: Context) -> Findings:
     files = parameter_files(context)
     sections = [section for own in files.values() for section in own]
+    for section in (*sections, *parameters_of_started(context, files)):
+        yield from parameter_types.wrong_types(section)
+        yield from parameter_values.invalid_values(section)
+        yield from parameter_values.wrong_signs(section)
     for section in sections:
         yield from parameter_types.wrong_configurations(section)
-        yield from parameter_types.wrong_types(section)
         yield from parameter_types.inputs_of_twist_mux(section)
         yield from parameter_types.outdated_motion_model(section)
         yield from parameter_types.wrong_sizes(section)
-        yield from parameter_values.invalid_values(section)
-        yield from parameter_values.wrong_signs(section)
         yield from costmap_parameters.misspelt_servers(section)
     for section in whole_sections(sections):
         yield from costmap_parameters.plugins(section)
@@ -76,8 +82,8 @@ def check(context: Context) -> Findings:
         yield from parameter_values.missing(section)
     for own in files.values():
         yield from costmap_parameters.mixed_names(own)
-    for program in context.launch.started:
-        yield from parameter_types.integer_frequency(program)
+    yield from missing_behaviors(context, sections)
+    yield from rejected_files(context)
     yield from invalid_maps(context)
     yield from missing_maps(context)
     yield from missing_graphs(context, sections)

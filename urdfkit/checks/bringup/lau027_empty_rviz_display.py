@@ -3,6 +3,7 @@
 - A display has a class that RViz 2 does not have, such as `rviz/LaserScan` of ROS 1.
 - The robot's meshes have paths, such as `$(find PACKAGE)/mesh.stl`, or Gazebo's `model://`: "Could
   not load resource".
+- A display requires reliable messages, which a node publishes as best effort.
 - The display of the map is volatile, and misses what map_server published before.
 - The tool for goals or for the initial pose has the topic of ROS 1 or a misspelt one, which Nav2
   does not read.
@@ -13,6 +14,7 @@ Sources:
 """
 
 from urdfkit.checks.bringup.rviz_displays import (
+    incompatible_reliability,
     meshes_without_uri,
     unknown_classes,
     unread_goals,
@@ -40,4 +42,5 @@ def check(context: Context) -> Findings:
     yield from unknown_classes(context)
     yield from meshes_without_uri(context)
     yield from volatile_maps(context)
+    yield from incompatible_reliability(context)
     yield from unread_goals(context)

@@ -3,6 +3,7 @@
 - A spawner or robot_state_publisher remaps the topics of a controller, whose node is the controller
   manager. Pass `--controller-ros-args` to the spawner, or remap in ros2_control_node.
 - A remapping is the wrong way round: from another name to that of the node.
+- The node has no such topic: navsat_transform_node reads `imu`, not `imu/data` as in ROS 1.
 - `cmd_vel_unstamped` of a drive is remapped, which it has only with `use_stamped_vel: false`.
 - `odometry/filtered` of robot_localization is remapped to its own input.
 
@@ -14,6 +15,7 @@ Sources:
 from urdfkit.checks.bringup.unread_remappings import (
     read_own_output,
     reversed_remappings,
+    unknown_topics,
     unread_remappings,
     unstamped_commands,
 )
@@ -39,5 +41,6 @@ GOOD = """\
 def check(context: Context) -> Findings:
     yield from unread_remappings(context)
     yield from reversed_remappings(context)
+    yield from unknown_topics(context)
     yield from read_own_output(context)
     yield from unstamped_commands(context)

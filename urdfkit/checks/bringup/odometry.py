@@ -5,14 +5,18 @@ Source: ``DiffDrive.cc`` and ``OdometryPublisher.cc`` of gz-sim.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
+from itertools import pairwise
 
 from urdfkit.checks.bringup.defined_controllers import defined_controllers
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Location
+from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.topics import of_plugin
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.document import Element
@@ -28,6 +32,12 @@ _PARAMETERS = {
     "world_frame": "odom",
     "base_link_frame": "",  # base_link by default, but a section that is not found may set it
 }
+_CARTOGRAPHER = ("cartographer_ros", "cartographer_node")
+#: Options of Cartographer in a file of Lua.
+_OPTION = re.compile(r'(?m)^\s*(\w+)\s*=\s*"?([\w/]+)"?\s*,')
+_PROVIDED = "provide_odom_frame"
+#: The switch of other programs.
+_TF, _GUESS = "publish_tf", "guess_frame_id"
 #: Tags of Gazebo's plugins for the parent and the child frame of odometry.
 _PARENTS, _CHILDREN = ("frame_id", "odom_frame"), ("child_frame_id", "robot_base_frame")
 
@@ -74,6 +84,42 @@ def _frames_of_filter(program: StartedProgram, context: Context) -> dict[str, st
     if not is_known or frames["publish_tf"].lower() != "true":
         return {}
     return {key: text.strip("/") for key, text in frames.items()}
+
+
+def of_estimators(
+    programs: Iterable[StartedProgram], context: Context
+) -> Iterator[OdometryTransform]:
+    """The transforms of odometry from scans or images."""
+    for program in programs if not context.launch.has_scopes else ():
+        keys = data("nodes")["odometry"].get(f"{program.package}/{program.executable}")
+        given = (given_parameter(program, key, context.resolver) for key in (*(keys or ()), _TF))
+        parent, child, is_published = given if keys else (None, None, None)
+        if parent is None or child is None or program.namespace != "":
+            continue
+        if given_parameter(program, _GUESS, context.resolver) != "":
+            continue  # rtabmap publishes the transform to that frame instead
+        if is_published is not None and is_published.lower() in ("", "true"):
+            frames = ((parent or "odom").strip("/"), (child or "base_link").strip("/"))
+            yield OdometryTransform(*frames, f"'{program.title}'", program.at)
+
+
+def of_cartographer(
+    programs: Iterable[StartedProgram], context: Context
+) -> Iterator[OdometryTransform]:
+    """The transforms of Cartographer: to published_frame, from odometry or from the map."""
+    for program in programs:
+        if (program.package, program.executable) != _CARTOGRAPHER:
+            continue
+        options = {flag.text: word.text for flag, word in pairwise(program.words)}
+        directory = options.get("-configuration_directory")
+        name = options.get("-configuration_basename")
+        source = context.resolver.readable(f"{directory}/{name}") if directory and name else None
+        values = dict(_OPTION.findall(source.data.decode("utf-8", "replace"))) if source else {}
+        if _PROVIDED in values and "published_frame" in values:
+            parent = values.get("odom_frame" if values[_PROVIDED] == "true" else "map_frame", "")
+            yield OdometryTransform(
+                parent, values["published_frame"], f"'{program.executable}'", program.at
+            )
 
 
 def of_drives(programs: Iterable[StartedProgram], context: Context) -> Iterator[OdometryTransform]:

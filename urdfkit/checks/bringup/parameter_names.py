@@ -33,6 +33,8 @@ def _meant(given: GivenValue) -> str | None:
     names = {name.rpartition(".")[2] for name in given.known}
     if given.at in names or not isinstance(given.value, Value | list):
         return None
+    if given.at.startswith("_") and given.at[1:] in names:
+        return given.at[1:]  # as on the command line of ROS 1
     suggested = nearest(given.at, names, CLOSE_TYPO) or next(
         (name for name in names if len(name) > 4 and is_typo(given.at, name)), None
     )

@@ -8,14 +8,12 @@ import re
 
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.known_parameters import CONFIGURATION, given_values
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
 from urdfkit.text.located_yaml import Key, Node, Value, entries, mapping, scalars
 
 _SIZES = ("width", "height")
-PUBLISHER, FREQUENCY = "robot_state_publisher", "publish_frequency"
 #: Values of a configuration of robot_localization: position, angles, velocities, rates,
 #: accelerations.
 _STATES = 15
@@ -66,17 +64,6 @@ def wrong_configurations(node: NodeParameters) -> Findings:
                 f"'{node.name}': {key} has {len(value)} values, not {_STATES}",
                 "write five rows: x y z, roll pitch yaw, their velocities, accelerations of x y z",
             )
-
-
-def integer_frequency(program: StartedProgram) -> Findings:
-    """An integer frequency of robot_state_publisher, which ROS 1 accepts and ROS 2 rejects."""
-    value = program.parameters.values.get(FREQUENCY) or ""
-    is_ros2 = program.span.source.path.endswith(".py")
-    if program.package == PUBLISHER and is_ros2 and re.fullmatch(r"\d+", value):
-        message = (
-            f"{PUBLISHER} stops: {FREQUENCY} is declared as a double, and {value} is an integer"
-        )
-        yield Finding(program.at, message, f"write {value}.0")
 
 
 def outdated_motion_model(node: NodeParameters) -> Findings:

@@ -10,7 +10,7 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.known_parameters import given_values
+from urdfkit.ros.launch.known_parameters import given_values, kind_of
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Value, scalars
 
@@ -31,7 +31,7 @@ def missing(node: NodeParameters) -> Findings:
 def invalid_values(node: NodeParameters) -> Findings:
     """Modes that a node does not have, lists of another length, and footprints."""
     choices: dict[str, str] = data("node_parameters")["choices"]
-    lengths: dict[str, list[int]] = data("node_parameters")["lengths"].get(node.name, {})
+    lengths: dict[str, list[int]] = data("node_parameters")["lengths"].get(kind_of(node), {})
     most: dict[str, int] = data("node_parameters")["most"]
     for given in given_values(node):
         value, expected = given.value, lengths.get(given.at)
@@ -55,7 +55,7 @@ def invalid_values(node: NodeParameters) -> Findings:
 
 def wrong_signs(node: NodeParameters) -> Findings:
     """Limits with the wrong sign; those of velocities stop the node only from Jazzy on."""
-    signs: dict[str, int] = data("node_parameters")["signs"].get(node.name, {})
+    signs: dict[str, int] = data("node_parameters")["signs"].get(kind_of(node), {})
     for given in given_values(node):
         sign = signs.get(given.at, 0)
         for value in scalars(given.value) if sign else ():

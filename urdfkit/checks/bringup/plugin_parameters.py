@@ -10,12 +10,13 @@ from __future__ import annotations
 import os
 
 from urdfkit.core.suggest import did_you_mean, nearest
-from urdfkit.lint.rules import Finding, Findings, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
 
 _TREES = ("default_nav_to_pose_bt_xml", "default_nav_through_poses_bt_xml")
+_BEHAVIORS, _TREE = "behavior_plugins", b"bt_xml"
 _CRITICS = "critics"
 #: Least similarity of a misspelt critic: ObstacleCritic is ObstaclesCritic.
 _MIN_SIMILARITY = 0.8
@@ -38,6 +39,27 @@ def unloadable_plugins(node: NodeParameters) -> Findings:
             yield from _incomplete(node, name, plugin, mapping(section))
     yield from _relative_trees(node)
     yield from _swapped_frames(node)
+
+
+def missing_behaviors(context: Context, sections: list[NodeParameters]) -> Findings:
+    """Behaviours of the default trees of the navigator that no server offers."""
+    navigators = [node for node in sections if node.name == "bt_navigator"]
+    servers = [node for node in sections if _BEHAVIORS in node.values]
+    is_default = all(node.values.keys().isdisjoint(_TREES) for node in navigators)
+    if len(navigators) != 1 or len(servers) != 1 or not is_default:
+        return
+    (server,) = servers
+    listed = scalars(server.values[_BEHAVIORS])
+    names = {value.text for value in listed}
+    missing = [name for name in data("nodes")["default_behaviors"].split() if name not in names]
+    if listed and missing and _TREE not in context.source.data:
+        yield Finding(
+            listed[0].span,
+            f"'bt_navigator' stops: its default behaviour tree waits for '{missing[0]}', which is "
+            f"not in {_BEHAVIORS}",
+            f"add {missing[0]}, or set {_TREES[0]} to a tree without it",
+            severity=Severity.WARNING,
+        )
 
 
 def _names_without_section(node: NodeParameters) -> Findings:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from urdfkit.lint.rules import Context
+from urdfkit.ros.launch.program_parameters import parameters_of_programs
 from urdfkit.ros.node_parameters import NodeParameters, node_parameters
 
 
@@ -11,6 +12,13 @@ def parameter_files(context: Context) -> dict[str, list[NodeParameters]]:
     read = (file for file in context.launch.parameters if file.exists and not file.is_of_ros1)
     sources = map(context.resolver.readable, dict.fromkeys(file.path for file in read))
     return {source.path: list(node_parameters(source)) for source in sources if source}
+
+
+def parameters_of_started(
+    context: Context, files: dict[str, list[NodeParameters]]
+) -> list[NodeParameters]:
+    """What known programs of any name get from the launch file and from parameter files."""
+    return list(parameters_of_programs(context.launch.started, files))
 
 
 def parameter_sections(context: Context) -> list[NodeParameters]:

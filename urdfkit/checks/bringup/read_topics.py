@@ -46,6 +46,7 @@ class ReadTopic(Record):
     others: tuple[str, ...] = ()  # further topics of the same message; one of them is enough
     remedy: str = "write "  # the start of the help, before another topic
     is_of_workspace: bool = False  # True if any launch file may start the publisher
+    switch: str = ""  # the parameter without which the node does not read the topic
 
 
 def read_topics(context: Context) -> Iterator[ReadTopic]:
@@ -95,16 +96,29 @@ def _read_by_programs(context: Context) -> Iterator[ReadTopic]:
         if not program.is_sure:
             continue
         read = data("nodes")["readers"].get(f"{program.package}/{program.executable}", {})
-        for topic, message in read.items():
-            if name := topic_name(topic, program):
+        for topic, facts in read.items():
+            message, *conditions = facts.split()
+            name = topic_name(topic, program)
+            if name and all(_holds(condition, program, context) for condition in conditions):
+                switch = next((text.partition("=")[0] for text in conditions if "=" in text), "")
                 remedy = f"remap {topic} to "
-                yield ReadTopic(name, program.at, message, program.title, remedy=remedy)
+                at = program.at
+                yield ReadTopic(name, at, message, program.title, remedy=remedy, switch=switch)
         if program.executable == FILTER_SERVER:
             mask = topic_parameter(program, _MASK_TOPIC, context)
             if mask:
                 yield ReadTopic(
                     mask, program.at, GRID, program.title, (), f"set {_MASK_TOPIC}: ", True
                 )
+
+
+def _holds(condition: str, program: StartedProgram, context: Context) -> bool:
+    """Whether a condition certainly holds: ``name=default`` must be true, ``-name`` not given."""
+    name, _, default = condition.lstrip("-").partition("=")
+    value = given_parameter(program, name, context.resolver)
+    if condition.startswith("-"):
+        return value == ""
+    return value is not None and (value or default).lower() == "true"
 
 
 def _read_by_filter(section: dict[str, Node], who: str) -> Iterator[ReadTopic]:

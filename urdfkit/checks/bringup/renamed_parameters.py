@@ -7,6 +7,7 @@ which adds ``plugin_lib_names`` to its own libraries; ``twist_mux.cpp`` and ``pa
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
@@ -19,6 +20,8 @@ _LIBRARIES = "plugin_lib_names"
 _LIBRARY = re.compile(r"nav2_\w+_bt_node")
 #: Releases before Jazzy in the path of a parameter file that is for one of them.
 _OLDER = re.compile(r"humble|iron|galactic|foxy")
+#: Releases before which a robot may still be.
+_RECENT = ("Galactic", "Humble", "Iron", "realsense2_camera 4.55")
 _MONITOR = "collision_monitor"
 _MUX, _STAMPED = "twist_mux", "use_stamped"
 
@@ -29,8 +32,10 @@ def outdated(context: Context, sections: list[NodeParameters]) -> Findings:
     of_older: list[Finding] = []
     for node in sections:
         yield from _unread_sections(node)
+        renamed = list(_renamed(node))
+        yield from (finding for since, finding in renamed if since not in _RECENT)
         if not _OLDER.search(node.at.source.path):
-            of_older += _renamed(node)
+            of_older += (finding for since, finding in renamed if since in _RECENT)
             of_older += _renamed_node(node, names)
             of_older += _own_libraries(node)
             of_older += _unstamped(node)
@@ -40,23 +45,31 @@ def outdated(context: Context, sections: list[NodeParameters]) -> Findings:
         yield from of_older
 
 
-def _renamed(node: NodeParameters) -> Findings:
-    """Parameters that are not read; an info if their values are the defaults anyway."""
+def _renamed(node: NodeParameters) -> Iterator[tuple[str, Finding]]:
+    """Parameters that are not read, and since when; an info if they have the default anyway."""
     renamed: dict[str, list[str]] = data("node_parameters")["renamed"].get(kind_of(node), {})
-    stack: list[dict[str, Node]] = [node.values]
+    stack: list[tuple[str, dict[str, Node]]] = [("", node.values)]
     while stack and renamed:
-        section = stack.pop()
-        stack += [inner for inner in section.values() if isinstance(inner, dict)]
+        prefix, section = stack.pop()
+        stack += [(f"{prefix}{key}.", mapping(inner)) for key, inner in section.items()]
         for key, value in section.items():
-            name, since, default = renamed.get(key, ("", "", ""))
-            if name and name not in section and isinstance(key, Key):
+            facts = renamed.get(f"{prefix}{key}") or renamed.get(key) or ("", "", "")
+            name, since, default = facts
+            is_given = name in section or _has(node.values, name)
+            if name and not is_given and isinstance(key, Key) and not isinstance(value, dict):
                 is_default = isinstance(value, Value) and value.text == default
-                yield Finding(
-                    key.span,
-                    f"'{node.name}' of {since} and later does not read '{key}': it is '{name}'",
-                    f"write {name}: {_listed(value)}" if name == f"{key}s" else f"write {name}",
-                    severity=Severity.INFO if is_default else Severity.WARNING,
+                severity = Severity.INFO if is_default else Severity.WARNING
+                message = (
+                    f"'{node.name}' of {since} and later does not read '{prefix}{key}': it is "
                 )
+                help = f"write {name}: {_listed(value)}" if name == f"{key}s" else f"write {name}"
+                yield since, Finding(key.span, f"{message}'{name}'", help, severity=severity)
+
+
+def _has(values: dict[str, Node], name: str) -> bool:
+    """True if a parameter such as ``pointcloud.enable`` is given, in whatever form."""
+    *sections, last = name.split(".")
+    return name in values or last in mapping(values, *sections)
 
 
 def _listed(value: Node) -> str:

@@ -9,14 +9,15 @@ from collections.abc import Iterator
 
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import FileUse
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import DISPLAYS, displays, tools, topic_of
-from urdfkit.ros.launch.spawned_controllers import resolve_name
+from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
 from urdfkit.text.located_yaml import Node, Value, mapping
 from urdfkit.text.source import Span
 
-_PLUGINS = "rviz_default_plugins"
+_PLUGINS, _POLICY = "rviz_default_plugins", "Reliability Policy"
 #: The topic of goals in ROS 1.
 _OLD_GOAL = "move_base_simple/goal"
 #: The topics of tools that Nav2 reads.
@@ -74,6 +75,26 @@ def volatile_maps(context: Context) -> Findings:
         if is_map and isinstance(durability, Value) and durability.text == "Volatile":
             message = "Map of RViz misses a map that was published before it started"
             yield _finding(durability.span, message, "write Transient Local", file)
+
+
+def incompatible_reliability(context: Context) -> Findings:
+    """Displays that require reliable topics which a node publishes as best effort."""
+    if has_other_topics(context):
+        return
+    published: dict[str, Span] = {}
+    for launch in (context.launch, *launches_of_workspace(context.source.path, context.resolver)):
+        for node in launch.programs if not launch.has_scopes else ():
+            name = data("nodes")["best_effort"].get(f"{node.package}/{node.executable}")
+            if name and (topic := topic_name(name, node)):
+                published.setdefault(topic, node.span)
+    for file, display, kind in read_by_rviz(context) if published else ():
+        policy, topic_of_display = mapping(display, "Topic").get(_POLICY), topic_of(display)
+        at = published.get(resolve_name(topic_of_display.text, "")) if topic_of_display else None
+        if at and isinstance(policy, Value) and policy.text == "Reliable":
+            message = f"{kind.rpartition('/')[2]} of RViz gets no messages: they are best effort"
+            note = Related(at, "the publisher is started here")
+            finding = _finding(policy.span, message, "write Best Effort", file)
+            yield finding._replace(related=(*finding.related, note))
 
 
 def unread_goals(context: Context) -> Findings:

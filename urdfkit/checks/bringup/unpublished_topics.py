@@ -73,12 +73,14 @@ def unpublished_inputs(context: Context) -> Findings:
     types = _bridged_types(context, of_workspace)
     reported: set[str] = set()
     sensors: list[GazeboTopic] | None = None
+    served: set[str] = set()  # nodes that get one of their topics
     for read in inputs:
         started = () if read.is_of_workspace else (context.launch,)
         published = _publishers(context, started, of_workspace, read.message)
         name = "/" + read.topic.strip("/")
         names = {name, *(f"/{topic.strip('/')}" for topic in read.others)}
         if published is None or names & published.keys() or names & filtered:
+            served.update({read.who} if published else ())
             continue
         if None in filtered and read.message == _ODOMETRY:
             continue
@@ -88,6 +90,13 @@ def unpublished_inputs(context: Context) -> Findings:
         if sensor and sensor.who not in reported:
             yield unbridged(read, name, sensor)
             reported.add(sensor.who)
+        if not sensor and not published and read.switch and read.who in served:
+            yield Finding(
+                read.at,
+                f"'{read.who}' waits for {read.message} messages on '{name}', which nothing "
+                "publishes",
+                f"set {read.switch}: false",
+            )
         if sensor or not published:
             continue
         if len(names) == 1 and name in types:
@@ -134,7 +143,7 @@ def _publishers(
     for launches in (started, of_workspace):
         programs = [node for launch in launches for node in launch.programs]
         published = dict(_published(context, programs, message))
-        if published or launches is of_workspace:
+        if not all(map(_is_converter, published.values())) or launches is of_workspace:
             has_scopes = any(launch.has_scopes for launch in launches)
             is_known = not has_scopes and all(_is_known(node, message) for node in programs)
             return published if is_known else None
@@ -145,9 +154,11 @@ def _is_known(program: StartedProgram, message: str) -> bool:
     """True if the topics on which a program publishes a message are known."""
     package = program.package
     is_other = package in (_CONTROLLERS, _FILTER) and message not in (_ODOMETRY, _IMU)
-    name = f"{package}/{program.executable}"
-    published: str | None = data("nodes")["converters"].get(name)
-    is_other |= published is not None and message not in published.split()
+    published = _publications(program)
+    if published is not None:
+        names = [name for name, messages in published.items() if message in messages.split()]
+        is_named = program.remappings is not None and program.namespace is not None
+        return not names or ("*" not in names and is_named and program.is_sure)
     if is_other or _SILENT.fullmatch(package):
         return True
     known = {_CONTROLLERS: _READ_BY_MANAGER, _FILTER: _OUTPUTS}.get(package, frozenset())
@@ -157,6 +168,29 @@ def _is_known(program: StartedProgram, message: str) -> bool:
     is_remapped = renamed is None or not {name.strip("~/") for name in renamed} <= known
     is_plain = program.is_sure and not is_remapped and program.namespace == ""
     return is_plain and package in _PUBLISHERS
+
+
+def _publications(program: StartedProgram) -> dict[str, str] | None:
+    """The topics and messages of a program in the catalogue; None if it is not there."""
+    name = f"{program.package}/{program.executable}"
+    published: dict[str, str] | None = data("nodes")["publishers"].get(name)
+    return published
+
+
+def _is_converter(program: StartedProgram) -> bool:
+    """True for a program that publishes what it makes of other messages."""
+    return f"{program.package}/{program.executable}" in data("nodes")["readers"]
+
+
+def _topics_of(program: StartedProgram, message: str, context: Context) -> Iterator[str]:
+    """The topics on which a program in the catalogue publishes a message."""
+    for name, messages in (_publications(program) or {}).items():
+        if message in messages.split() and name != "*":
+            parameter, _, default = name.partition("=")
+            given = given_parameter(program, parameter, context.resolver) if default else None
+            topic = topic_name((given or default) if default else name, program)
+            if topic and not (default and given is None):
+                yield topic
 
 
 def _map_topic(program: StartedProgram, context: Context) -> str | None:
@@ -184,6 +218,8 @@ def _published(
     for node in programs:
         if topic_of_map := _topic_of_map(node, message, context):
             yield topic_of_map, node
+        for name in _topics_of(node, message, context):
+            yield name, node
         for topic in bridged_topics(node, context.resolver):
             if topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}"):
                 yield "/" + topic.ros_topic.strip("/"), node

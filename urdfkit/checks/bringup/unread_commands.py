@@ -130,7 +130,10 @@ def _unread_outputs(
 
 def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes whose velocity commands have another type than their readers expect."""
-    for node, topic in command_sources(programs):
+    sources = list(command_sources(programs))
+    own = list(command_readers(context, programs)) if sources else []
+    others: list[Reader] | None = None
+    for node, topic in sources:
         switch, default = data("nodes")["stamped"].get(_key(node), ("", ""))
         is_stamped = given_parameter(node, switch, context.resolver)
         if is_stamped is None or (is_stamped or default).lower() not in ("true", "false"):
@@ -138,9 +141,11 @@ def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) ->
         message = _TWIST_STAMPED if (is_stamped or default).lower() == "true" else _TWIST
         # Without stamps a drive has another topic until Humble, and later none.
         topics = (topic, f"{topic}{_PLAIN}")
-        readers = [
-            reader for reader in command_readers(context, programs) if reader.topic in topics
-        ]
+        readers = [reader for reader in own if reader.topic in topics]
+        if not readers:
+            if others is None:
+                others = list(command_readers(context, _programs_of_workspace(context)))
+            readers = [reader for reader in others if reader.topic in topics]
         expected = [_TWIST_STAMPED if x.topic != topic else x.message for x in readers]
         if readers and message not in expected:
             reader, who = readers[0], f"'{node.executable}' publishes {message} on '{topic}'"
@@ -151,6 +156,14 @@ def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) ->
                 set_parameter if reader.topic == topic else f"remap {topic} to {reader.topic}",
                 related=(Related(reader.at, "the reader"),),
             )
+
+
+def _programs_of_workspace(context: Context) -> list[StartedProgram]:
+    """The programs of all launch files; empty if others than the known ones may read commands."""
+    launches = launches_of_workspace(context.source.path, context.resolver)
+    programs = [node for launch in launches for node in launch.programs]
+    are_known = all(map(_is_whole, launches)) and all(map(is_known_reader, programs))
+    return programs if are_known else []
 
 
 def command_sources(programs: Iterable[StartedProgram]) -> Iterator[tuple[StartedProgram, str]]:

@@ -10,6 +10,8 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.checks.bringup.defined_controllers import defined_controllers, robots_of_workspace
+from urdfkit.core.suggest import nearest
+from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
@@ -29,6 +31,12 @@ from urdfkit.text.located_yaml import Value
 _UNSTAMPED, _STAMPED = "cmd_vel_unstamped", "use_stamped_vel"
 #: The output of robot_localization, and its inputs of the same type.
 _FILTERED, _ODOMETRY = "odometry/filtered", re.compile(r"odom\d+")
+#: Topics that every node may have, and those of image_transport.
+_OF_ALL = re.compile(
+    r"/(tf|tf_static|clock|rosout|parameter_events|diagnostics)$|/_|~"
+    r"|/(compressed|compressedDepth|theora|zstd|ffmpeg)$"
+)
+_MAX_NAMED = 5
 _SPAWNERS = ("spawner", "spawner.py")
 _HELP = (
     'pass --controller-ros-args "-r OLD:=NEW" to the spawner, or remap in ros2_control_node or in '
@@ -118,6 +126,27 @@ def reversed_remappings(context: Context) -> Findings:
                     f"write it the other way round: from {new} to {old}",
                     severity=Severity.WARNING,
                 )
+
+
+def unknown_topics(context: Context) -> Findings:
+    """Remappings of topics that a node does not have, such as those of ROS 1."""
+    for node in context.launch.started if not context.launch.has_scopes else ():
+        topics = data("nodes")["all_topics"].get(f"{node.package}/{node.executable}", "").split()
+        if not topics or not node.is_ros_2 or node.namespace is None:
+            continue
+        own = {resolve_name(topic, node.namespace): topic for topic in topics}
+        for old in node.remappings or {}:
+            name = resolve_name(old, node.namespace)
+            if name in own or _OF_ALL.search(name) or not re.match(r"[\w/]", old):
+                continue
+            suggested = nearest(old.strip("/"), topics, 0) or topics[0]
+            yield Finding(
+                node.at,
+                f"remapping of '{old}' has no effect: '{node.executable}' has the topics "
+                f"{few(sorted(own), _MAX_NAMED)}",
+                f"remap {suggested}",
+                severity=Severity.WARNING,
+            )
 
 
 def read_own_output(context: Context) -> Findings:

@@ -96,14 +96,19 @@ def config_file(words: Iterable[Word]) -> Word | None:
     return None
 
 
+def config_path(program: StartedProgram) -> str | None:
+    """The file of a bridge's topics, from its command line or its parameters; None without one."""
+    config = config_file(program.words)
+    return config.text if config else program.parameters.values.get("config_file")
+
+
 def bridged_topics(program: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:
     """Topics of a bridge of ros_gz; empty for other programs."""
     if program.executable == "image_bridge" and program.package in _IMAGE_PACKAGES:
         yield from _images(program)
     if not is_bridge(program):
         return
-    config = config_file(program.words)
-    path = config.text if config else program.parameters.values.get("config_file")
+    path = config_path(program)
     for word in program.words:
         if topic := _of_word(word):
             yield topic

@@ -1,6 +1,7 @@
 """Command lines of nodes with options that they do not have: ROS arguments, spawner, ros2 control.
 
-Sources: ``rcl/src/rcl/arguments.c`` of ros2/rcl, ``spawner.py`` of controller_manager and the verbs
+Sources: ``rcl/src/rcl/arguments.c`` of ros2/rcl, ``ArgumentParser.hpp`` of
+eProsima/Micro-XRCE-DDS-Agent, ``spawner.py`` of controller_manager and the verbs
 of ros2controlcli of ros-controls/ros2_control, humble to rolling.
 """
 
@@ -15,6 +16,7 @@ from urdfkit.text.diagnostic import Problem, Severity
 
 _ROS_ARGUMENTS = "--ros-args"
 _SPAWNER = ("controller_manager", "spawner")
+_AGENT = ("micro_ros_agent", "micro_ros_agent")
 #: A word of the launch file by which ROS is known to be newer than Galactic.
 _RECENT = b"ros_gz"
 
@@ -28,6 +30,8 @@ def wrong_options(program: StartedProgram) -> Iterator[Problem]:
         yield from _spawner(program)
     if [word.text for word in program.words[:2]] == ["ros2", "control"]:
         yield from _ros2_control(program)
+    if (program.package, program.executable) == _AGENT:
+        yield from _agent(program)
 
 
 def _ros_arguments(program: StartedProgram) -> Iterator[Problem]:
@@ -94,6 +98,31 @@ def _ros2_control(program: StartedProgram) -> Iterator[Problem]:
         if successor:
             message = f"ros2 control has no '{word.text}' (supported up to Galactic)"
             yield Problem("LAU010", word.span, message, f"write {successor}", severity=severity)
+
+
+def _agent(program: StartedProgram) -> Iterator[Problem]:
+    """Transports and options that the agent of micro-ROS does not have, or that are missing."""
+    facts = data("launch")["agent"]
+    transports, options = facts["transports"].split(), facts["options"].split()
+    if not program.words:
+        message = "micro_ros_agent stops: its arguments name no transport"
+        help = 'write ["serial", "--dev", "/dev/ttyACM0"], or udp4, --port and a number'
+        yield Problem("LAU010", program.span, message, help, severity=Severity.ERROR)
+        return
+    first = program.words[0].text
+    if first and " " in first:
+        help = f"write {first.split()}"
+        yield _error(program.words[0], f"'{first}' is one word for micro_ros_agent", help)
+    elif first and not first.startswith("-") and first not in transports:
+        help = f"write one of {', '.join(transports)}"
+        yield _error(program.words[0], f"micro_ros_agent has no transport '{first}'", help)
+    for word in program.words[1:]:
+        option = word.text or ""
+        if option == _ROS_ARGUMENTS:
+            return
+        if re.match(r"--[a-zA-Z]", option) and option not in options:
+            match = nearest(option, options, 0)
+            yield _error(word, f"micro_ros_agent ignores '{option}'", f"did you mean {match}?")
 
 
 def _error(word: Word, message: str, help: str) -> Problem:

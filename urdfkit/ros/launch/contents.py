@@ -113,6 +113,7 @@ class GivenParameters(Record):
     is_whole: bool = True  # False if names of parameters are known only at run time
     lists: Mapping[str, tuple[str | None, ...]] = {}  # list parameters; None as above
     is_of_moveit: bool = False  # True if all unknown ones are from MoveItConfigsBuilder
+    at: Mapping[str, Span] = {}  # of the values, by name
 
     @property
     def every(self) -> Mapping[str, str | None] | None:

@@ -67,6 +67,17 @@ def default_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
                 yield NamedFrame(defaults[key], who, key, node.span, None)
 
 
+def sensor_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
+    """The frames in which drivers of sensors that the file itself starts publish their data."""
+    for node in launch.started if not launch.has_scopes else ():
+        facts = data("nodes")["frames"].get(f"{node.package}/{node.executable}", "").split()
+        value = given_parameter(node, facts[0], resolver) if facts and node.is_sure else None
+        if value is not None and not any(mark in value for mark in _OPEN):
+            span = node.parameters.at.get(facts[0], node.span)
+            who = f"{facts[0]} of '{node.title}':"
+            yield NamedFrame((value or facts[1]).lstrip("/"), who, facts[0], span, None)
+
+
 def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
     """The frames in the parameters of nodes in ROS 2."""
     if not any(key.encode() in source.data for key in _NAMING):

@@ -72,6 +72,8 @@ def _of_node(node: NodeParameters) -> dict[str, str]:
 
 def kind_of(node: NodeParameters) -> str:
     """The name of a node in the catalogue."""
+    if node.kind:
+        return node.kind
     return "costmap" if node.name.endswith(_COSTMAP) else node.name
 
 

@@ -15,6 +15,7 @@ from urdfkit.ros.launch.moveit_parameters import missing_of_move_group, missing_
 from urdfkit.ros.launch.python_descriptions import record_unexpanded
 from urdfkit.ros.launch.python_file import PythonLaunchFile
 from urdfkit.ros.launch.values import argument
+from urdfkit.text.source import Span
 
 _PARAMETER_FILES = (".yaml", ".yml")
 
@@ -95,6 +96,7 @@ def _parameters(
     values: dict[str, str | None] = {}
     files: list[str] = []
     lists: dict[str, tuple[str | None, ...]] = {}
+    at: dict[str, Span] = {}
     is_whole = is_of_moveit = ros_arguments is None
     for item in file.values.items(node) if node else ():
         if isinstance(file.values.resolved(item), ast.Dict):
@@ -102,6 +104,7 @@ def _parameters(
                 name = file.values.text(key)
                 is_whole = is_whole and name is not None
                 values[name or ""] = file.values.text(value)
+                at[name or ""] = file.values.span(value)
                 lists.update(_listed(file, name or "", value))
                 _record_file_of(file, name or "", value)
         elif (file.values.text(item) or "").endswith(_PARAMETER_FILES):
@@ -113,7 +116,7 @@ def _parameters(
             is_of_moveit = is_of_moveit and is_configuration(item, file.values)
     values.pop("", None)
     is_of_moveit = is_of_moveit and not is_whole
-    return GivenParameters(values, tuple(files), is_whole, lists, is_of_moveit)
+    return GivenParameters(values, tuple(files), is_whole, lists, is_of_moveit, at)
 
 
 def _listed(

@@ -91,6 +91,11 @@ class Values:
         if node is None:
             return ()
         place = self.span(node)
+        resolved = self.resolved(node)
+        if isinstance(resolved, ast.Call) and called(resolved) == "split" and not resolved.args:
+            owner = resolved.func.value if isinstance(resolved.func, ast.Attribute) else None
+            text = self.text(owner)
+            return tuple(Word(word, place) for word in text.split()) if text else ()
         return tuple(
             Word(None, place) if item is None else Word(self.text(item), self.span(item))
             for item in self.items(node)

@@ -17,6 +17,7 @@ from urdfkit.ros.launch.substitutions import unresolved
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, CallFrame, Element
+from urdfkit.text.source import Span
 
 #: A list of names as YAML.
 _LIST = re.compile(r"\s*\[([^\[\]]+)\]\s*")
@@ -82,19 +83,22 @@ def _parameters(file: XmlLaunchFile, node: Element) -> GivenParameters:
     values: dict[str, str | None] = {}
     files: list[str] = []
     lists: dict[str, tuple[str | None, ...]] = {}
+    at: dict[str, Span] = {}
     is_whole = file.ros == 2 and "ros_args" not in node.attributes
     for child in node.all("param"):
         source = child.attributes.get("from")
         if source is None:
             name, text = child.get("name") or "", file.text(child.attributes.get("value"))
             values[name] = text
+            if (value := child.attributes.get("value")) and "type" not in child.attributes:
+                at[name] = value.span
             if text and (match := _LIST.fullmatch(text)):
                 lists[name] = tuple(item.strip(" '\"") for item in match.group(1).split(","))
             continue
         path = file.path(source)
         is_whole = is_whole and path is not None
         files += [path] if path else []
-    return GivenParameters(values, tuple(files), is_whole, lists)
+    return GivenParameters(values, tuple(files), is_whole, lists, at=at)
 
 
 def read_param(file: XmlLaunchFile, element: Element) -> None:

@@ -1,0 +1,86 @@
+"""Parameters of programs of any name, in the launch file itself or below another name."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+
+CODES = ("LAU024", "LAU025")
+NODE = """from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+
+nodes = [Node({}, parameters=[{}])]
+"""
+CAMERA = 'package="usb_cam", executable="usb_cam_node_exe"'
+REALSENSE = 'package="realsense2_camera", executable="realsense2_camera_node"'
+JOY = 'package="joy", executable="joy_node"'
+MADGWICK = 'package="imu_filter_madgwick", executable="imu_filter_madgwick_node"'
+
+
+def found(directory: Path, node: str, given: str, yaml: str = "") -> list[str]:
+    files = {"a.yaml": yaml} if yaml else {}
+    text = NODE.format(node, given)
+    return [
+        one.message
+        for code in CODES
+        for one in reported(directory / "arm", code, "a.launch.py", text, files)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("node", "given", "words"),
+    [
+        (CAMERA, '{"framerate": 30}', "must be a number with a decimal point"),
+        (CAMERA, '{"framerate": "30"}', "must be a number with a decimal point"),
+        (CAMERA, '{"image_width": 640.0}', "must be an integer"),
+        (CAMERA, '{"pixel_format": "YUV"}', "unknown pixel_format 'YUV'"),
+        (CAMERA, '{"framrate": 30.0}', "did you mean 'framerate'"),
+        (CAMERA, '{"camera_frame_id": "camera"}', "it is 'frame_id'"),
+        (REALSENSE, '{"enable_pointcloud": True}', "it is 'pointcloud.enable'"),
+        (JOY, '{"dev": "/dev/input/js1"}', "it is 'device_id'"),
+        (MADGWICK, '{"_use_mag": False}', "did you mean 'use_mag'"),
+    ],
+)
+def test_in_the_launch_file(tmp_path: Path, node: str, given: str, words: str) -> None:
+    (message,) = found(tmp_path, node, given)
+    assert words in message
+
+
+@pytest.mark.parametrize(
+    ("node", "given"),
+    [
+        (CAMERA, '{"framerate": 30.0, "image_width": 640, "pixel_format": "yuyv2rgb"}'),
+        (CAMERA, '{"framerate": ParameterValue(30, value_type=float)}'),
+        (CAMERA, '{"framerate": LaunchConfiguration("rate")}'),
+        (CAMERA, '{"own": 30}'),
+        (REALSENSE, '{"pointcloud.enable": True, "enable_pointcloud": True}'),
+        (REALSENSE, '{"align_depth": {"enable": True}}'),
+        (JOY, '{"device_id": 1}'),
+        ('package="own", executable="usb_cam_node_exe"', '{"framerate": 30}'),
+    ],
+)
+def test_sound_parameters(tmp_path: Path, node: str, given: str) -> None:
+    assert found(tmp_path, node, given) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "key", "count"),
+    [("front", "front", 1), ("front", "/**", 1), ("front", "/**/front", 1), ("", "/**", 1)],
+)
+def test_below_another_name(tmp_path: Path, name: str, key: str, count: int) -> None:
+    node = f'{CAMERA}, name="{name}"' if name else CAMERA
+    yaml = f"{key}:\n  ros__parameters:\n    framerate: 30\n"
+    assert len(found(tmp_path, node, '"../a.yaml"', yaml)) == count
+
+
+def test_a_file_of_several_nodes(tmp_path: Path) -> None:
+    """What is below /** may be for the other node."""
+    text = (
+        f'nodes = [Node({CAMERA}, parameters=["../a.yaml"]), Node({JOY}, parameters=["../a.yaml"])]'
+    )
+    text = f"from launch_ros.actions import Node\n{text}\n"
+    yaml = "/**:\n  ros__parameters:\n    framerate: 30\n"
+    for code in CODES:
+        assert reported(tmp_path / "arm", code, "a.launch.py", text, {"a.yaml": yaml}) == []

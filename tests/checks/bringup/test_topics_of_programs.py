@@ -1,0 +1,163 @@
+"""Topics, behaviours, containers and transforms that programs of a launch file share."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+
+IMPORT = "from launch_ros.actions import Node\n"
+NODE = IMPORT + 'nodes = [Node(package="{}", executable="{}"{})]\n'
+NAVSAT = ("robot_localization", "navsat_transform_node")
+TO_SCAN = ("pointcloud_to_laserscan", "pointcloud_to_laserscan_node")
+
+
+def messages(directory: Path, code: str, text: str, files: dict[str, str]) -> list[str]:
+    return [one.message for one in reported(directory / "arm", code, "a.launch.py", text, files)]
+
+
+@pytest.mark.parametrize(
+    ("program", "more", "count"),
+    [
+        (NAVSAT, 'remappings=[("imu/data", "/imu")]', 1),
+        (NAVSAT, 'remappings=[("imu", "/imu/data"), ("/gps/fix", "/fix")]', 0),
+        (NAVSAT, 'remappings=[("/tf", "tf"), ("~/own", "own")]', 0),
+        (NAVSAT, 'namespace="a", remappings=[("/imu", "/imu/data")]', 1),
+        (NAVSAT, 'namespace="a", remappings=[("imu", "/imu/data")]', 0),
+        (TO_SCAN, 'remappings=[("points", "/points")]', 1),
+        (("own", "navsat_transform_node"), 'remappings=[("imu/data", "/imu")]', 0),
+    ],
+)
+def test_topics_that_a_node_does_not_have(
+    tmp_path: Path, program: tuple[str, str], more: str, count: int
+) -> None:
+    found = messages(tmp_path, "LAU028", NODE.format(*program, f", {more}"), {})
+    assert ["has no effect" in one for one in found] == [True] * count
+
+
+RVIZ = """Visualization Manager:
+  Displays:
+    - Class: rviz_default_plugins/LaserScan
+      Topic:
+        Reliability Policy: {}
+        Value: /{}
+"""
+
+
+@pytest.mark.parametrize(
+    ("policy", "topic", "count"),
+    [("Reliable", "scan", 1), ("Best Effort", "scan", 0), ("Reliable", "other", 0)],
+)
+def test_reliable_displays(tmp_path: Path, policy: str, topic: str, count: int) -> None:
+    text = NODE.format(*TO_SCAN, "") + (
+        'rviz = Node(package="rviz2", executable="rviz2", arguments=["-d", "../a.rviz"])\n'
+    )
+    found = messages(tmp_path, "LAU027", text, {"a.rviz": RVIZ.format(policy, topic)})
+    assert ["best effort" in one for one in found] == [True] * count
+
+
+BEHAVIORS = """behavior_server:
+  ros__parameters:
+    behavior_plugins: {}
+    backup: {{plugin: nav2_behaviors::BackUp}}
+    spin: {{plugin: nav2_behaviors::Spin}}
+    wait: {{plugin: nav2_behaviors::Wait}}
+bt_navigator:
+  ros__parameters: {{{}}}
+"""
+TREE = "default_nav_to_pose_bt_xml: /own.xml"
+
+
+@pytest.mark.parametrize(
+    ("plugins", "tree", "count"),
+    [
+        ("[spin, backup, wait]", "global_frame: map", 0),
+        ("[spin, wait]", "global_frame: map", 1),
+        ("[spin, wait]", TREE, 0),
+    ],
+)
+def test_behaviours_of_the_default_tree(
+    tmp_path: Path, plugins: str, tree: str, count: int
+) -> None:
+    text = NODE.format("nav2_behaviors", "behavior_server", ', parameters=["../a.yaml"]')
+    yaml = BEHAVIORS.format(plugins, tree)
+    found = messages(tmp_path, "LAU025", text, {"a.yaml": yaml})
+    assert ["waits for 'backup'" in one for one in found] == [True] * count
+
+
+INCLUDE = """from ament_index_python.packages import get_package_share_directory
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch_ros.actions import Node
+
+nav2 = IncludeLaunchDescription(
+    PythonLaunchDescriptionSource(
+        get_package_share_directory("nav2_bringup") + "/launch/navigation_launch.py"
+    ),
+    launch_arguments={{"use_composition": "{}"}}.items(),
+)
+"""
+CONTAINER = """
+container = Node(
+    package="rclcpp_components", executable="component_container_mt", name="nav2_container"
+)
+"""
+
+
+@pytest.mark.parametrize(
+    ("composed", "more", "count"), [("True", "", 1), ("False", "", 0), ("True", CONTAINER, 0)]
+)
+def test_a_container_that_nothing_starts(
+    tmp_path: Path, composed: str, more: str, count: int
+) -> None:
+    found = messages(tmp_path, "LAU022", INCLUDE.format(composed) + more, {})
+    assert ["'nav2_container'" in one for one in found] == [True] * count
+
+
+BRIDGE = NODE.format(
+    "ros_gz_bridge", "parameter_bridge", ', parameters=[{"config_file": "../a.yaml"}]'
+)
+
+
+@pytest.mark.parametrize(("dash", "count"), [("- ", 0), ("  ", 1)])
+def test_a_bridge_reads_a_list(tmp_path: Path, dash: str, count: int) -> None:
+    yaml = f"""{dash}ros_topic_name: /scan
+  gz_topic_name: /scan
+  ros_type_name: sensor_msgs/msg/LaserScan
+  gz_type_name: gz.msgs.LaserScan
+"""
+    text = BRIDGE.replace("../a.yaml", str(tmp_path / "arm" / "a.yaml"))
+    found = messages(tmp_path, "LAU020", text, {"a.yaml": yaml})
+    assert ["must be a list" in one for one in found] == [True] * count
+
+
+LUA = """options = {{
+  map_frame = "map",
+  published_frame = "{}",
+  odom_frame = "odom",
+  provide_odom_frame = {},
+}}
+"""
+FILTER = """ekf_filter_node:
+  ros__parameters: {odom_frame: odom, world_frame: odom, base_link_frame: base_link}
+"""
+SLAM = (
+    IMPORT
+    + """nodes = [
+    Node(package="robot_localization", executable="ekf_node", name="ekf_filter_node",
+         parameters=["../a.yaml"]),
+    Node(package="cartographer_ros", executable="cartographer_node",
+         arguments=["-configuration_directory", "..", "-configuration_basename", "a.lua"]),
+]
+"""
+)
+
+
+@pytest.mark.parametrize(
+    ("frame", "provided", "count"),
+    [("base_link", "true", 1), ("base_link", "false", 1), ("odom", "false", 0)],
+)
+def test_odometry_of_cartographer(tmp_path: Path, frame: str, provided: str, count: int) -> None:
+    files = {"a.yaml": FILTER, "a.lua": LUA.format(frame, provided)}
+    found = messages(tmp_path, "LAU021", SLAM.replace('".."', repr(str(tmp_path / "arm"))), files)
+    assert ["by 'cartographer_node'" in one for one in found] == [True] * count

@@ -1,0 +1,30 @@
+"""Options of programs; the planted defects have those of the spawner."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import reported
+
+AGENT = """from launch_ros.actions import Node
+
+nodes = [Node(package="micro_ros_agent", executable="micro_ros_agent", arguments={})]
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ('["serial", "--dev", "/dev/ttyACM0", "--baudrate", "921600", "-v6"]', ""),
+        ('["udp4", "--port", "8888", "--ros-args", "--log-level", "info"]', ""),
+        ('[transport, "--dev", "/dev/ttyACM0"]', ""),
+        ('"serial --dev /dev/ttyACM0".split()', ""),
+        ("[]", "name no transport"),
+        ('["serial --dev /dev/ttyACM0"]', "is one word"),
+        ('["usb", "--dev", "/dev/ttyACM0"]', "no transport 'usb'"),
+        ('["serial", "--dev", "/dev/ttyACM0", "--baud", "921600"]', "ignores '--baud'"),
+    ],
+)
+def test_the_agent_of_micro_ros(tmp_path: Path, words: str, message: str) -> None:
+    found = reported(tmp_path / "arm", "LAU010", "a.launch.py", AGENT.format(words))
+    assert [message in one.message for one in found] == [True] * bool(message)

@@ -1,0 +1,103 @@
+"""Parameter files that ROS 2 rejects as a whole, so that the node does not start.
+
+Source: ``rcl_yaml_param_parser/src/parse.c`` of ros2/rcl, humble to rolling: "Cannot have a value
+before ros__parameters", "There are no node names before ros__parameters", "Sequence should be of
+same type", "No value at line".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Context, Finding, Findings, Related
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.node_parameters import PARAMETERS
+from urdfkit.ros.parameter_types import TYPES, correction, type_of
+from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars
+from urdfkit.text.source import Source
+
+#: Functions of Nav2 that write the file anew.
+_REWRITTEN = (b"RewrittenYaml", b"ReplaceString")
+
+
+def rejected_files(context: Context) -> Findings:
+    """Values outside ``ros__parameters``, empty values, and lists of mixed types."""
+    readers: dict[str, StartedProgram] = {}
+    for node in context.launch.started:
+        for path in node.parameters.files if node.is_ros_2 else ():
+            readers.setdefault(path, node)
+    is_rewritten = any(name in context.source.data for name in _REWRITTEN)
+    for path, node in readers.items():
+        source = context.resolver.readable(path)
+        for finding in _rejected(source, is_rewritten=is_rewritten) if source else ():
+            yield finding._replace(related=(Related(node.span, f"'{node.title}' stops at it"),))
+
+
+def _rejected(source: Source, *, is_rewritten: bool) -> Iterator[Finding]:
+    inside: list[Node] = []
+    sections: list[tuple[Node, Key | None]] = [(load(source), None)]
+    for node, owner in sections:  # the inner ones are added to it
+        for key, value in mapping(node).items():
+            if key == PARAMETERS:
+                inside.append(value)
+            if not isinstance(key, Key):
+                continue
+            if key == PARAMETERS and owner is None:
+                message = f"ROS 2 rejects the file: {PARAMETERS} is not below the name of a node"
+                yield Finding(key.span, message, "write the name of the node, or /**, above it")
+            elif isinstance(value, Value | list):
+                yield _outside(key, owner)
+                return  # at the first one
+            elif key != PARAMETERS:
+                sections.append((value, key))
+    for parameters in inside:
+        yield from _wrong_values(parameters, is_rewritten=is_rewritten)
+
+
+def _outside(key: Key, owner: Key | None) -> Finding:
+    """A value that is not below ``ros__parameters``."""
+    if key == PARAMETERS:
+        message = f"ROS 2 rejects the file: {PARAMETERS} has no values"
+        return Finding(key.span, message, "indent the parameters below it")
+    message = f"ROS 2 rejects the file: '{key}' is not below {PARAMETERS}"
+    is_typo = owner is not None and nearest(owner, (PARAMETERS,)) is not None
+    if is_typo and owner is not None:
+        return Finding(owner.span, f"{message}, but '{owner}'", f"write {PARAMETERS}")
+    help = f"write {PARAMETERS}: above it, below the name of the node"
+    return Finding(key.span, message, help)
+
+
+def _wrong_values(parameters: Node, *, is_rewritten: bool) -> Iterator[Finding]:
+    sections = [parameters]
+    for section in sections:
+        for key, value in mapping(section).items():
+            if isinstance(value, dict):
+                sections.append(value)
+            elif isinstance(value, list):
+                yield from _mixed(key, value)
+                if any(isinstance(item, dict) for item in value) and isinstance(key, Key):
+                    message = f"ROS 2 does not read '{key}', a list of mappings"
+                    yield Finding(key.span, message, "write a section for each of them")
+            elif isinstance(key, Key) and not is_rewritten and _is_empty(value):
+                message = f"ROS 2 rejects the file: '{key}' has no value"
+                yield Finding(key.span, message, f'write a value, or {key}: ""')
+
+
+def _is_empty(node: Node) -> bool:
+    """True for a value of which nothing is written, not even quotes."""
+    return isinstance(node, Value) and not (node.text or node.tag or node.span.text)
+
+
+def _mixed(key: str, values: list[Node]) -> Iterator[Finding]:
+    """The first item of another type than the others."""
+    items = scalars(values)
+    kinds = [type_of(item) for item in items]
+    if None in kinds or len(items) < len(values) or len(set(kinds)) < 2:
+        return
+    # A number without a decimal point is more likely a mistake than the others are.
+    of_numbers = {"int", "double"}
+    expected = "double" if set(kinds) == of_numbers else max(kinds, key=kinds.count)
+    item, kind = next((i, k) for i, k in zip(items, kinds, strict=True) if k != expected)
+    message = f"ROS 2 rejects the file: '{key}' mixes types: {item.text} is {TYPES[kind or '']}"
+    yield Finding(item.span, message, correction(item, expected or "string"))
