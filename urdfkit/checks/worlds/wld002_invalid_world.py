@@ -34,18 +34,23 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
+from urdfkit.checks.worlds.world_models import (
+    falling_grounds,
+    links_without_mass,
+    missing_models,
+    repeated_names,
+)
 from urdfkit.checks.worlds.world_plugins import unloaded_plugins
 from urdfkit.checks.worlds.world_values import invalid_values, missing_meshes
 from urdfkit.core.suggest import TYPO, did_you_mean, nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.robot.values import number, numbers
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
-from urdfkit.ros.gazebo.worlds import Models, World, model_name
+from urdfkit.ros.gazebo.worlds import Models, World
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.spawning import model_spawner, options
 from urdfkit.ros.launch.worlds import GZ, worlds
-from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 
 NAME = "launch/robot.launch.py"
@@ -72,7 +77,6 @@ FILES = {
 
 #: Topics of a world, with its name.
 _OF_WORLD = re.compile(r"/?world/([^/]+)(?=/)")
-_FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
 #: Marks of templates from which a world is generated.
 _TEMPLATES = (b"<%", b"{%", b"{{", b"@(", b"xmlns:xacro")
 
@@ -82,22 +86,31 @@ def check(context: Context) -> Findings:
     models = Models(context.resolver, context.source.path)
     started = list(opened_worlds(context))
     for opened in started:
-        if opened.world is None and opened.path:
-            yield from _unreadable(opened)
-        elif opened.world is not None:
-            yield from _values(opened, opened.world)
-            yield from _elements(opened, opened.world)
-            yield from invalid_values(opened, opened.world)
-            yield from missing_meshes(opened, opened.world, models, context)
-            yield from _masses(opened, opened.world)
-            yield from _falling_grounds(opened, opened.world)
-            yield from _names(opened, opened.world)
-            yield from unloaded_plugins(opened, opened.world)
-            yield from _includes(opened, opened.world, models)
-        if opened.started.generation == GZ:
-            yield from _engines(context, opened)
+        for finding in _of_world(opened, models, context):
+            is_in_launch_file = finding.span.source is opened.started.span.source
+            note = () if is_in_launch_file else opened.note
+            yield finding._replace(related=(*finding.related, *note))
     if len(started) == len({world.span for world in worlds(context.launch)}) == 1:
         yield from _other_worlds(context, started[0])
+
+
+def _of_world(opened: OpenedWorld, models: Models, context: Context) -> Findings:
+    """The findings about a world; those in its file get a note about its start."""
+    world = opened.world
+    if world is not None:
+        yield from _values(world)
+        yield from _elements(world)
+        yield from invalid_values(opened, world)
+        yield from missing_meshes(opened, world, models, context)
+        yield from links_without_mass(world)
+        yield from falling_grounds(world)
+        yield from repeated_names(opened, world)
+        yield from unloaded_plugins(opened, world)
+        yield from missing_models(opened, world, models)
+    elif opened.path:
+        yield from _unreadable(opened)
+    if opened.started.generation == GZ:
+        yield from _engines(context, opened)
 
 
 def _unreadable(opened: OpenedWorld) -> Findings:
@@ -109,34 +122,34 @@ def _unreadable(opened: OpenedWorld) -> Findings:
     at = opened.started.at
     if error is not None:
         message = f"'{file}' is not a world: {error.message}"
-        yield Finding(error.span, message, "fix the file", related=opened.note)
+        yield Finding(error.span, message, "fix the file")
     elif not opened.problems:
         message = f"'{file}' is not a world: it has no <world> in an <sdf>"
         yield Finding(at, message, "name a world; spawn models, or include them in a world")
 
 
-def _values(opened: OpenedWorld, world: World) -> Findings:
+def _values(world: World) -> Findings:
     """A world without a name, and an invalid time step of the physics."""
     if not world.name:
         message, help = "<world> has no name: SDF rejects it", 'write <world name="...">'
-        yield Finding(world.at, message, help, related=opened.note)
+        yield Finding(world.at, message, help)
     for physics in world.at.all("physics"):
         step = physics.child("max_step_size")
         text = step.text.strip() if step is not None else ""
         value = number(text)
         if step is not None and text and (value is None or value <= 0):
             message = f"<max_step_size> is '{text}', must be a number of seconds > 0"
-            yield Finding(step, message, "write 0.001", related=opened.note)
+            yield Finding(step, message, "write 0.001")
     gravity = world.at.child("gravity")
     vector = numbers(gravity.text) if gravity is not None else None
     if gravity is not None and vector and len(vector) == 3 and vector[2] > 0:
         message = f"<gravity> points up: z is {vector[2]:g} m/s²"
         help = f"write {vector[0]:g} {vector[1]:g} {-vector[2]:g}"
         severity = Severity.WARNING
-        yield Finding(gravity, message, help, related=opened.note, severity=severity)
+        yield Finding(gravity, message, help, severity=severity)
 
 
-def _elements(opened: OpenedWorld, world: World) -> Findings:
+def _elements(world: World) -> Findings:
     """Misspelt elements, which Gazebo ignores."""
     children: dict[str, str] = data("worlds")["children"]
     for element in world.elements:
@@ -147,87 +160,7 @@ def _elements(opened: OpenedWorld, world: World) -> Findings:
                 message = f"unknown element <{child.tag}> in <{element.tag}>, which Gazebo ignores"
                 message += f"; did you mean <{meant}>?"
                 severity = Severity.WARNING
-                yield Finding(
-                    child, message, f"write <{meant}>", related=opened.note, severity=severity
-                )
-
-
-def _names(opened: OpenedWorld, world: World) -> Findings:
-    """Models and lights of one name, of which SDF reads only one."""
-    first: dict[str, Element] = {}
-    for element in world.at.children:
-        if element.tag not in ("light", "model"):
-            continue
-        name = element.get("name") or ""
-        other = first.setdefault(name, element)
-        if name and other is not element:
-            yield Finding(
-                element,
-                f"{opened.title} has two elements with the name '{name}', which SDF rejects",
-                "give each model and light a name of its own",
-                related=(Related(other.span, "the first one"), *opened.note),
-                severity=Severity.WARNING,
-            )
-
-
-def _masses(opened: OpenedWorld, world: World) -> Findings:
-    """Links of models that move, without a positive mass."""
-    for model in world.at.all("model"):
-        for link in () if _is_static(model) else model.all("link"):
-            inertial = link.child("inertial")
-            mass = inertial.child("mass") if inertial is not None else None
-            value = number(mass.text.strip()) if mass is not None else None
-            if mass is not None and value is not None and value <= 0:
-                message = f"<mass> is {value:g} kg, must be > 0: SDF rejects the link"
-                yield Finding(mass, message, "write the mass in kg", related=opened.note)
-
-
-def _falling_grounds(opened: OpenedWorld, world: World) -> Findings:
-    """A ground that is not static, and no joint holds: it falls, and the robot with it."""
-    for model in () if world.is_weightless else world.at.all("model"):
-        links = list(model.all("link"))
-        is_held = model.child("joint") is not None or any(
-            link.child("gravity") is not None for link in links
-        )
-        if _is_static(model) or is_held:
-            continue
-        collisions = (part for link in links for part in link.all("collision"))
-        shapes = [shape for part in collisions for shape in part.all("geometry")]
-        if any(shape.child("plane") is not None for shape in shapes):
-            message = f"plane of model '{model.get('name') or ''}', which is not static, falls"
-            yield Finding(
-                model.child_or_self("static"),
-                message,
-                "write <static>true</static>",
-                related=opened.note,
-                severity=Severity.WARNING,
-            )
-
-
-def _is_static(model: Element) -> bool:
-    static = model.child("static")
-    return static is not None and static.text.strip().lower() in ("1", "true")
-
-
-def _includes(opened: OpenedWorld, world: World, models: Models) -> Findings:
-    """Missing models, only with a typo or a replacement: other machines may have more models."""
-    missing = [(at, uri) for at, uri in world.includes if model_name(uri) and not models.has(uri)]
-    for at, uri in missing:
-        name = model_name(uri)
-        fuel = data("worlds")["models"].get(name)
-        if suggested := nearest(name, models.directories, TYPO):
-            message = f"model '{uri}' is not found; did you mean '{suggested}'?"
-            help = f"write model://{suggested}"
-        elif fuel and opened.started.generation == GZ:
-            message = f"gz sim does not have '{uri}', which Gazebo Classic downloads"
-            help = f"write {_FUEL}{fuel}, or the model itself"
-        elif opened.started.generation == GZ:
-            message = f"model '{uri}' is not in the workspace: without it the world is not loaded"
-            help = "add its parent directory to GZ_SIM_RESOURCE_PATH, or write the model itself"
-        else:
-            continue
-        severity = Severity.WARNING if suggested or fuel else Severity.INFO
-        yield Finding(at, message, help, related=opened.note, severity=severity)
+                yield Finding(child, message, f"write <{meant}>", severity=severity)
 
 
 def _engines(context: Context, opened: OpenedWorld) -> Findings:
@@ -236,13 +169,12 @@ def _engines(context: Context, opened: OpenedWorld) -> Findings:
     for place, engine in _selected_engines(opened):
         if engine not in known:
             message = f"unknown render engine '{engine}'{did_you_mean(engine, known)}"
-            yield Finding(place, message, "write ogre2", related=opened.note)
+            yield Finding(place, message, "write ogre2")
         elif sensor := next(_sensors_of(context, known[engine].split()), None):
             yield Finding(
                 place,
                 f"render engine {engine} does not support {sensor.type}, the type of {sensor.who}",
                 "write ogre2",
-                related=opened.note,
                 severity=Severity.WARNING,
             )
 

@@ -54,14 +54,13 @@ def _plugins(opened: OpenedWorld, world: World) -> Findings:
         if at is not None and not is_of_gz and (suggested := misspelt(file)):
             message = f"{title}: unknown plugin library"
             help = f"did you mean '{suggested}'?"
-            yield Finding(at, message, help, related=opened.note)
+            yield Finding(at, message, help)
         elif at is not None and is_of_gz and is_gz not in is_of_gz:
             other, own = _TITLES[not is_gz], _TITLES[is_gz]
             yield Finding(
                 at,
                 f"{title} is for {other}, but {opened.title} is started in {own}: it is not loaded",
                 "remove it",
-                related=opened.note,
                 group_key=opened.path,
                 severity=Severity.WARNING,
             )
@@ -79,4 +78,4 @@ def _classes(opened: OpenedWorld, plugin: Element, title: str) -> Findings:
         return
     if written.replace("ignition::gazebo", "gz::sim") not in classes:
         message = f"{title}: the library has no class '{name.value}', only {' or '.join(classes)}"
-        yield Finding(name, message, f'write name="{classes[0]}"', related=opened.note)
+        yield Finding(name, message, f'write name="{classes[0]}"')

@@ -35,7 +35,7 @@ def invalid_values(opened: OpenedWorld, world: World) -> Findings:
     }
     for element in world.elements:
         for message, help in _wrong_attributes(element):
-            yield Finding(element, f"{opened.title}: {message}", help, related=opened.note)
+            yield Finding(element, f"{opened.title}: {message}", help)
         for child in element.children if element.tag in known else ():
             kind = types.get(child.tag) or types.get(f"{element.tag}/{child.tag}", "")
             text = child.text.strip()
@@ -44,7 +44,7 @@ def invalid_values(opened: OpenedWorld, world: World) -> Findings:
             if problem := _problem(kind, text, child):
                 severity, message, help = problem
                 message = f"{opened.title}: <{child.tag}> is '{text}', {message}"
-                yield Finding(child, message, help, related=opened.note, severity=severity)
+                yield Finding(child, message, help, severity=severity)
 
 
 def _wrong_attributes(element: Element) -> Iterator[tuple[str, str]]:
@@ -103,7 +103,6 @@ def missing_meshes(opened: OpenedWorld, world: World, models: Models, context: C
                 uri,
                 f"{opened.title}: mesh '{text}' is not found",
                 "fix the path, or add the file",
-                related=opened.note,
                 group_key="missing mesh",
                 severity=Severity.WARNING,
             )
