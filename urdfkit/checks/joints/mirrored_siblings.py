@@ -1,0 +1,98 @@
+"""Left and right joints on one link of which one has a wrong sign in its position."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from urdfkit.core.spatial import Rotation, Vector
+from urdfkit.robot.joint import Joint
+from urdfkit.robot.model import RobotModel
+from urdfkit.robot.symmetry import pairs
+
+#: In m: tolerance for rounding.
+TOLERANCE = 1e-4
+_AXES = "xyz"
+
+
+def misplaced_siblings(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
+    """Counterparts on one link of which one has a wrong sign in its position."""
+    joints = {joint.name: joint for joint in model.joints if joint.name}
+    siblings = [
+        (first, second)
+        for left, right in pairs(joints)
+        if (first := joints[left]).parent_name == (second := joints[right]).parent_name
+        and first.parent_name
+        and first.kind == second.kind
+    ]
+    rotations = {_parent_and_rotations(*pair) for pair in siblings if _is_mirrored_in_y(*pair)}
+    for first, second in siblings:
+        is_alike = first.origin.rotation == second.origin.rotation
+        if not is_alike and _parent_and_rotations(first, second) not in rotations:
+            continue
+        if reason := _wrong_position(first, second):
+            is_left = is_left_misplaced(model, first, second)
+            yield (second, first, reason) if is_left else (first, second, reason)
+
+
+def _wrong_position(left: Joint, right: Joint) -> str:
+    """The defect of two positions that should be mirror images; empty if there is none."""
+    first, second = left.origin.position, right.origin.position
+    equal = [abs(a - b) < TOLERANCE for a, b in zip(first, second, strict=True)]
+    flipped = [abs(a + b) < TOLERANCE <= abs(a) for a, b in zip(first, second, strict=True)]
+    if all(equal):
+        is_copied = abs(first[1]) >= TOLERANCE and _axis(left) == _axis(right)
+        return "is at the same place as" if is_copied else ""
+    if not all(e or f for e, f in zip(equal, flipped, strict=True)) or not flipped[1]:
+        return ""
+    others = [axis for axis, turned in zip(_AXES, flipped, strict=True) if turned and axis != "y"]
+    return f"is mirrored in y and also in {others[0]} from" if len(others) == 1 else ""
+
+
+def _parent_and_rotations(left: Joint, right: Joint) -> tuple[str, Rotation, Rotation]:
+    return left.parent_name, left.origin.rotation, right.origin.rotation
+
+
+def _is_mirrored_in_y(left: Joint, right: Joint) -> bool:
+    place = left.origin.position
+    is_aside = abs(place[1]) >= TOLERANCE
+    return is_aside and is_equal(mirror_image(place), right.origin.position)
+
+
+def _axis(joint: Joint) -> Vector | None:
+    return joint.axis.value if joint.axis else None
+
+
+def is_left_misplaced(model: RobotModel, left: Joint, right: Joint) -> bool:
+    """True if the left counterpart is misplaced, judged by the other joints on their link."""
+    others = [
+        joint
+        for joint in model.joints
+        if joint.kind == left.kind
+        and joint.parent_name == left.parent_name
+        and joint.name not in (left.name, right.name)
+    ]
+    first, second = left.origin.position, right.origin.position
+    places = [joint.origin.position for joint in others]
+    if difference := _count_counterparts(second, places) - _count_counterparts(first, places):
+        return difference > 0
+    if not is_equal(first, second):
+        return any(is_equal(first, place) for place in places)
+    joints = {joint.name: joint.origin.position for joint in others if joint.name}
+    sides = [joints[a][1] for a, b in pairs(joints) if joints[a][1] * joints[b][1] < 0]
+    is_left_positive = sum(1 if y > 0 else -1 for y in sides) >= 0
+    return (first[1] > 0) != is_left_positive
+
+
+def _count_counterparts(place: Vector, places: list[Vector]) -> int:
+    """Number of places at the same height and the same distance from the centre in x."""
+    x, _, z = place
+    return sum(abs(abs(a) - abs(x)) < TOLERANCE and abs(c - z) < TOLERANCE for a, _, c in places)
+
+
+def mirror_image(place: Vector) -> Vector:
+    x, y, z = place
+    return (x, -y, z)
+
+
+def is_equal(one: Vector, other: Vector) -> bool:
+    return all(abs(a - b) < TOLERANCE for a, b in zip(one, other, strict=True))
