@@ -86,3 +86,10 @@ def test_a_tag_that_is_cut_off_is_one_mistake() -> None:
     """An editor that died: `<xacro:arg name="is_sim" defaul`, and the next line."""
     found = reported("XML001", ROBOT.format('<arg name="sim" defaul\n<arg name="a"/>').encode())
     assert [one.message for one in found] == ["attribute 'defaul' has no value"]
+
+
+@pytest.mark.parametrize("name", ["robot.urdf", "robot.xacro"])
+def test_a_declaration_that_is_commented_out(name: str) -> None:
+    """human2humanoid: the declaration of a SolidWorks export became its first comment."""
+    text = b'<!-- <?xml version="1.0"?> -->\n<robot name="r"><link name="a"/></robot>'
+    assert reported("XML", text, name) == []

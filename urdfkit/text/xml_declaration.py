@@ -3,13 +3,15 @@
 import re
 from xml.parsers import expat
 
-from urdfkit.text.comments import without_comments
+from urdfkit.text.comments import blank_comments, without_comments
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Severity
 from urdfkit.text.source import Source, Span
 
 # Compiled when needed, which is rare.
 _DECLARATION = rb"<\?xml[\s?][^>]*\?>|<\?xml\?>"
 _VERSION = rb"""\bversion\s*=\s*["']([^"']*)["']"""
+#: Bytes in which the declaration is sought.
+_HEAD = 20_000
 _UTF_8 = ("utf-8", "utf8", "utf-8-sig", "us-ascii", "ascii")
 
 
@@ -68,7 +70,9 @@ def without_declaration(source: Source, problems: list[Problem]) -> bytes:
     Its defects, and text before it, are added to ``problems``.
     """
     data = source.data
-    declaration = re.search(_DECLARATION, data[:20_000])
+    declaration = re.search(_DECLARATION, data[:_HEAD])
+    if declaration and declaration.start():  # not one that is itself a comment
+        declaration = re.search(_DECLARATION, blank_comments(data[:_HEAD]))
     if declaration is None:
         return data
     start, end = declaration.span()
