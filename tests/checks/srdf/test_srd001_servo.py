@@ -27,10 +27,12 @@ arm_controller: {ros__parameters: {joints: [shoulder]}}
 """
 
 
-def messages(directory: Path, text: str, body: str = GROUP, controllers: str = "") -> list[str]:
+def messages(
+    directory: Path, text: str, body: str = GROUP, controllers: str = "", manifest: str = ""
+) -> list[str]:
     (directory / "servo_config.yaml").write_text(text)
     (directory / "ros2_controllers.yaml").write_text(controllers)
-    (directory / "package.xml").write_text("<package><name>r</name></package>")
+    (directory / "package.xml").write_text(f"<package><name>r</name>{manifest}</package>")
     return [found.message for found in findings(directory, body, "SRD001")]
 
 
@@ -72,3 +74,34 @@ def test_controllers(tmp_path: Path, topic: str, controllers: str, count: int) -
     found = messages(tmp_path, text, controllers=controllers)
     words = naming("command_out_topic", "panda_arm_controller")
     assert [one.partition(",")[0] for one in found] == [words] * count
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("publish_period: 0.01", ""),
+        ("publish_period: 1", "publish_period is an integer"),
+        ("publish_period: 0.0", "publish_period is 0.0, must be > 0"),
+        ("scale: {linear: 1}", "linear is an integer"),
+        ("check_collisions: 1", "check_collisions is an integer"),
+        ("command_in_type: speed_unit", "command_in_type is 'speed_unit'"),
+        ("command_in_type: speed_units", ""),
+    ],
+)
+def test_values(tmp_path: Path, text: str, words: str) -> None:
+    kind = "<export><build_type>ament_cmake</build_type></export>"
+    found = messages(tmp_path, f"{SERVO}      {text}\n", manifest=kind)
+    assert [words in one for one in found] == [True] * bool(words)
+
+
+def test_integers_in_ros_1(tmp_path: Path) -> None:
+    kind = "<buildtool_depend>catkin</buildtool_depend>"
+    assert messages(tmp_path, f"{SERVO}      publish_period: 1\n", manifest=kind) == []
+
+
+def test_the_group_is_required(tmp_path: Path) -> None:
+    text = SERVO.replace(
+        "move_group_name: arm", "command_out_type: trajectory_msgs/JointTrajectory"
+    )
+    (found,) = messages(tmp_path, text)
+    assert "move_group_name is missing" in found

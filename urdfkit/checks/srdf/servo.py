@@ -1,7 +1,7 @@
-"""Unknown groups, frames and controllers in the files of MoveIt Servo.
+"""Unknown groups, frames and controllers, and invalid values, in the files of MoveIt Servo.
 
-Source: ``servo_calcs.cpp`` of moveit_servo (Humble), ``servo.cpp`` and ``servo_parameters.yaml``
-(Jazzy).
+Source: ``servo_calcs.cpp`` and ``servo_parameters.cpp`` of moveit_servo (Humble), ``servo.cpp`` and
+``servo_parameters.yaml`` (Jazzy).
 """
 
 import os
@@ -10,10 +10,13 @@ from urdfkit.checks.srdf.trajectory_controllers import defined_controllers
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.ros.catalog.controllers import of_servo
 from urdfkit.ros.moveit.config import servo_values
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_variant import names_of_other_robots
+from urdfkit.ros.parameter_types import TYPES, correction, is_not_positive, type_of
 from urdfkit.text.located_yaml import Value
+from urdfkit.workspace.manifest import manifest_of
 
 _GROUP, _TOPIC = "move_group_name", "command_out_topic"
 #: In Humble and before; later Servo takes frames from its commands.
@@ -37,6 +40,31 @@ def unknown_in_servo(context: Context, srdf: Srdf) -> Findings:
                 yield Finding(values[key].span, message, help, severity=Severity.WARNING)
         if _TOPIC in values:
             yield from _unknown_controller(context, srdf, values[_TOPIC])
+        manifest = manifest_of(context.resolver, source.path)
+        yield from _invalid_values(
+            file, values, is_ros_2=manifest is not None and manifest.ros == 2
+        )
+
+
+def _invalid_values(file: str, values: dict[str, Value], *, is_ros_2: bool) -> Findings:
+    """Parameters that Servo requires, and values at which it stops."""
+    known = of_servo()
+    for name in known.required:
+        if name not in values and _TOPIC in values:
+            message = f"{file}: required parameter {name} is missing"
+            yield Finding(values[_TOPIC].span, message, f"add {name}: ...")
+    for name, value in values.items():
+        expected, actual = known.type_of(name), type_of(value)
+        words = known.words_of(name)
+        if is_ros_2 and expected and actual and actual != expected:
+            message = f"{file}: {name} is {TYPES[actual]}, must be {TYPES[expected]}"
+            yield Finding(value.span, message, correction(value, expected))
+        elif words and value.text not in words:
+            message = f"{file}: {name} is '{value.text}'{did_you_mean(value.text, words)}"
+            yield Finding(value.span, message, f"write one of {', '.join(words)}")
+        elif name in known.positive and is_not_positive(value):
+            message = f"{file}: {name} is {value.text}, must be > 0"
+            yield Finding(value.span, message, "write a positive number")
 
 
 def _unknown_controller(context: Context, srdf: Srdf, topic: Value) -> Findings:

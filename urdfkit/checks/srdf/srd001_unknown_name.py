@@ -25,7 +25,8 @@
   type or action ("Action client not connected"). Or no launch file names the controller, while a
   spawner loads another one of the file (warning).
 - In the file of MoveIt Servo, an unknown group or frame, or the topic of a controller that is not
-  defined, or that reads another type (warning): the robot does not follow the commands.
+  defined, or that reads another type (warning): the robot does not follow the commands. A parameter
+  that is missing, or has another type or an invalid value: Servo stops.
 - A misspelt or misplaced setting of a controller or of `trajectory_execution`, a list that is a
   text, a pipeline that is half of Humble and half of Jazzy, an octomap updater or the Cartesian
   limits of Pilz without a required parameter (mostly warnings).

@@ -70,6 +70,12 @@ def classes(ros: int) -> list[str]:
     return list(data("controllers")[f"ros{ros}"])
 
 
+@cache
+def of_servo() -> ControllerParameters:
+    """The parameters of MoveIt Servo, which is not a controller, by the last part of their name."""
+    return _parameters(data("moveit")["servo"])
+
+
 def _parameters(entry: dict[str, Any]) -> ControllerParameters:
     types = {name: kind for kind, names in entry.items() for name in names if kind not in _ROLES}
     return record(ControllerParameters, entry, types=types)

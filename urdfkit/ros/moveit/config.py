@@ -37,8 +37,9 @@ PIPELINES = (
     "stomp_planning.yaml",
 )
 _INITIAL = "initial_positions.yaml"
-#: Keys of MoveIt Servo's file, whose name differs from robot to robot.
-_OF_SERVO = (b"move_group_name:", b"command_out_topic:")
+#: Keys of MoveIt Servo's file, whose name differs from robot to robot; one of the second is enough.
+_TOPIC_OF_SERVO = b"command_out_topic:"
+_OF_SERVO = (b"move_group_name:", b"command_in_type:", b"command_out_type:", b"publish_period:")
 MANAGER = "moveit_simple_controller_manager"
 #: First characters of values that only launch or a template resolves.
 _OPEN = ("$", "<", "{")
@@ -166,7 +167,9 @@ def servo_values(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Source, dict[
     for name in sorted(disk.names(directory)) if disk.is_directory(directory) else ():
         path = os.path.join(directory, name)
         source = resolver.readable(path) if name.endswith((".yaml", ".yml")) else None
-        if source is None or not all(key in source.data for key in _OF_SERVO):
+        if source is None or _TOPIC_OF_SERVO not in source.data:
+            continue
+        if not any(key in source.data for key in _OF_SERVO):
             continue
         values = {
             str(key): node
