@@ -3,7 +3,8 @@
 The controller manager cannot activate the controller: "not in the list of available interfaces".
 Add the command or state interface to the joint if the hardware has it, or configure the controller
 without it: `position_feedback: false` or `open_loop: true` of a wheel controller,
-`state_interfaces` of a trajectory controller, `interfaces` of joint_state_broadcaster. A joint with
+`state_interfaces` of a trajectory controller, `interfaces` of joint_state_broadcaster,
+`max_effort_interface` of a gripper controller. A joint with
 command interfaces but no state interface is reported even without a controller (warning): most
 controllers do not start, and the joint is missing in the joint states. A joint without any
 `<ros2_control>` is reported only if the hardware offers all others of its controller. If a file
@@ -51,6 +52,9 @@ _GRIPPER = "GripperActionController"
 _DRIVE = "diff_drive_controller/DiffDriveController"
 _BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 
+#: Parameters of a gripper controller that name a further interface, as JOINT/INTERFACE.
+_CLAIMED = ("max_effort_interface", "max_velocity_interface")
+
 #: Hardware that offers only the listed interfaces, as the hardware of simulators does.
 _MOCK = ("mock_components/GenericSystem", "fake_components/GenericSystem")
 
@@ -71,6 +75,29 @@ def check(context: Context) -> Findings:
             context, controller, file, joints, _states(controller), states, free, "state"
         )
     yield from _without_state(context)
+    yield from _claimed_by_name(context, free)
+
+
+def _claimed_by_name(context: Context, free: Collection[str]) -> Findings:
+    """Command interfaces that a gripper controller claims beside the position of its joint."""
+    offered = _offered(context, "command")
+    for file, controller in context.controllers:
+        own = [value.text for value in controller.values(["joint"])]
+        is_gripper = controller.type.endswith(_GRIPPER) and not offered.keys().isdisjoint(own)
+        for value in controller.values(_CLAIMED) if is_gripper else ():
+            joint, _, interface = value.text.rpartition("/")
+            available = offered.get(joint, set())
+            if not joint or interface in available:
+                continue
+            others = ", ".join(sorted(available)) or "none"
+            yield Finding(
+                value.span,
+                f"controller '{controller.name}' requires command interface {interface} of joint "
+                f"'{joint}', which offers: {others}",
+                "remove the parameter, or add the <command_interface> to the joint",
+                related=(file.note,),
+                severity=_severity(available) if joint in free else None,
+            )
 
 
 def _without_command(context: Context) -> Findings:
