@@ -231,3 +231,26 @@ def test_another_robot_may_be_started_elsewhere(tmp_path: Path) -> None:
         for more in ("", include.format("some_robot_gazebo"), include.format("gazebo_ros"))
     ]
     assert found == [1, 0, 1]
+
+
+@pytest.mark.parametrize(("package", "count"), [("our_scans", 0), ("nav2_planner", 1)])
+def test_composable_nodes_publish_topics(tmp_path: Path, package: str, count: int) -> None:
+    """A container may publish the scan; Nav2's planner does not."""
+    bridge = "[{ros_topic_name: front, gz_topic_name: front, ros_type_name: sensor_msgs/msg/"
+    bridge += "LaserScan, gz_type_name: gz.msgs.LaserScan, direction: GZ_TO_ROS}]\n"
+    text = """from launch import LaunchDescription
+from launch_ros.actions import ComposableNodeContainer, Node
+from launch_ros.descriptions import ComposableNode
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package="ros_gz_bridge", executable="parameter_bridge",
+             parameters=[{"config_file": "BRIDGE"}]),
+        Node(package="slam_toolbox", executable="async_slam_toolbox_node"),
+        ComposableNodeContainer(name="c", namespace="", package="rclcpp_components",
+            executable="component_container", composable_node_descriptions=[
+            ComposableNode(package="PACKAGE", plugin="a::B")])])
+"""
+    text = text.replace("PACKAGE", package).replace("BRIDGE", f"{tmp_path}/arm/bridge.yaml")
+    files = {"bridge.yaml": bridge}
+    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text, files)
+    assert ["'/scan', which nothing publishes" in one.message for one in found] == [True] * count

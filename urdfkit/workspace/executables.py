@@ -72,6 +72,17 @@ def _of_cmake(text: str, package: str, name: str) -> Absence | None:
     return None if is_named or ("${" in text and not others) else Absence(False, tuple(others))
 
 
+def script_of(directory: str, package: str, name: str) -> str:
+    """The path of a Python script that a build installs as an executable; empty if unknown."""
+    text = read_head(build_file(directory), MAX_BYTES).decode("utf-8", "replace")
+    text = re.sub(r"#[^\n]*", "", text).replace("${PROJECT_NAME}", package)
+    for group in re.findall(_PROGRAM, text) if name.endswith(".py") else ():
+        for path in group.split():
+            if os.path.basename(path) == name and "$" not in path:
+                return os.path.join(directory, path)
+    return ""
+
+
 def _misplaced(text: str, package: str, name: str) -> str:
     """Where a build installs an executable that ROS looks for in ``lib/PACKAGE``; empty if unknown.
 

@@ -261,3 +261,25 @@ def test_an_executable_of_an_earlier_release(
     assert (found.severity, "supported up to Humble" in found.message) == (severity, True)
     text = text.replace("_main", "")
     assert reported(tmp_path / "arm", "LAU003", "a.launch.xml", text) == []
+
+
+@pytest.mark.parametrize(("first", "count"), [("#!/usr/bin/env python3", 0), ("import rclpy", 1)])
+def test_a_script_that_the_system_cannot_start(tmp_path: Path, first: str, count: int) -> None:
+    directory = tmp_path / "arm"
+    install = "install(PROGRAMS scripts/talk.py DESTINATION lib/${PROJECT_NAME})\n"
+    build = f"project(arm)\nfind_package(ament_cmake REQUIRED)\n{install}"
+    files = {"CMakeLists.txt": build, "scripts/talk.py": f"{first}\n"}
+    reported(directory, "LAU003", "a.launch.xml", '<node pkg="arm" exec="talk.py"/>', files)
+    manifest = directory / "package.xml"
+    kind = "<export><build_type>ament_cmake</build_type></export></package>"
+    manifest.write_text(manifest.read_text().replace("</package>", kind))
+    found = check(directory / "launch" / "a.launch.xml", select=["LAU003"]).diagnostics
+    assert [one.help.partition(" ")[2][:2] for one in found] == ["#!"] * count
+
+
+@pytest.mark.parametrize(("name", "count"), [("planning_plugins", 1), ("planning_plugin", 0)])
+def test_a_package_that_jazzy_does_not_have(tmp_path: Path, name: str, count: int) -> None:
+    text = '<node pkg="ros_ign_gazebo" exec="create"/><let name="a" value="b"/>'
+    files = {"config/ompl_planning.yaml": f"{name}: a\n"}
+    found = reported(tmp_path / "arm", "LAU003", "a.launch.xml", text, files)
+    assert [one.help for one in found] == ["write ros_gz_sim"] * count

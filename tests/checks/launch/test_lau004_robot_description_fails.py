@@ -83,3 +83,14 @@ def test_an_argument_above_its_default(tmp_path: Path, passed: str, count: int) 
     launch = LAUNCH.replace(b"r.xacro", b"r.xacro" + passed.encode())
     found = check(Source(str(tmp_path / "a.launch"), launch), select=["LAU004"]).diagnostics
     assert ["above its <xacro:arg>" in one.message for one in found] == [True] * count
+
+
+MACROS = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<xacro:macro name="m">{}</xacro:macro>{}</robot>"""
+
+
+@pytest.mark.parametrize(("more", "count"), [("", 1), ("<xacro:m/>", 0)])
+def test_a_file_that_only_defines_macros(tmp_path: Path, more: str, count: int) -> None:
+    (tmp_path / "r.xacro").write_text(MACROS.format('<link name="a"/>', more))
+    found = check(Source(str(tmp_path / "a.launch"), LAUNCH), select=["LAU004"]).diagnostics
+    assert [one.span.line for one in found] == [2] * count

@@ -149,6 +149,30 @@ ExecuteProcess(cmd=['ros2', 'run'])
     assert [word.text for word in program.words] == ["ros2", "run"]
 
 
+def test_composable_nodes(package):
+    launch = read(
+        package,
+        """
+ComposableNodeContainer(name='c', namespace='', composable_node_descriptions=[
+    ComposableNode(package='nav2_amcl', plugin='nav2_amcl::AmclNode', name='amcl',
+                   namespace='r', remappings=[('scan', 'front')], parameters=[{'rate': 1}]),
+    ComposableNode(package='p', plugin='p::Own')])
+LoadComposableNodes(target_container='c', composable_node_descriptions=more(),
+                    condition=IfCondition(LaunchConfiguration('x')))
+LoadComposableNodes(target_container='c', composable_node_descriptions=[one],
+                    condition=IfCondition(LaunchConfiguration('x')))
+LifecycleNode(package='q', executable='e', name='n', namespace='')
+""",
+    )
+    node, own, *unknown, lifecycle = launch.started
+    assert (node.package, node.executable, node.name) == ("nav2_amcl", "amcl", "amcl")
+    assert (node.namespace, node.remappings) == ("r", {"scan": "front"})
+    assert (node.parameters.every, node.is_sure) == ({"rate": "1"}, True)
+    assert (own.package, own.executable) == ("p", "")
+    assert [(one.package, one.is_sure) for one in unknown] == [("", False)] * 2
+    assert (lifecycle.package, lifecycle.executable) == ("q", "e")
+
+
 @pytest.mark.parametrize(
     ("body", "found"),
     [

@@ -238,3 +238,30 @@ def test_texts_of_arguments_as_conditions(
     found = reported(tmp_path, "LAU010", "a.launch.py", program("node", before))
     message = f"the text '{default}' is true in Python, and 'false' is, too"
     assert [one.message for one in found] == [message] * count
+
+
+LOADED = """\
+from launch_ros.actions import ComposableNodeContainer, LoadComposableNodes
+def generate_launch_description():
+    ComposableNodeContainer(name="images", namespace=NAMESPACE, executable="component_container")
+    LoadComposableNodes(target_container="TARGET", composable_node_descriptions=[])
+"""
+
+
+@pytest.mark.parametrize(
+    ("namespace", "target", "help"),
+    [
+        ("''", "images", ""),
+        ("'camera'", "/camera/images", ""),
+        ("'camera'", "images", "write /camera/images"),
+        ("'camera'", "/camera/image", "write /camera/images"),
+        ("'camera'", "other", ""),  # of another launch file
+        ("where()", "images", ""),
+    ],
+)
+def test_the_container_of_composable_nodes(
+    tmp_path: Path, namespace: str, target: str, help: str
+) -> None:
+    text = LOADED.replace("NAMESPACE", namespace).replace("TARGET", target)
+    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert [one.help for one in found if "container" in one.message] == [help] * bool(help)

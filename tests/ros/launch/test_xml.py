@@ -180,6 +180,18 @@ def test_started_programs(package):
     assert [word.text for word in program.words] == ["ros2", "run"]
 
 
+def test_composable_nodes(package):
+    text = """<node_container pkg="rclcpp_components" exec="component_container" name="c"
+      namespace=""><composable_node pkg="nav2_amcl" plugin="nav2_amcl::AmclNode" namespace="r">
+      <remap from="scan" to="front"/></composable_node></node_container>
+      <load_composable_node target="c" if="$(var x)">
+      <composable_node pkg="p" plugin="p::Own"/></load_composable_node>"""
+    node, own = read(package, text).started
+    assert (node.package, node.executable, node.namespace) == ("nav2_amcl", "amcl", "r")
+    assert (node.remappings, node.is_sure) == ({"scan": "front"}, True)
+    assert (own.package, own.executable, own.is_sure) == ("p", "", False)
+
+
 @pytest.mark.parametrize(
     "text",
     [

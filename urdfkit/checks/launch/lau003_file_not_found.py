@@ -5,7 +5,8 @@ file stops the launch, and Gazebo does not start without its world. Also reporte
 
 - An executable or launch file that a ROS package does not have (info if an earlier release of ROS 2
   had it, and none of the files is for Jazzy or later), or an executable that a package of the
-  workspace does not install, if its build file names all of them. A package of ROS 1.
+  workspace does not install, if its build file names all of them; or a Python script without `#!`.
+  A package of ROS 1, or one that Jazzy does not have if a file is for Jazzy.
 - A Nav2 map whose image is missing, or whose image is given instead of its YAML file. slam_toolbox
   adds `.posegraph` to the name of a map itself.
 - In Python, a path relative to the directory in which launch is started.
@@ -37,6 +38,7 @@ from urdfkit.lint.rules import (
     reported,
     rule,
 )
+from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import MAP, POSE_GRAPH, FileUse
@@ -81,16 +83,31 @@ def check(context: Context) -> Findings:
             yield from _missing_image(context, file)
     yield from _in_parameters(context)
     yield from _worlds(context)
+    yield from _removed_packages(context)
     for finding in reported(context, "LAU003"):
         is_former = finding.severity is Severity.INFO and _was_removed(context, finding)
         yield finding._replace(severity=None) if is_former else finding
 
 
+def _removed_packages(context: Context) -> Findings:
+    """Packages that the release of ROS 2 of this package does not have any more."""
+    removed: dict[str, str] = data("packages")["removed"]
+    used = [use for use in context.launch.packages if use.name in removed]
+    for use in used if used and _is_for_jazzy(context) else ():
+        if use.span.source is context.source:
+            message = f"Jazzy has no package '{use.name}'"
+            yield Finding(use.span, message, f"write {removed[use.name]}", group_key=use.name)
+
+
 def _was_removed(context: Context, finding: Finding) -> bool:
     """True for an executable that the release of ROS 2 of this package does not have any more."""
     place = finding.at.span if isinstance(finding.at, Location) else None
-    if not any(use.span == place and last_release(use) for use in context.launch.programs):
-        return False
+    former = (use for use in context.launch.programs if last_release(use))
+    return any(use.span == place for use in former) and _is_for_jazzy(context)
+
+
+def _is_for_jazzy(context: Context) -> bool:
+    """True if the parameter files, or the pipelines of MoveIt, have names of Jazzy and later."""
     home = context.resolver.packages.enclosing(context.source.path)
     config = os.path.join(home[1], "config") if home else ""
     files = disk.names(config) if disk.is_directory(config) else []

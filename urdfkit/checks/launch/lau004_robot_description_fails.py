@@ -1,8 +1,9 @@
 """The robot description of a launch file does not expand, or is not read as text.
 
-The launch stops, or `robot_state_publisher` starts without a robot. Only arguments that the launch
-file does not pass are reported here, also those that the xacro uses above their default; other
-errors are reported in the xacro file, which is checked with the arguments of the launch file.
+The launch stops, or `robot_state_publisher` starts without a robot. So it does if the file only
+defines macros that another one calls: "No link elements found in urdf file". Only arguments that
+the launch file does not pass are reported here, also those that the xacro uses above their default;
+other errors are reported in the xacro file, which is checked with the arguments of the launch file.
 
 In Python, a `Command` that is passed as a parameter directly is read as YAML. A `: ` in a comment
 of the robot is enough for "Unable to parse the value of parameter robot_description as yaml";
@@ -44,6 +45,10 @@ def check(context: Context) -> Findings:
             message = f"'{description.path}' does not expand: {missing[0].message}"
             note = Related(missing[0].span, "here")
             yield Finding(place, message, missing[0].help, related=(note,))
+        elif is_read and description.is_whole and _is_empty(robot):
+            place = Location(description.frame.call.span, description.frame.outer)
+            message = f"'{description.path}' has no link: robot_state_publisher stops"
+            yield Finding(place, message, "name the file that calls its macros")
         elif is_read and description.is_yaml:
             place = Location(description.frame.call.span, description.frame.outer)
             reason = _yaml_error(robot)
@@ -55,6 +60,12 @@ def check(context: Context) -> Findings:
                 else "write ParameterValue(Command(...), value_type=str)"
             )
             yield Finding(place, message, help, severity=None if reason else Severity.INFO)
+
+
+def _is_empty(robot: Context) -> bool:
+    """True for a file that only defines macros."""
+    xacro = robot.reading.xacro
+    return xacro is not None and xacro.is_library and not robot.document.root.children
 
 
 def _yaml_error(robot: Context) -> str:

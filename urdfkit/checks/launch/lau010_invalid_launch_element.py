@@ -40,8 +40,9 @@
   LaunchConfiguration) to str"; or a function of Python gets a substitution, such as `os.path.join`
   or `open`: "expected str, bytes or os.PathLike object". The directory of a package and a path are
   joined without a slash.
-- A composable node names a class with a slash or another one than its package has (error), or an
-  event handler starts an action when it has exited itself.
+- A composable node names a class with a slash or another one than its package has, or is loaded
+  into a container whose name is another one with its namespace (error); or an event handler starts
+  an action when it has exited itself.
 - A `PythonExpression` contains the text `true` without quotes (error): "name 'true' is not
   defined". Python takes the text `false` of an argument for true.
 - In ROS 1, an argument has both a value and a default. In both versions, a condition is a

@@ -8,7 +8,8 @@ from urdfkit.errors import PackageNotFound
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import GivenParameters, IncludedFile, StartedProgram, Word
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.workspace.executables import absence
+from urdfkit.workspace.executables import absence, script_of
+from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.install_rules import build_file
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
@@ -92,6 +93,7 @@ def _own_executable(program: StartedProgram, resolver: Resolver) -> Iterator[Pro
         return
     missing = absence(directory, program.package, name)
     if missing is None:
+        yield from _no_shebang(program, script_of(directory, program.package, name))
         return
     file = os.path.basename(build_file(directory))
     if missing.place:
@@ -106,6 +108,14 @@ def _own_executable(program: StartedProgram, resolver: Resolver) -> Iterator[Pro
         command = "console_scripts" if file.endswith(".py") else "install(PROGRAMS ...)"
         help = f"fix the name, or add it to {command}"
     yield Problem("LAU003", program.span, message, help, program.frame)
+
+
+def _no_shebang(program: StartedProgram, script: str) -> Iterator[Problem]:
+    """A script that the system cannot start: it does not say which program interprets it."""
+    if script and (head := read_head(script, 2)) and head != b"#!":
+        message = f"'{program.executable}' does not begin with #!: exec format error"
+        help = "write #!/usr/bin/env python3 as its first line"
+        yield Problem("LAU003", program.span, message, help, program.frame)
 
 
 def _former_package(program: StartedProgram) -> Problem | None:

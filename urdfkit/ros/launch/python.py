@@ -28,7 +28,7 @@ from urdfkit.ros.launch.python_descriptions import (
 from urdfkit.ros.launch.python_expressions import wrong_expressions
 from urdfkit.ros.launch.python_file import PythonLaunchFile
 from urdfkit.ros.launch.python_names import wrong_names
-from urdfkit.ros.launch.python_nodes import start_node
+from urdfkit.ros.launch.python_nodes import start_components, start_node
 from urdfkit.ros.launch.python_order import declared_late
 from urdfkit.ros.launch.scopes import unread, with_items
 from urdfkit.ros.launch.signature import of_python
@@ -80,6 +80,9 @@ class _PythonReader(PythonLaunchFile):
             "Command": partial(run_command, self, untyped=untyped),
             "ExecuteProcess": self._process,
             "IncludeLaunchDescription": self._include,
+            "ComposableNodeContainer": self._container,
+            "LifecycleNode": self._node,
+            "LoadComposableNodes": self._container,
             "Node": self._node,
             "open": partial(open_file, self),
             "parse": partial(parse, self),
@@ -139,6 +142,10 @@ class _PythonReader(PythonLaunchFile):
     def _node(self, call: ast.Call) -> None:
         if self._may_run(call):
             start_node(self, call)
+
+    def _container(self, call: ast.Call) -> None:
+        if self._may_run(call):
+            start_components(self, call)
 
     def _process(self, call: ast.Call) -> None:
         if not self._may_run(call):

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.suggest import is_typo, nearest
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.components import wrong_component
+from urdfkit.ros.launch.components import wrong_component, wrong_container
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import nodes, string
@@ -37,6 +37,8 @@ _TAKEN_BY = {
 _RETURNED = (
     "ExecuteProcess", "GroupAction", "IncludeLaunchDescription", "LaunchDescription", "Node",
 )  # fmt: skip
+#: The executables of containers begin with this, and what gives a container its name.
+_CONTAINER, _NAMES = "component_container", ("namespace", "name")
 #: Arguments of Foxy and before, which are reported as such.
 _FORMER = ("node_", "package_")
 #: What a LaunchConfiguration becomes when a launch file runs.
@@ -58,6 +60,34 @@ def wrong_calls(tree: ast.Module, calls: list[ast.Call], values: Values) -> Iter
         yield from _no_list(call, tree, values)
         yield from _evaluated(call, values)
     yield from _compared(tree, values)
+    yield from _wrong_targets(calls, values)
+
+
+def _wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+    """Composable nodes for a container that has another name; none with pushed namespaces."""
+    names = [called(call) for call in calls]
+    if "LoadComposableNodes" not in names or any(name.startswith("PushR") for name in names):
+        return
+    started = [
+        call
+        for call in calls
+        if called(call) == "ComposableNodeContainer"
+        or (values.text(argument(call, None, "executable")) or "").startswith(_CONTAINER)
+    ]
+    parts = [
+        [_text_or_none(argument(call, None, key), values) for key in _NAMES] for call in started
+    ]
+    containers = ["/".join(filter(None, pair)) for pair in parts if None not in pair]
+    for call in calls if len(containers) == len(started) else ():
+        node = argument(call, None, "target_container")
+        text = values.text(node) if called(call) == "LoadComposableNodes" else None
+        if node is not None and text and (wrong := wrong_container(text, containers)):
+            yield _error(node, *wrong, values)
+
+
+def _text_or_none(node: ast.expr | None, values: Values) -> str | None:
+    """The text of an argument, which is empty if it is not given; None if it is unknown."""
+    return "" if node is None else values.text(node)
 
 
 def _imported(tree: ast.Module) -> set[str]:

@@ -3,6 +3,7 @@
 import ast
 from itertools import pairwise
 
+from urdfkit.ros.launch.components import executable_of
 from urdfkit.ros.launch.contents import (
     FILE_PARAMETERS,
     PARAMETERS,
@@ -14,9 +15,10 @@ from urdfkit.ros.launch.moveit_builder import is_configuration
 from urdfkit.ros.launch.moveit_parameters import missing_of_move_group, missing_of_rviz
 from urdfkit.ros.launch.python_descriptions import record_unexpanded
 from urdfkit.ros.launch.python_file import PythonLaunchFile
-from urdfkit.ros.launch.values import argument
+from urdfkit.ros.launch.values import argument, called
 from urdfkit.text.source import Span
 
+_COMPONENT = "ComposableNode"
 _PARAMETER_FILES = (".yaml", ".yml")
 
 
@@ -57,6 +59,42 @@ def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
         file.collector.problems += missing_of_move_group(file, call)
     elif program.package == "rviz2":
         file.collector.problems += missing_of_rviz(file, call)
+
+
+def start_components(file: PythonLaunchFile, container: ast.Call) -> None:
+    """Read the composable nodes that a container, or an action of launch, loads."""
+    descriptions = argument(container, None, "composable_node_descriptions")
+    is_sure = file.is_sure(container)
+    for item in file.values.items(descriptions) if descriptions else ():
+        call = file.values.resolved(item)
+        if isinstance(call, ast.Call) and called(call) == _COMPONENT:
+            _start_component(file, call, is_sure=is_sure and file.is_sure(call))
+        else:
+            unknown = StartedProgram("", "", (), file.values.span(container), file.frame, False)
+            file.collector.start(unknown)
+
+
+def _start_component(file: PythonLaunchFile, call: ast.Call, *, is_sure: bool) -> None:
+    package = argument(call, None, "package")
+    name = file.values.text(package)
+    if name and package is not None:
+        file.collector.package(name, file.source, file.values.span(package))
+    parameters = argument(call, None, "parameters")
+    if not (file.frame and file.is_off(call)):
+        _record_parameter_files(file, parameters)
+    program = StartedProgram(
+        name or "",
+        executable_of(file.values.text(argument(call, None, "plugin"))),
+        (),
+        file.values.span(call),
+        file.frame,
+        is_sure,
+        remappings=_remappings(file, argument(call, None, "remappings")),
+        parameters=_parameters(file, parameters, None),
+        namespace=_namespace(file, call),
+        name=file.values.text(argument(call, None, "name")) or "",
+    )
+    file.collector.start(program)
 
 
 def _record_rviz_configuration(file: PythonLaunchFile, words: ast.expr | None) -> None:

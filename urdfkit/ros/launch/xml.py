@@ -17,7 +17,13 @@ from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import Signature, arguments_in, signature
 from urdfkit.ros.launch.tags import SCOPES, dialect, mistakes, without_effect
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
-from urdfkit.ros.launch.xml_nodes import read_param, read_rosparam, start_executable, start_node
+from urdfkit.ros.launch.xml_nodes import (
+    read_param,
+    read_rosparam,
+    start_component,
+    start_executable,
+    start_node,
+)
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, Element
@@ -105,7 +111,7 @@ class _XmlReader(XmlLaunchFile):
             self.collector.problems += without_effect(parent, self.frame)
         handles: dict[str, Callable[[Element], None]] = {
             "arg": self._arg,
-            "composable_node": self._children,
+            "composable_node": self._component,
             "executable": partial(start_executable, self),
             "group": self._children,
             "include": self._include,
@@ -161,6 +167,10 @@ class _XmlReader(XmlLaunchFile):
 
     def _node(self, element: Element) -> None:
         start_node(self, element)
+        self._children(element)
+
+    def _component(self, element: Element) -> None:
+        start_component(self, element)
         self._children(element)
 
     def _arg(self, element: Element) -> None:

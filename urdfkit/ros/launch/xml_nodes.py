@@ -5,6 +5,7 @@ import re
 from itertools import pairwise
 
 from urdfkit.ros.launch.collect import frame_at, path_from
+from urdfkit.ros.launch.components import executable_of
 from urdfkit.ros.launch.contents import (
     FILE_PARAMETERS,
     PARAMETERS,
@@ -49,6 +50,27 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
             [word.text for word in words],
             is_ros_2="type" not in element.attributes,
         ),
+        parameters=_parameters(file, element),
+        namespace=_namespace(file, element),
+        name=element.get("name") or "",
+    )
+    file.collector.start(program)
+
+
+def start_component(file: XmlLaunchFile, element: Element) -> None:
+    """Read a ``<composable_node>``, without its children."""
+    package = element.attributes.get("pkg")
+    name = file.text(package)
+    if package and name:
+        file.collector.package(name, file.source, package.span)
+    program = StartedProgram(
+        name or "",
+        executable_of(file.text(element.attributes.get("plugin"))),
+        (),
+        element.span,
+        file.frame,
+        is_sure=not file.unknown_conditions,
+        remappings=_remappings(file, element),
         parameters=_parameters(file, element),
         namespace=_namespace(file, element),
         name=element.get("name") or "",
