@@ -22,7 +22,7 @@ def encoding_problems(source: Source, *, strict: bool) -> list[Problem]:
         strict: True for parsers that read only UTF-8, such as xacro.
     """
     if source.undecodable is not None:
-        from urdfkit.text.xml_errors import is_binary
+        from urdfkit.text.not_xml import is_binary
 
         if is_binary(source.data) or b"<" not in source.data:
             return []  # it is not XML in any encoding, which is reported

@@ -7,8 +7,8 @@ rejects a file that expat accepts.
 """
 
 import re
-from itertools import islice
 
+from urdfkit.text.not_xml import other_than_xml
 from urdfkit.text.tag_matching import MAX_ERRORS, SyntaxMistake, TagMatching, TagToken
 from urdfkit.text.xml_characters import (
     control_characters,
@@ -19,8 +19,6 @@ from urdfkit.text.xml_characters import (
 
 #: Tags that are matched; the rest of a larger malformed file is not read.
 MAX_TAGS = 300_000
-#: Most control characters in a text file; a file with more is binary.
-MAX_CONTROLS = 20
 
 _NAME = rb"[A-Za-z_:\x80-\xff][A-Za-z0-9_:.\x80-\xff-]*"
 _START = re.compile(rb"<(%s)" % _NAME)
@@ -43,58 +41,19 @@ _DECLARATION = re.compile(
 )
 #: The begin of a comment with a character too few, or a space too many.
 _MISTYPED_COMMENT = re.compile(rb"<(?:--+|!\s+-+|!-)")
-#: The first line of the two sides of a merge conflict.
-_CONFLICT = re.compile(rb"^<{7}(?: .*)?$", re.MULTILINE)
 _PREDEFINED = frozenset((b"lt", b"gt", b"amp", b"quot", b"apos"))
-
-_NOT_ROBOT_HELP = "name the URDF or xacro of the robot"
 
 
 def syntax_mistakes(data: bytes) -> list[SyntaxMistake]:
     """All errors of a UTF-8 text, ordered by offset; empty if this scanner finds none."""
-    if file_kind := _other_kind(data):
-        message, help = file_kind
-        return [SyntaxMistake(0, 0, message, help=help)]
-    controls = control_characters(data)
-    count = sum(end - start for start, end in controls)
-    if is_binary(data):
-        message = f"not a text file: it contains {count} control characters"
-        return [SyntaxMistake(*controls[0], message, help=_NOT_ROBOT_HELP)]
-    if b"\n>>>>>>>" in data and (conflicts := _conflicts(data)):
-        return conflicts  # the other errors follow from them
+    if mistakes := other_than_xml(data):
+        return mistakes  # the other errors follow from them
     scanner = _Scanner(data)
     scanner.run()
     first: dict[int, SyntaxMistake] = {}
     for mistake in scanner.mistakes:
         first.setdefault(mistake.start, mistake)  # others at the same offset follow from it
     return [first[start] for start in sorted(first)][:MAX_ERRORS]
-
-
-def _conflicts(data: bytes) -> list[SyntaxMistake]:
-    """The merge conflicts that were left in a file."""
-    message = "the file contains the markers of a merge conflict"
-    help = "keep one side, and remove the lines of <<<<<<<, ======= and >>>>>>>"
-    found = islice(_CONFLICT.finditer(data), MAX_ERRORS)
-    return [SyntaxMistake(*match.span(), message, help=help) for match in found]
-
-
-def is_binary(data: bytes) -> bool:
-    """True for data that is not text in any encoding."""
-    return sum(end - start for start, end in control_characters(data)) > MAX_CONTROLS
-
-
-def _other_kind(data: bytes) -> tuple[str, str] | None:
-    """Message and help if the file is not XML, or is a web page."""
-    start = data[:1000].lstrip().lower()
-    if not data.strip():
-        return "the file is empty", "add a <robot>, or name another file"
-    if start.startswith((b"<!doctype html", b"<html")):
-        return "the file is a web page, not a robot", "download the raw file"
-    if start.startswith(b"version https://git-lfs"):
-        return "the file is a Git LFS pointer, not the robot itself", "run: git lfs pull"
-    if b"<" not in data:
-        return "not an XML file: it contains no tag", _NOT_ROBOT_HELP
-    return None
 
 
 class _Scanner:
@@ -302,12 +261,6 @@ class _Scanner:
                 position = end
                 continue
             position = self._attribute(attribute, before, names)
-            if position < 0:
-                # An unclosed value contains the end of the tag.
-                end = -position
-                kind = "empty" if data[end - 2 : end] == b"/>" else "open"
-                self._tags.append(TagToken(kind, name, start, end))
-                return end
             if len(self.mistakes) >= MAX_ERRORS:
                 return position
 
@@ -319,7 +272,7 @@ class _Scanner:
     def _attribute(
         self, match: re.Match[bytes], before: int, names: dict[bytes, tuple[int, int]]
     ) -> int:
-        """Scan an attribute; returns its end, negative if it also ends the tag."""
+        """Scan an attribute; returns its end."""
         data, name = self.data, match.group().decode("utf-8", "replace")
         if match.start() == before:
             self._add(before, before, f"a space is missing before '{name}'")
@@ -375,8 +328,9 @@ class _Scanner:
         return bare.end()
 
     def _unclosed(self, name: str, start: int, limit: int) -> int:
+        """Report a value without its closing quote, which then ends with the tag."""
         self._add(start, start + 1, f"the value of '{name}' has no closing quote")
         end = self.data.find(b">", start, limit)
         if end < 0:
             return limit if limit < len(self.data) else self._skip_rest()
-        return -(end + 1)
+        return end - 1 if self.data[end - 1 : end] == b"/" else end
