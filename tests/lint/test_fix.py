@@ -10,11 +10,11 @@ import pytest
 from tests.conftest import MODELS
 from tests.fixing import FIXED_JOINT, SEVERITIES, XACRO, fix, write
 from urdfkit.errors import UnwritableFile
-from urdfkit.lint import engine, fix_guard, processes, rule_index
+from urdfkit.lint import engine, fix_checker, processes, rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import check
 from urdfkit.lint.fix import changes
-from urdfkit.lint.fix_guard import SLOW
+from urdfkit.lint.fix_checker import SLOW
 from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Severity
 
@@ -317,7 +317,7 @@ def test_many_fixes_cost_three_checks(tmp_path: Path, monkeypatch: pytest.Monkey
         checked.append(arguments)
         return engine.check_with(*arguments, **options)
 
-    monkeypatch.setattr(fix_guard, "check_with", counting)
+    monkeypatch.setattr(fix_checker, "check_with", counting)
     fixes = fix(path, select=["JNT020"])
     assert len(fixes.applied) == count
     assert len(checked) <= 3

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from urdfkit.core.record import Record
 from urdfkit.lint.engine import check_with
-from urdfkit.lint.fix_guard import finding_key, real_path
+from urdfkit.lint.fix_checker import finding_key, real_path
 from urdfkit.lint.ignore_comments import CommentPlaces
 from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Diagnostic

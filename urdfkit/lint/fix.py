@@ -15,7 +15,7 @@ from urdfkit.core.installation import needing
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
 from urdfkit.lint.engine import contexts
-from urdfkit.lint.fix_guard import Checker, real_path
+from urdfkit.lint.fix_checker import Checker, real_path
 from urdfkit.lint.fix_session import Fixes, FixSession
 from urdfkit.lint.options import Options, choose, external_codes, words
 from urdfkit.workspace.ownership import OUTSIDE, Ownership

@@ -3,38 +3,22 @@
 import os
 from bisect import bisect_left
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from functools import cached_property
+from collections.abc import Callable, Collection, Iterable, Mapping
 from itertools import chain, zip_longest
 
 from urdfkit.core import disk
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context
-from urdfkit.lint.engine import check_with, contexts
-from urdfkit.lint.options import Options
-from urdfkit.lint.processes import Workers
+from urdfkit.lint.fix_checker import Checker, EditKey, FindingKey, edit_key, finding_key, real_path
 from urdfkit.lint.report import Crashed, Report, Skipped
-from urdfkit.lint.rules import Need
-from urdfkit.text.diagnostic import Diagnostic, Edit
+from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.document import Element
-from urdfkit.text.source import Source
-from urdfkit.workspace.resolve import Resolver
-
-#: Identity of a finding across rounds: code, file and message, but no place, since edits move it.
-FindingKey = tuple[str, str, str]
-
-#: Identity of an edit across robots: real path, first and last byte, new text.
-EditKey = tuple[str, int, int, str]
 
 #: Rules for files that cannot be read.
 _READING = ("XML001", "XML002")
 
 #: Reads the robots of a report, in its order.
 Robots = Callable[[], Iterable[Context | None]]
-
-#: Needs that take long to compute. The rules with these needs have no fix.
-SLOW = frozenset((Need.DYNAMICS, Need.COLLISIONS))
 
 
 def regression(
@@ -52,31 +36,31 @@ def regression(
         old, new: the contexts of these checks, which are read only if an error is new.
         may_reveal: True if the robot was broken before, so that fixes may reveal hidden errors.
     """
-    readable = _unread(chain(*before.errors)) - _unread(chain(*after.errors))
-    lost = _rules(after.skipped) - _rules(before.skipped)
+    readable = _unreadable_files(chain(*before.errors)) - _unreadable_files(chain(*after.errors))
+    lost = _failed_rules(after.skipped) - _failed_rules(before.skipped)
     if lost := {rule for rule in lost if not may_reveal or disk.real(rule[0]) not in readable}:
         return f"dropped: with it, {min(lost)[0]} could not be checked any more"
     if added := _added_error(before, after, old, new, may_reveal=may_reveal):
         return f"skipped: it would add {added}"
-    if failed := _rules(after.crashed) - _rules(before.crashed):
+    if failed := _failed_rules(after.crashed) - _failed_rules(before.crashed):
         return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
     return ""
 
 
-def _unread(errors: Iterable[Diagnostic]) -> frozenset[str]:
+def _unreadable_files(errors: Iterable[Diagnostic]) -> frozenset[str]:
     """The real paths of the files that are not well-formed."""
     return frozenset(real_path(error.span.source) for error in errors if error.code in _READING)
 
 
-def _shown(now: tuple[Diagnostic, ...], then: tuple[Diagnostic, ...]) -> list[Diagnostic]:
+def _visible_errors(now: tuple[Diagnostic, ...], then: tuple[Diagnostic, ...]) -> list[Diagnostic]:
     """The errors of a robot that were not hidden by a file that is now well-formed."""
-    before = _unread(then)
-    if before <= _unread(now):
+    before = _unreadable_files(then)
+    if before <= _unreadable_files(now):
         return list(now)
     return [e for e in now if e.code in _READING and real_path(e.span.source) in before]
 
 
-def _rules(failures: Iterable[Skipped | Crashed]) -> set[tuple[str, str]]:
+def _failed_rules(failures: Iterable[Skipped | Crashed]) -> set[tuple[str, str]]:
     return {(failure.path, failure.code) for failure in failures}
 
 
@@ -86,10 +70,10 @@ def _added_error(
     """The code of a new error that was not hidden before; empty if there is none."""
     hidden = {skipped.code for skipped in before.skipped}
     pairs = list(zip_longest(after.errors, before.errors, fillvalue=()))
-    shown = [_shown(now, then) if may_reveal else now for now, then in pairs]
+    visible_errors = [_visible_errors(now, then) if may_reveal else now for now, then in pairs]
     added = [
         {code: count for code, count in (_codes(now) - _codes(then)).items() if code not in hidden}
-        for now, (_, then) in zip(shown, pairs, strict=True)
+        for now, (_, then) in zip(visible_errors, pairs, strict=True)
     ]
     if not any(added):
         return ""
@@ -156,73 +140,6 @@ def _places(diagnostic: Diagnostic) -> list[tuple[FindingKey, str]]:
     """The key of a finding with each of its elements."""
     elements = [call.element for call in diagnostic.calls] or [""]
     return [(finding_key(diagnostic), element) for element in elements]
-
-
-class Checker:
-    """Checks robots with texts in memory that replace files on disk.
-
-    Args:
-        options: see ``check``.
-        codes: codes of all rules whose findings are fixed, or must not be added by a fix.
-    """
-
-    def __init__(
-        self, files: Iterable[str | os.PathLike[str]], options: Options, codes: Iterable[str]
-    ) -> None:
-        self._files = tuple(files)
-        self._options = options
-        self._codes = frozenset(codes)
-        self.config = options.config
-        self.resolver = Resolver(options.with_config().packages, texts=options.texts)
-        self.workers = Workers()
-
-    def report(self, texts: Mapping[str, bytes]) -> Report:
-        """The report for the user, of the selected rules."""
-        return check_with(self._with_texts(texts), self._files, self.resolver, workers=self.workers)
-
-    def guard(self, texts: Mapping[str, bytes]) -> Report:
-        """The report that fixes are taken from and compared with; without slow rules."""
-        return self._check(self._files, texts, self._codes, only_errors=SLOW)
-
-    def guard_others(self, texts: Mapping[str, bytes], files: Iterable[str]) -> Report:
-        """The report on the errors of robots other than the checked ones."""
-        return self._check(files, texts, self._errors)
-
-    def proposals(
-        self, texts: Mapping[str, bytes], files: Iterable[str], codes: Iterable[str]
-    ) -> tuple[tuple[Edit, ...], ...]:
-        """The edits that rules propose, for each robot."""
-        return self._check(files, texts, codes).proposals
-
-    def robots(
-        self, texts: Mapping[str, bytes], files: Iterable[str] | None = None
-    ) -> Iterator[Context | None]:
-        """The robots of a check, in its order."""
-        return contexts(self._with_texts(texts), self._files if files is None else files)
-
-    def _check(
-        self,
-        files: Iterable[str | os.PathLike[str]],
-        texts: Mapping[str, bytes],
-        codes: Iterable[str],
-        *,
-        only_errors: frozenset[Need] = frozenset(),
-    ) -> Report:
-        # Ignored rules are not among the codes, but the errors of a former code are.
-        former = tuple(filter(rule_index.redirect, self._options.ignore))
-        options = self._with_texts(texts)._replace(select=tuple(codes), ignore=former)
-        options = options._replace(only_errors=only_errors)
-        return check_with(options, files, self.resolver, workers=self.workers)
-
-    def _with_texts(self, texts: Mapping[str, bytes]) -> Options:
-        return self._options._replace(texts={**self._options.texts, **texts})
-
-    @cached_property
-    def _errors(self) -> list[str]:
-        """The rules that may report errors."""
-        severities = self.config.severities
-        rules = map(rule_index.get, self._codes)
-        return [rule.code for rule in rules if rule.may_report_errors(severities.get(rule.code))]
 
 
 class RegressionGuard:
@@ -332,18 +249,3 @@ def _is_used(place: EditKey, tags: Mapping[str, list[tuple[int, int]]]) -> bool:
         tag_start < end and start < tag_end
         for tag_start, tag_end in spans[first : bisect_left(spans, (end, 0))]
     )
-
-
-def finding_key(diagnostic: Diagnostic) -> FindingKey:
-    """The identity of a finding across rounds."""
-    return (diagnostic.code, real_path(diagnostic.span.source), diagnostic.message)
-
-
-def edit_key(edit: Edit) -> EditKey:
-    """The identity of an edit, independent of links to its file."""
-    return (real_path(edit.span.source), *edit.span[1:], edit.text)
-
-
-def real_path(source: Source) -> str:
-    """The real path of the file of a source."""
-    return disk.real(source.path)

@@ -8,16 +8,8 @@ from typing import TYPE_CHECKING
 
 from urdfkit.core.record import Record
 from urdfkit.lint import rule_index
-from urdfkit.lint.fix_guard import (
-    Checker,
-    FindingKey,
-    RegressionGuard,
-    Robots,
-    finding_key,
-    ineffective,
-    real_path,
-    regression,
-)
+from urdfkit.lint.fix_checker import Checker, FindingKey, finding_key, real_path
+from urdfkit.lint.fix_guard import RegressionGuard, Robots, ineffective, regression
 from urdfkit.lint.fix_reasons import FixReasons, UnappliedFix, encoded_as
 from urdfkit.lint.report import Report
 from urdfkit.lint.rules import Rule

@@ -28,7 +28,8 @@ from pxr import Gf, Usd, UsdGeom
 
 from tests.physics.dynamics.test_against_pinocchio import robots
 from urdfkit.output.conversion.result import REPORT
-from urdfkit.output.conversion.usd_proof import Stage, prove
+from urdfkit.output.conversion.usd_proof import prove
+from urdfkit.output.conversion.usd_stage import Stage
 
 
 def loaded(robot: Source | Path, out: Path) -> tuple[Any, dict[str, str]]:

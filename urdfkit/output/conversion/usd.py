@@ -27,8 +27,9 @@ from urdfkit.output.conversion.options import ConversionOptions
 from urdfkit.output.conversion.requirements import require_meaning
 from urdfkit.output.conversion.result import REPORT, Conversion, proven
 from urdfkit.output.conversion.usd_losses import OTHERWISE, mark_parts
-from urdfkit.output.conversion.usd_proof import Stage, prove
+from urdfkit.output.conversion.usd_proof import prove
 from urdfkit.output.conversion.usd_rotations import write_rotations
+from urdfkit.output.conversion.usd_stage import Stage
 from urdfkit.robot.origin import reads_quaternions
 from urdfkit.robot.values import numbers
 from urdfkit.text.diagnostic import Edit

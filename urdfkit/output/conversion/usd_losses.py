@@ -7,8 +7,9 @@ from pxr import UsdPhysics
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.hull_deviation import record_hulls
 from urdfkit.output.conversion.losses import LossTable
-from urdfkit.output.conversion.usd_proof import RESISTANCE, Stage
+from urdfkit.output.conversion.usd_proof import RESISTANCE
 from urdfkit.output.conversion.usd_shapes import gprims
+from urdfkit.output.conversion.usd_stage import Stage
 from urdfkit.robot.assets.colours import Colours
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Body, Link

@@ -12,7 +12,7 @@ from pxr import Gf, Sdf, Usd, UsdPhysics
 from urdfkit.core.spatial import Rotation
 from urdfkit.lint.context import Context
 from urdfkit.mesh.geometry import Floats
-from urdfkit.output.conversion.usd_proof import Stage, rotation_of
+from urdfkit.output.conversion.usd_stage import Stage, rotation_of
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction
 
