@@ -7,8 +7,9 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.lsp.edited import XACRO, Edited
-from urdfkit.lsp import completion
-from urdfkit.lsp.completion import CompletionItem, complete
+from urdfkit.lsp import completion_in_text
+from urdfkit.lsp.completion import complete
+from urdfkit.lsp.completion_in_text import CompletionItem
 from urdfkit.ros.catalog import plugins
 from urdfkit.text.schema import ROBOT
 
@@ -183,7 +184,7 @@ def test_files_beside_the_robot(arm: Path) -> None:
 def test_the_first_of_many_files_are_those_of_the_kind(
     arm: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(completion, "MAX_FILES", 2)
+    monkeypatch.setattr(completion_in_text, "MAX_FILES", 2)
     for name in ("a.txt", "b.txt", "c.xacro", "d.xacro", "e.xacro"):
         (arm / name).touch()
     (arm / "circle").symlink_to("circle")

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterable, Iterator
-from itertools import islice
 
-from urdfkit.core.record import Record
+from urdfkit.lsp.completion_in_text import (
+    FILES,
+    CompletionItem,
+    files_in,
+    in_text,
+    last_word,
+    named_items,
+)
 from urdfkit.lsp.grammar import REFERENCES, REFERRING_ELEMENTS, grammar_of
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
 from urdfkit.lsp.names import parameters, path_in, plugin_parameters
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.ros.catalog import extensions, materials, plugins, sensors
 from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK
-from urdfkit.workspace.directories import Directories
-
-#: Offered entries of a directory.
-MAX_FILES = 500
 
 _XACRO_TAGS = {
     "xacro:arg": ("name", "default"),
@@ -31,31 +32,7 @@ _XACRO_TAGS = {
     "xacro:property": ("name", "value", "default", "scope"),
     "xacro:unless": ("value",),
 }
-_IN_EXPRESSION = re.compile(rb"\$\{[^}]*\Z")
-_IN_COMMAND = re.compile(rb"\$\((\w*)(\s+)?[^)]*\Z")
-_IN_PACKAGE = re.compile(rb"(?:package|model)://([\w-]+)/([^\"'<]*)\Z")
-_PACKAGE_NAME = re.compile(rb"(?:package|model)://[\w-]*\Z")
-_IN_FOUND = re.compile(rb"\$\(find\s+([\w-]+)\)/([^\"'<]*)\Z")
-_COMMANDS = ("arg", "dirname", "env", "eval", "find", "optenv")
-_BUILT_IN = ("pi", "radians", "degrees", "sin", "cos", "tan", "sqrt", "load_yaml", "True", "False")
 _BOOLEANS = ("true", "false")
-_WORD = re.compile(rb"[\w.:/-]*\Z")
-_MESHES = (".stl", ".dae", ".obj", ".ply", ".glb", ".gltf")
-_FILES = {
-    "mesh": _MESHES,
-    "texture": (".png", ".jpg", ".jpeg", ".bmp", ".tga"),
-    "xacro:include": (".xacro", ".urdf", ".gazebo", ".xml"),
-}
-
-
-class CompletionItem(Record):
-    """A completion."""
-
-    text: str  # inserted text, and label
-    kind: str  # ``tag``, ``attribute``, ``name``, ``word``, ``file``, ``directory`` or ``end``
-    detail: str  # short description
-    start: int  # offset of the replaced word, which ends at the cursor
-    required: bool = False  # True for required elements and attributes, which are offered first
 
 
 def complete(robot: OpenRobot, page: Page, offset: int) -> list[CompletionItem]:
@@ -63,16 +40,19 @@ def complete(robot: OpenRobot, page: Page, offset: int) -> list[CompletionItem]:
     if page.source.path.endswith(".py"):
         return []  # a launch file: '<' is not a tag
     here = cursor(page, offset)
+    node = here.node
+    if node is None:
+        return []
     items: Iterable[CompletionItem] = ()
     if here.place == "tag":
-        items = _tags(robot, here)
-    elif here.place == "end" and here.node is not None:
+        items = _tags(robot, node)
+    elif here.place == "end":
         start = page.end_name_at(offset) or offset
-        items = [CompletionItem(here.node.name, "tag", "end tag", start)]
+        items = [CompletionItem(node.name, "tag", "end tag", start)]
     elif here.place == "attribute":
-        items = _attributes(robot, here)
-    elif here.place in ("value", "text") and here.node is not None:
-        items = _values_or_text(robot, page, here, here.node)
+        items = _attributes(robot, here, node)
+    elif here.place in ("value", "text"):
+        items = _values_or_text(robot, page, here, node)
     return list({item.text: item for item in items}.values())
 
 
@@ -83,17 +63,18 @@ def _values_or_text(
     value = here.attribute.value_span if here.attribute else None
     start = value.start if value else node.tag_end
     before = page.source.data[: here.offset]
-    if items := list(_in_text(robot, page, before[start:], start)):
+    if items := list(in_text(robot, page, before[start:], start)):
         return items
-    return _values(robot, here) if here.place == "value" else _contents(robot, here, before)
+    if here.place == "text":
+        return _contents(robot, node, here.offset - len(last_word(before)))
+    typed = before[start:].decode("utf-8", "replace")
+    return _values(robot, node, here.attribute.name, typed, start) if here.attribute else ()
 
 
 # ----------------------------------------------------------------------- tags
 
 
-def _tags(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
-    node = here.node
-    assert node is not None
+def _tags(robot: OpenRobot, node: TagNode) -> Iterator[CompletionItem]:
     start = node.start + 1
     for name, detail, required in _children(robot, node.parent):
         yield CompletionItem(name, "tag", detail, start, required)
@@ -150,9 +131,7 @@ def _parameters(parent: TagNode, plugin: TagNode) -> Iterator[tuple[str, str]]:
 # ----------------------------------------------------------------- attributes
 
 
-def _attributes(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
-    node = here.node
-    assert node is not None
+def _attributes(robot: OpenRobot, here: Cursor, node: TagNode) -> Iterator[CompletionItem]:
     start = here.attribute.name_span.start if here.attribute else _word_start(node, here.offset)
     present = {written.name for written in node.attributes if written is not here.attribute}
     for name, detail, required in _attributes_of(robot, node):
@@ -182,20 +161,17 @@ def _attributes_of(robot: OpenRobot, node: TagNode) -> Iterator[tuple[str, str, 
 # --------------------------------------------------------------------- values
 
 
-def _values(robot: OpenRobot, here: Cursor) -> Iterator[CompletionItem]:
-    node, written = here.node, here.attribute
-    assert node is not None
-    assert written is not None
-    assert written.value_span is not None
-    start = written.value_span.start
-    for text, detail in _words(robot, node, written.name):
+def _values(
+    robot: OpenRobot, node: TagNode, attribute: str, typed: str, start: int
+) -> Iterator[CompletionItem]:
+    """Names, words and files that an attribute may have as its value, which begins at ``start``."""
+    for text, detail in _words(robot, node, attribute):
         yield CompletionItem(text, "name", detail, start)
-    if written.name == "filename" and node.name in _FILES:
+    if attribute == "filename" and node.name in FILES:
         for name in sorted(robot.resolver.packages.known(node.source.path)):
             yield CompletionItem(f"package://{name}/", "directory", "package", start)
-        typed = node.source.data[start : here.offset].decode("utf-8", "replace")
         directory = os.path.dirname(os.path.abspath(node.source.path))
-        yield from _files(directory, typed, start, _FILES[node.name])
+        yield from files_in(directory, typed, start, FILES[node.name])
 
 
 def _words(robot: OpenRobot, node: TagNode, attribute: str) -> Iterator[tuple[str, str]]:
@@ -225,100 +201,24 @@ def _kinds_of_names(node: TagNode, attribute: str) -> tuple[str, ...]:
     return (LINK, JOINT) if kind == "frame" else (kind,)
 
 
-def _in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterator[CompletionItem]:
-    """Completions in ``${...}``, ``$(...)`` and package URIs; ``before`` begins at ``start``."""
-    end = start + len(before)
-    word = end - len(_last_word(before))
-    packages = robot.resolver.packages.known(page.source.path)
-    if _IN_EXPRESSION.search(before):
-        yield from _items(robot.defined("property"), "name", "property", word)
-        yield from _macro_parameters(page, end, word)
-        yield from _items(_BUILT_IN, "word", "built in", word)
-    elif match := _IN_FOUND.search(before) or _IN_PACKAGE.search(before):
-        directory = packages.get(match[1].decode("utf-8", "replace"))
-        if directory:
-            suffixes = (*_MESHES, *_FILES["xacro:include"], *_FILES["texture"], ".yaml")
-            typed = match[2].decode("utf-8", "replace")
-            yield from _files(directory, typed, start + match.start(2), suffixes)
-    elif match := _IN_COMMAND.search(before):
-        yield from _command_arguments(robot, match, packages, word)
-    elif match := _PACKAGE_NAME.search(before):
-        for name in sorted(packages):
-            yield CompletionItem(
-                f"package://{name}/", "directory", "package", start + match.start()
-            )
-
-
-def _command_arguments(
-    robot: OpenRobot, match: re.Match[bytes], packages: Iterable[str], word: int
-) -> Iterator[CompletionItem]:
-    if match[2] is None:
-        yield from _items(_COMMANDS, "word", "substitution", word)
-    elif match[1] == b"arg":
-        yield from _items(robot.defined("arg"), "name", "argument", word)
-    elif match[1] == b"find":
-        yield from _items(sorted(packages), "name", "package", word)
-
-
-def _macro_parameters(page: Page, offset: int, word: int) -> Iterator[CompletionItem]:
-    """The parameters of the macro around an offset."""
-    node = page.node_at(offset)
-    for macro in (node, *node.ancestors()) if node else ():
-        if macro.name == "xacro:macro":
-            yield from _items(parameters(macro), "name", "parameter", word)
-
-
-def _contents(robot: OpenRobot, here: Cursor, before: bytes) -> Iterator[CompletionItem]:
+def _contents(robot: OpenRobot, node: TagNode, start: int) -> Iterator[CompletionItem]:
     """The text of an element: names that a plugin refers to, Gazebo materials, booleans."""
-    node = here.node
-    assert node is not None
-    start = here.offset - len(_last_word(before))
     if node.name == "material" and node.parent and node.parent.name == "gazebo":
         for name in sorted(materials.materials()):
             yield CompletionItem(f"Gazebo/{name.removeprefix('Gazebo/')}", "word", "", start)
     if node.ancestor("plugin") is None:
         extension = extensions.extensions().get(node.name)
         if extension and extension.type == "bool":
-            yield from _items(_BOOLEANS, "word", "", start)
+            yield from named_items(_BOOLEANS, "word", "", start)
     for entry, parameter in plugin_parameters(node):
         if parameter.type in ("link", "frame"):
-            yield from _items(robot.defined("link"), "name", "link", start)
+            yield from named_items(robot.defined("link"), "name", "link", start)
         elif parameter.type.startswith("joint"):
-            yield from _items(robot.defined("joint"), "name", "joint", start)
+            yield from named_items(robot.defined("joint"), "name", "joint", start)
         elif parameter.type == "bool":
-            yield from _items(_BOOLEANS, "word", "", start)
-        yield from _items(parameter.words, "word", entry.generation, start)
-
-
-def _items(names: Iterable[str], kind: str, detail: str, start: int) -> Iterator[CompletionItem]:
-    return (CompletionItem(name, kind, detail, start) for name in names)
-
-
-def _files(
-    directory: str, typed: str, start: int, suffixes: tuple[str, ...]
-) -> Iterator[CompletionItem]:
-    """The files with some suffixes and the directories in a directory, one level at a time."""
-    inner, _, _ = typed.rpartition("/")
-    at = start + len(inner.encode()) + bool(inner)
-    if os.path.isabs(inner) or ".." in inner.split("/"):
-        return
-    # Not from the cache: a file may have been created since the robot was read.
-    entries = Directories().entries(os.path.join(directory, inner)) or {}
-    matching = (
-        (name, is_directory)
-        for name, is_directory in sorted(entries.items())
-        if not name.startswith(".") and (is_directory or name.lower().endswith(suffixes))
-    )
-    for name, is_directory in islice(matching, MAX_FILES):
-        yield CompletionItem(
-            f"{name}/" if is_directory else name, "directory" if is_directory else "file", "", at
-        )
+            yield from named_items(_BOOLEANS, "word", "", start)
+        yield from named_items(parameter.words, "word", entry.generation, start)
 
 
 def _word_start(node: TagNode, offset: int) -> int:
-    return offset - len(_last_word(node.source.data[node.start : offset]))
-
-
-def _last_word(before: bytes) -> bytes:
-    match = _WORD.search(before[-200:])
-    return match.group() if match else b""
+    return offset - len(last_word(node.source.data[node.start : offset]))

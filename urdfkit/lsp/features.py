@@ -5,6 +5,7 @@ import re
 from lsprotocol import types as lsp
 
 from urdfkit.lsp import actions, completion, hover, navigation, outline
+from urdfkit.lsp.completion_in_text import CompletionItem
 from urdfkit.lsp.inlay_hints import inlay_hints
 from urdfkit.lsp.server import Server
 from urdfkit.lsp.text import PositionEncoding, to_uri
@@ -222,7 +223,7 @@ def _item(
     encoding: PositionEncoding,
     source: Source,
     offset: int,
-    offer: completion.CompletionItem,
+    offer: CompletionItem,
     *,
     snippets: bool,
 ) -> lsp.CompletionItem:
