@@ -3,6 +3,7 @@
 import pytest
 
 from tests.gazebos import BASE, block, child
+from tests.naming import naming
 from tests.reported import reported
 
 HAND = child("hand", "fixed")
@@ -16,7 +17,7 @@ def joint(parent: str) -> str:
 def test_tags_of_a_link_that_is_sdf() -> None:
     (found,) = reported("GAZ001", BASE + joint("base") + block("<mu1>1</mu1>", "finger"))
     assert found.severity.value == "warning"
-    assert found.message.startswith("'finger' is SDF of another <gazebo>")
+    assert found.message == naming("finger", "<gazebo>", "Gazebo", "<mu1>")
 
 
 @pytest.mark.parametrize(

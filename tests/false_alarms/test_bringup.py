@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import MANIFEST, launch, reported
+from tests.naming import naming
 from tests.workspaces import add_file
 from urdfkit import Diagnostic, check
 from urdfkit.text.diagnostic import Confidence
@@ -176,8 +177,8 @@ def test_the_topics_of_rviz_in_a_namespace(tmp_path: Path, shown: str, count: in
 @pytest.mark.parametrize(
     ("namespace", "help"),
     [
-        ("rick", "remap /rick/robot_description to /robot_description for RViz"),
-        ("morty", "write /robot_description"),
+        ("rick", naming("/rick/robot_description", "/robot_description", "RViz")),
+        ("morty", naming("/robot_description")),
     ],
 )
 def test_a_configuration_of_rviz_that_another_launch_file_uses(

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.workspaces import add_file, add_package
 from urdfkit import check
 from urdfkit.text.diagnostic import Diagnostic
@@ -83,8 +84,8 @@ def test_every_call_of_a_macro_has_its_own_place(tmp_path: Path) -> None:
     assert [step.kind for step in first.calls[0].via] == ["macro", "include"]
     assert first.related == ()
     assert [(place(one.span), one.message) for one in second.related] == [
-        (("inertials.yaml", 8, 9), "ixx, iyy and izz are defined here"),
-        (("inertials.yaml", 9, 9), "ixx, iyy and izz are defined here"),
+        (("inertials.yaml", 8, 9), naming("here")),
+        (("inertials.yaml", 9, 9), naming("here")),
     ]
 
 
@@ -101,7 +102,7 @@ def test_a_calculated_number_is_reported_in_the_xacro(tmp_path: Path, written: s
     (found,) = findings(tmp_path, "JNT003", robot)
     assert place(found.span) == ("arm.urdf.xacro", 22, 5)
     assert [(place(one.span), one.message) for one in found.related] == [
-        (("limits.yaml", 1, 17), "lower is defined here")
+        (("limits.yaml", 1, 17), naming("lower", "here"))
     ]
 
 

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.massive import BALL, inertial, joint, link, part, shape
+from tests.naming import naming
 from tests.reported import messages, reported
 from urdfkit.text.diagnostic import Severity
 
@@ -16,10 +17,7 @@ def test_the_sign_of_a_product_and_not_the_moments_that_agree() -> None:
     flipped = (TENSOR[0], -TENSOR[1], *TENSOR[2:])
     assert messages("INE006", link("rod", ROD, inertial(1, TENSOR))) == []
     assert messages("INE006", link("rod", ROD, inertial(1, flipped))) == [
-        (
-            "link 'rod' has ixy 0.0126 kg·m², with the sign opposite to that of the solid box of "
-            "0.6 x 0.1 x 0.1 m, which has -0.0126"
-        )
+        naming("rod", "0.0126 kg·m²", "0.6 x 0.1 x 0.1 m", "-0.0126")
     ]
 
 
@@ -187,7 +185,7 @@ def test_the_box_of_a_tutorial() -> None:
         '<link name="a"><xacro:box m="0.1" x="0.01" y="0.04" z="0.01"/></link></robot>'
     )
     (found,) = reported("INE003", macro % ("x", "x", "z", "z"), "r.xacro")
-    assert "same expression at iyy and izz" in found.help
+    assert "at iyy and izz" in found.help
     assert found.fix is None
     assert reported("INE003", macro % ("x", "x", "y", "y"), "r.xacro") == []
 
@@ -197,8 +195,8 @@ def test_a_mesh_in_millimetres_has_no_volume_to_believe() -> None:
     big = '<box size="50 60 100"/>'
     base = part("base", 1, (0.01, 0, 0, 0.01, 0, 0.01), BALL)
     for mass, help in (
-        (0.1, "the shape has 3e+05 m³: scale it if it is in mm, and write the tensor"),
-        (1e-4, "write the mass of the link, which has 3e+05 m³, and its tensor"),
+        (0.1, naming("3e+05 m³", "in mm", "tensor")),
+        (1e-4, naming("mass", "3e+05 m³", "tensor")),
     ):
         leg = part("leg", mass, (0, 0, 0, 0, 0, 0), big)
         found = reported("INE005", base + leg + joint("base", "leg", "continuous"))
@@ -212,8 +210,10 @@ def test_a_tensor_of_zeros_is_not_that_of_a_rod() -> None:
     base = part("base", 1, (0.01, 0, 0, 0.01, 0, 0.01), BALL)
     wrist = joint("arm", "hand", xyz="0 0 1")
     (found,) = reported("INE005", base + "".join(parts) + joint("base", "arm", "revolute") + wrist)
-    assert found.message.startswith("link 'arm' with the links fixed to it, moved by the revolute")
-    assert found.help == "write the tensor of the link: it is 0"
+    assert found.message == naming(
+        "arm", "fixed", "revolute", "arm_joint", "0, 0.5", "0.5 kg·m²", "0"
+    )
+    assert found.help == naming("tensor", "0")
 
 
 def test_a_root_with_an_inertial_of_no_mass_is_not_to_be_given_one() -> None:
@@ -221,7 +221,7 @@ def test_a_root_with_an_inertial_of_no_mass_is_not_to_be_given_one() -> None:
     tensor = (0.01, 0, 0, 0.01, 0, 0.01)
     robot = part("base", 0, tensor, BALL) + part("arm", 1, tensor, BALL)
     found = reported("INE004", robot + joint("base", "arm", "revolute"), targets=("classic-ros1",))
-    assert [one.help[:20] for one in found] == ["write its mass in kg"]
+    assert [one.help[:14] for one in found] == ["write its mass"]
 
 
 def test_a_plant_of_one_kilogram_is_in_millimetres() -> None:
@@ -243,7 +243,7 @@ def test_a_torque_of_a_displaced_mass(mass: float, is_cause: bool) -> None:
     hand = link("hand", ball, displaced) + joint("arm", "hand", xyz="0 0 0.1")
     weight = () if is_cause else (ball, inside)
     (found,) = reported("DYN003", link("base") + link("arm", *weight) + swinging + hand)
-    assert found.help.endswith("outside the shapes of 'hand' (INE011)") is is_cause
+    assert ("INE011" in found.help) is is_cause
 
 
 @pytest.mark.parametrize(("name", "count"), [("BALLOON", 0), ("blimp_link", 0), ("TANK", 1)])

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import MANIFEST, launch, reported
+from tests.naming import naming
 from tests.workspaces import add_file, add_package
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
@@ -331,7 +332,7 @@ def test_a_driver_in_the_workspace_that_composes_its_frames(
         'exec="static_transform_publisher" args="0 0 0 0 0 0 camera1_link camera2_link"/>'
     )
     found = reported(tmp_path / "arm", "LAU023", "a.launch.xml", text, files)
-    parent = "parent 'camera1_link' of the static transform is not a link of the robot"
+    parent = naming("camera1_link", "static")
     assert [one.message for one in found] == [parent] * count  # its child is no suggestion
 
 
@@ -424,14 +425,14 @@ def test_an_argument_that_is_passed_is_not_suggested(tmp_path: Path, more: str, 
     passed = "".join(f'<arg name="{name}" value="a"/>' for name in names)
     text = f'<include file="$(find arm)/launch/b.launch">{passed}</include>'
     (found,) = reported(tmp_path / "arm", "LAU005", "a.launch", text, files)
-    assert ("did you mean 'fake_execution'?" in found.message) is hint
+    assert ("mean 'fake_execution'?" in found.message) is hint
 
 
 @pytest.mark.parametrize(
     ("build", "messages"),
     [
-        ("ament_cmake", ["ROS 2 has no $(arg ...)", "ROS 2 has no <rosparam>"]),
-        ("catkin", ["unknown attribute 'exec' of <node> in ROS 1"]),
+        ("ament_cmake", [naming("ROS 2", "$(arg ...)"), naming("ROS 2", "<rosparam>")]),
+        ("catkin", [naming("unknown", "exec", "<node>", "ROS 1")]),
     ],
 )
 def test_a_file_that_is_half_ported(tmp_path: Path, build: str, messages: list[str]) -> None:

@@ -129,8 +129,8 @@ def test_planners_of_moveit_and_of_the_file(tmp_path: Path, planner: str) -> Non
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ("planner_configs: [RRTConneckConfigDefault]", "did you mean 'RRTConnectkConfigDefault'?"),
-        ("projection_evaluator: x", "did you mean 'ompl_interface/OMPLPlanner'?"),
+        ("planner_configs: [RRTConneckConfigDefault]", "'RRTConnectkConfigDefault'?"),
+        ("projection_evaluator: x", "'ompl_interface/OMPLPlanner'?"),
     ],
 )
 def test_misspelt_planners(tmp_path: Path, given: str, message: str) -> None:

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.massive import joint, link, shape
+from tests.naming import naming
 from tests.reported import reported
 
 
@@ -20,11 +21,10 @@ def on_wheels(caster: float, footprint: float = 0.05) -> str:
 
 def test_a_caster_that_reaches_lower_than_the_wheels() -> None:
     (found,) = reported("TRE008", on_wheels(-0.05))
-    assert found.message == (
-        "the lowest collision point (link 'caster') is 0.02 m below 'base_footprint', which by "
-        "convention lies on the ground; the wheels left, right are 0.02 m higher"
+    assert found.message == naming(
+        "collision", "caster", "0.02 m", "below", "base_footprint", "left", "right", "0.02 m"
     )
-    assert found.help == "raise 'caster', or make it smaller, until the wheels touch the ground"
+    assert found.help == naming("caster", "touch")
     assert found.fix is None
 
 
@@ -47,4 +47,4 @@ def test_a_footprint_below_the_base() -> None:
         + joint("base", "base_footprint", xyz="0 0 0.05")
     )
     (found,) = reported("TRE008", robot)
-    assert found.help == "lower 'base_footprint' by 0.15 m in its joint"
+    assert found.help == naming("lower", "base_footprint", "0.15 m")

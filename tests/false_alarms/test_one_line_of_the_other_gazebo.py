@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.gazebos import BASE, plugin
+from tests.naming import naming
 from tests.reported import reported
 from urdfkit import check
 from urdfkit.workspace.manifest import manifest_of
@@ -124,4 +125,4 @@ def test_a_misspelt_plugin_is_suggested_for_the_own_ros(ros: str) -> None:
     """An Elfin of ROS 2 with "gazebo_ros_control.so"."""
     text = BASE + plugin("gazebo_ros_control.so")
     (found,) = reported("GAZ011", text, targets=(f"ros{ros}", f"classic-ros{ros}"))
-    assert found.help == f"did you mean 'libgazebo_ros{'2' if ros == '2' else ''}_control.so'?"
+    assert found.help == naming(f"libgazebo_ros{'2' if ros == '2' else ''}_control.so")

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.naming import naming
 from tests.reported import messages, reported
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
@@ -24,10 +25,10 @@ ARM = '<joint name="a" type="fixed"><parent link="base_link"/><child link="arm_l
 def test_the_link_that_is_suggested_is_free(joint: str, hint: str) -> None:
     robot = f'{LINKS}{ARM}<joint name="b" type="fixed">{joint}</joint>'
     (message,) = messages("REF001", robot)
-    assert message.endswith("is not in the model" + hint)
+    assert message.endswith("in the model" + hint)
     (message,) = messages("REF001", f'{LINKS}<joint name="b" type="fixed">{joint}</joint>')
     is_free = "base_lnk" not in joint
-    assert message.endswith("did you mean 'arm_link'?") is is_free
+    assert ("mean 'arm_link'" in message) is is_free
 
 
 FRAGMENT = (
@@ -52,14 +53,14 @@ def test_a_part_with_a_name_for_robots_elsewhere(name: str, more: str, severity:
 @pytest.mark.parametrize(
     ("tag", "reference", "hint"),
     [
-        ("<collision/>", "front_caster", "did you mean 'front_caster_wheel'?"),
-        ("<stopCfm>0</stopCfm>", "front_caster", "did you mean 'front_caster_joint'?"),
+        ("<collision/>", "front_caster", naming("front_caster_wheel")),
+        ("<stopCfm>0</stopCfm>", "front_caster", naming("front_caster_joint")),
         (
             '<sensor name="s" type="force_torque"/>',
             "front_caster",
-            "did you mean 'front_caster_joint'?",
+            naming("front_caster_joint"),
         ),
-        ("<mu1>1</mu1>", "front_caster_whel", "did you mean 'front_caster_wheel'?"),
+        ("<mu1>1</mu1>", "front_caster_whel", naming("front_caster_wheel")),
     ],
 )
 def test_a_block_of_a_link_is_not_for_a_joint(tag: str, reference: str, hint: str) -> None:

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import reported
+from tests.naming import naming
 from urdfkit import check
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
@@ -36,7 +37,7 @@ def test_topics_of_their_own(first: tuple[str, str, str], second: tuple[str, str
 def test_a_topic_of_two_sensors() -> None:
     both = ("a", "gpu_lidar", "scan"), ("b", "gpu_lidar", "/scan")
     (message,) = _found(*both)
-    assert message.endswith("both publish on 'scan'")
+    assert message == naming("b", "base", "a", "base", "both", "scan")
     assert _found(*both, target="classic-ros2") == []
 
 

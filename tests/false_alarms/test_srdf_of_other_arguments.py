@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import reported
+from tests.naming import naming
 from tests.xacros import xacro
 from urdfkit import check
 from urdfkit.workspace.launch_files import MAX_FILES
@@ -35,7 +36,7 @@ def test_a_launch_file_starts_the_robot_with_the_link(
     found = check(tmp_path / "arm" / "r.urdf.xacro", select=["SRD001"]).diagnostics
     assert len(found) == count
     for one in found:
-        assert [note.message for note in one.related] == ["compared with this robot"]
+        assert [note.message for note in one.related] == [naming("compared")]
         assert one.related[0].span.source.path.endswith("r.urdf.xacro")
 
 

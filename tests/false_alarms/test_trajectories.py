@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.workspaces import add_file
 from urdfkit import check
 
@@ -53,9 +54,7 @@ def test_joints_that_no_trajectory_moves(
     add_file(tmp_path / "config" / "moveit_controllers.yaml", MOVEIT.format(moveit).encode())
     add_file(tmp_path / "config" / "ros2_controllers.yaml", CONTROL.format(control).encode())
     found = [one.message for one in check(robot, select=["SRD001"]).diagnostics]
-    assert [one.partition(": ")[0] for one in found] == [
-        "controller 'hand' has other joints here than in ros2_control"
-    ] * count
+    assert ["controller 'hand' has other" in one for one in found] == [True] * count
 
 
 def test_an_action_that_is_written_is_not_said_to_be_missing(tmp_path: Path) -> None:
@@ -70,6 +69,5 @@ def test_an_action_that_is_written_is_not_said_to_be_missing(tmp_path: Path) -> 
     control = f"controller_manager:\n  ros__parameters:\n    hand: {{type: {kind}}}\n"
     add_file(tmp_path / "config" / "ros2_controllers.yaml", control.encode())
     (found,) = check(robot, select=["SRD001"]).diagnostics
-    wrong = "action_ns of controller 'hand' is 'gripper_action'"
-    assert found.message == f"{wrong}, but {kind} serves 'gripper_cmd'"
+    assert found.message == naming("action_ns", "hand", "gripper_action", kind, "gripper_cmd")
     assert found.help == "write gripper_cmd"

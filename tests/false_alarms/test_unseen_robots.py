@@ -11,6 +11,7 @@ from tests.jointed import joint, limit
 from tests.jointed import robot as jointed
 from tests.launched import MANIFEST
 from tests.launched import reported as of_launch
+from tests.naming import naming
 from tests.physics.collision.robots import box, link, revolute, sphere
 from tests.physics.collision.robots import joint as colliding_joint
 from tests.reported import messages, reported
@@ -58,7 +59,7 @@ def test_a_world_system_in_a_sensor_needs_no_type_of_it(kind: str) -> None:
     """`Sensors` in a `<sensor>` renders those of the world; what is wrong is its place."""
     system = '<plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors"/>'
     (message,) = messages("GAZ014", BASE + sensor(kind, system))
-    assert message.endswith("is a world system, which belongs in the world file")
+    assert message.endswith("in the world file")
 
 
 ARM = """<robot name="arm"><link name="base"/><link name="tip"/>
@@ -128,7 +129,7 @@ def test_a_misspelt_option_is_not_to_be_removed(tmp_path: Path) -> None:
     text = LAUNCH.format('"a"').replace("print(path)", node)
     text = text.replace("import os", "import os\nfrom launch_ros.actions import Node")
     (found,) = of_launch(tmp_path / "arm", "LAU016", "a.launch.py", text)
-    assert found.message == "create has no option '-r' (ignored); did you mean '-R'?"
+    assert found.message == naming("-r", "ignored", "-R")
     assert found.help == "write -R"
 
 
@@ -174,10 +175,7 @@ def test_a_world_that_one_of_several_launch_files_starts_in_the_other_gazebo(
     classic = INCLUDE.replace("ros_gz_sim", "gazebo_ros").replace("gz_sim", "gazebo")
     classic = classic.replace('"gz_args": ["-r ", share', '"world": [share')
     (found,) = of_world(tmp_path, "WLD002", world=systems("physics", "sensors"), launch=classic)
-    assert found.message == (
-        "world 'hall' is for gz-sim, but is started in Gazebo Classic, which loads none of its "
-        "2 plugins"
-    )
+    assert found.message == naming("hall", "Gazebo", "Classic", "none", "2")
     assert found.span.source.path.endswith(".launch.py")
     mixed = systems("physics") + '<plugin name="p" filename="libgazebo_ros_state.so"/>'
     (found,) = of_world(tmp_path, "WLD002", world=mixed, launch=classic)
@@ -226,7 +224,7 @@ def test_a_world_is_no_frame_of_a_drive(root: str, is_world: bool) -> None:
 
 def test_the_only_attribute_of_an_element_under_another_name() -> None:
     (found,) = reported("URD003", '<joint name="j" type="fixed"><parent value="a"/></joint>')
-    assert found.help == "rename value to link"
+    assert found.help == naming("value", "link")
     assert messages("URD002", '<joint name="j" type="fixed"><parent value="a"/></joint>') == []
     assert (
         len(messages("URD002", '<link name="a"><visual><geometry shape="a"/></visual></link>')) == 1
@@ -236,7 +234,7 @@ def test_the_only_attribute_of_an_element_under_another_name() -> None:
 def test_a_colour_of_three_numbers_in_an_element() -> None:
     color = "<material name='m'><color>1.0 0.5 0</color></material>"
     assert [one.help for one in reported("URD003", color)] == [
-        'write <color rgba="1.0 0.5 0 1"/>, an attribute'
+        naming('<color rgba="1.0 0.5 0 1"/>', "attribute")
     ]
 
 
@@ -263,7 +261,7 @@ def test_a_launch_file_is_not_suggested_to_include_itself(tmp_path: Path) -> Non
     (found,) = of_launch(tmp_path / "arm", "LAU003", "run_robot.launch", text)
     assert "did you mean" not in found.help
     (found,) = of_launch(tmp_path / "arm", "LAU003", "other.launch", text)
-    assert found.help == "did you mean 'run_robot.launch'?"
+    assert found.help == naming("run_robot.launch")
 
 
 def test_an_argument_that_an_including_file_passes(tmp_path: Path) -> None:
@@ -285,7 +283,7 @@ def test_the_optical_frame_of_a_tag(name: str, count: int) -> None:
 
 def test_a_frame_of_a_sensor_in_gz() -> None:
     (found,) = reported("GAZ003", BASE + sensor("imu", "<frame>base</frame>"))
-    assert found.help == "name the frame by <gz_frame_id> in the <sensor>"
+    assert found.help == naming("<gz_frame_id>", "<sensor>")
 
 
 @pytest.mark.parametrize(("build", "count"), [("catkin", 0), ("ament_cmake", 1)])
@@ -301,7 +299,7 @@ def test_the_name_of_pilz_in_moveit_1(tmp_path: Path, build: str, count: int) ->
 
 def test_a_control_plugin_without_transmissions() -> None:
     (found,) = reported("RCT010", BASE + plugin("libgazebo_ros_control.so"))
-    assert found.help == "add a <transmission> for each driven joint, or remove the plugin"
+    assert found.help == naming("<transmission>", "driven")
 
 
 def test_an_expression_with_parts_outside_its_braces() -> None:
@@ -309,7 +307,7 @@ def test_an_expression_with_parts_outside_its_braces() -> None:
     moments = '<inertia ixx="0.5 * (0.1*0.1)" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
     robot = f'<link name="a"><inertial><mass value="1"/>{moments}</inertial></link>'
     (found,) = reported("URD005", robot)
-    assert found.message.endswith("is '0.5 * (0.1*0.1)', which no parser computes")
+    assert "'0.5 * (0.1*0.1)'" in found.message
     assert "${...}" in found.help
 
 
@@ -339,7 +337,7 @@ def test_a_wheel_that_a_joint_steers(axis: str, is_steered: bool) -> None:
 def test_the_surface_of_a_collision() -> None:
     """A mecanum base: the friction of SDF, directly in the <gazebo> of the link."""
     (found,) = reported("GAZ003", BASE + block("<surface><friction/></surface>", "base"))
-    assert found.help == "move <surface> into a <collision>, inside the <gazebo>"
+    assert found.help == naming("<surface>", "<collision>", "inside", "<gazebo>")
 
 
 def test_the_files_that_an_argument_may_name(tmp_path: Path) -> None:
@@ -348,4 +346,4 @@ def test_the_files_that_an_argument_may_name(tmp_path: Path) -> None:
         add_file(tmp_path / "sensors" / name, b"<robot/>")
     add_file(tmp_path / "r.xacro", xacro('<xacro:include filename="sensors/astra.urdf"/>').encode())
     (found,) = check(tmp_path / "r.xacro", select=["XAC001"]).diagnostics
-    assert found.help == "correct the path; available: d435.urdf.xacro, lidar.urdf"
+    assert found.help == naming("d435.urdf.xacro", "lidar.urdf")

@@ -6,6 +6,7 @@ import pytest
 
 from tests.gazebos import BASE, block, sensor
 from tests.launched import reported as of_launch
+from tests.naming import naming
 from tests.reported import reported
 from tests.workspaces import add_file
 from urdfkit import check
@@ -17,7 +18,7 @@ from urdfkit.text.xml_errors import syntax_mistakes
 def test_an_element_that_is_ignored_is_not_said_to_be_missing() -> None:
     noise = "<imu><noise><type>gaussian</type></noise></imu>\n"
     (found,) = reported("GAZ003", BASE + sensor("imu", noise))
-    assert found.message == "sensor 's': unknown element <noise> in <imu> (ignored)"
+    assert found.message == naming("s", "unknown", "<noise>", "<imu>", "ignored")
     assert "<angular_velocity>" in found.help
 
 
@@ -48,9 +49,9 @@ def test_a_tag_with_tags_in_it_is_no_switch() -> None:
 @pytest.mark.parametrize(
     ("tag", "help"),
     [
-        ("image_width", "write it as <camera><image><width>"),
-        ("near", "write it as <camera><clip><near>"),
-        ("vertical_fov", "remove it: width and height of <image> give it"),
+        ("image_width", naming("<camera>", "<image>", "<width>")),
+        ("near", naming("<camera>", "<clip>", "<near>")),
+        ("vertical_fov", naming("<image>", "give")),
     ],
 )
 def test_a_tag_of_another_place_is_no_typo(tag: str, help: str) -> None:
@@ -72,7 +73,7 @@ def test_sensors_of_a_file_that_is_included_twice(
     twice = '<xacro:include filename="s.xacro"/>' * 2
     robot = add_file(tmp_path / "r.xacro", f"{head}{BASE}{twice}</robot>".encode())
     (found,) = check(robot, select=["GAZ010"], targets=[target]).diagnostics
-    assert (found.severity.value, found.help) == (severity, "include its file once")
+    assert (found.severity.value, found.help) == (severity, naming("once"))
 
 
 @pytest.mark.parametrize(("target", "count"), [("classic-ros1", 0), ("gz-harmonic", 1)])
@@ -99,4 +100,4 @@ def test_the_manager_that_an_included_file_starts(tmp_path: Path) -> None:
     assert Path(found.span.source.path).name == "mock.launch.py"
     ((step,),) = (call.via for call in found.calls)
     assert Path(step.span.source.path).name == "simulated.launch.py"
-    assert found.related[1].message == "the robot is spawned in Gazebo here"
+    assert found.related[1].message == naming("spawned", "Gazebo")
