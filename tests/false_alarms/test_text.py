@@ -94,3 +94,9 @@ def test_a_declaration_that_is_commented_out(name: str) -> None:
     """human2humanoid: the declaration of a SolidWorks export became its first comment."""
     text = b'<!-- <?xml version="1.0"?> -->\n<robot name="r"><link name="a"/></robot>'
     assert reported("XML", text, name) == []
+
+
+def test_a_space_in_the_declaration_is_one_mistake() -> None:
+    """vigir_atlas_common: the second mistake was that the declaration is text."""
+    found = reported("XML001", b'<? xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>')
+    assert [(one.span.start, one.span.end) for one in found] == [(0, 22)]

@@ -86,7 +86,7 @@ class _Scanner:
         self.mistakes.append(SyntaxMistake(start, end, message, notes))
 
     def _declaration(self, position: int) -> int:
-        if not re.compile(rb"<\?xml(?![-_])").match(self.data, position):
+        if not re.compile(rb"<\?\s*xml(?![-_])").match(self.data, position):
             return position
         if match := _DECLARATION.match(self.data, position):
             return match.end()
