@@ -6,6 +6,7 @@ import pytest
 
 from tests.launched import MANIFEST, reported
 from tests.workspaces import add_file
+from tests.xacros import xacro
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
 
@@ -175,3 +176,31 @@ def test_a_package_that_the_build_skips(tmp_path: Path, mark: str, count: int) -
     )
     files = {"setup.py": setup, mark: ""}
     assert len(reported(tmp_path / "arm", "PKG005", "a.launch", "", files)) == count
+
+
+MACRO = """macro(attach robot out)
+  set(body models/${robot}_body.urdf)
+  COMMAND(OUTPUT models/${out} COMMAND attach.sh ${body})
+endmacro()
+attach(arm "arm_sensors.urdf")
+"""
+
+
+@pytest.mark.parametrize(
+    ("command", "file", "severity"),
+    [
+        ("add_custom_command", "arm_sensors.urdf", "warning"),
+        ("add_custom_command", "arm_body.urdf", "warning"),
+        ("add_custom_command", "leg_body.urdf", "error"),
+        ("message", "arm_sensors.urdf", "error"),
+    ],
+)
+def test_files_that_a_macro_of_cmake_creates(
+    tmp_path: Path, command: str, file: str, severity: str
+) -> None:
+    """rtmros_tutorials: macros add sensors and hands to the robots that others convert."""
+    add_file(tmp_path / "CMakeLists.txt", MACRO.replace("COMMAND(", f"{command}(").encode())
+    include = f'<xacro:include filename="{file}"/><link name="a"/>'
+    add_file(tmp_path / "models" / "r.urdf.xacro", xacro(include).encode())
+    found = check(tmp_path / "models" / "r.urdf.xacro", select=["XAC001"]).diagnostics
+    assert [one.severity.value for one in found] == [severity]

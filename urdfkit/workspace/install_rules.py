@@ -27,6 +27,9 @@ _MADE = (
     r"(?i)\b(?:execute_process|add_custom_\w+|configure_file|\w*download\w*"
     r"|file\s*\(\s*(?:DOWNLOAD|GENERATE|WRITE|ARCHIVE_EXTRACT))\b[^()]*(?:\([^()]*)?"
 )
+_MACRO = r"(?is)\b(?:macro|function)\s*\(\s*(\w+)(.*)"
+_END_OF_MACRO = r"(?i)\bend(?:macro|function)\b"
+_AFTER_VARIABLE = r"\$\{\w+\}([\w.-]+)"
 _COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
 _VARIABLE = r"\$\{(\w+)\}"
 _IS_PYTHON = rb"<build_type\b[^>]*>\s*ament_python\s*<"
@@ -169,13 +172,15 @@ def _cmake_file(path: str) -> str:
 def is_built(path: str) -> bool:
     """True if the nearest CMake file above a missing file creates it.
 
-    It installs the file from the build directory, or names it in a command that creates files.
+    It installs the file from the build directory, or names it in a command that creates files, or
+    in a call of a macro with such commands.
     """
     file = _cmake_file(path)
     if not file:
         return False
     text = read_head(file, MAX_BYTES).decode("utf-8", "replace")
-    if "BINARY_DIR" not in text and os.path.basename(path) not in text:
+    needed = ("BINARY_DIR", os.path.basename(path), "endmacro", "endfunction")
+    if not any(word in text for word in needed):
         return False
     directory = os.path.dirname(file)
     relative = os.path.relpath(path, directory).replace(os.sep, "/")
@@ -184,7 +189,27 @@ def is_built(path: str) -> bool:
         return True
     text = re.sub(r"#.*", "", text)
     name = rf"""(?:^|[\s/"'(]){re.escape(os.path.basename(path))}(?![\w-])"""
-    return any(re.search(name, command) for command in re.findall(_MADE, text))
+    if any(re.search(name, command) for command in re.findall(_MADE, text)):
+        return True
+    return _is_made_by_macro(os.path.basename(path), text)
+
+
+def _is_made_by_macro(name: str, text: str) -> bool:
+    """True if a macro or function of a CMake file creates files, and a call of it names this one.
+
+    The name is an argument, or an argument and what follows a variable in the macro:
+    ``${robot}_body.urdf``.
+    """
+    for part in re.split(_END_OF_MACRO, text)[:-1]:
+        definition = re.search(_MACRO, part)
+        if definition is None or not re.search(_MADE, definition[2]):
+            continue
+        endings = {"", *re.findall(_AFTER_VARIABLE, definition[2])}
+        for call in re.findall(rf"(?i)\b{definition[1]}\s*\(([^()]*)\)", text):
+            words = [word.strip('"') for word in call.split()]
+            if any(f"{word}{ending}" == name for word in words for ending in endings):
+                return True
+    return False
 
 
 def is_expanded(path: str) -> bool:
