@@ -32,7 +32,7 @@ GOOD = BAD.replace("comma", "plate")
 FILES = {"meshes/comma.stl": PLATE.replace(b"1 0 0", b"1,0 0,0 0,0"), "meshes/plate.stl": PLATE}
 
 _HELP = {
-    DefectKind.NOT_A_MESH: "export it, or get the file itself: the raw link of the page, or git lfs pull",
+    DefectKind.NOT_A_MESH: "export it, or get the file itself: the raw link, or git lfs pull",
     DefectKind.TRUNCATED: "download or export the mesh again",
 }
 _HELP_PARTLY = "export the mesh again, or urdfkit mesh convert FILE -o NEW.dae"
