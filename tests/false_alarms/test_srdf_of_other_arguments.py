@@ -181,3 +181,17 @@ def test_a_robot_next_to_it_has_the_name_of_the_srdf(tmp_path: Path, name: str, 
     report = check(tmp_path / "r5.urdf", select=["SRD011"])
     assert report.crashed == ()
     assert len(report.diagnostics) == count
+
+
+@pytest.mark.parametrize(("package", "count"), [("nowhere", 0), ("arm", 2)])
+def test_a_xacro_of_the_name_that_lacks_a_package(tmp_path: Path, package: str, count: int) -> None:
+    """RoBorregos: TIAGo with a hand as a URDF, the SRDF and the xacro of that with a gripper."""
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "tip.xacro").write_text(xacro(""))
+    (tmp_path / "with_hand.urdf").write_text('<robot name="r"><link name="base"/></robot>')
+    include = f'<xacro:include filename="$(find {package})/tip.xacro"/><link name="base"/>'
+    (tmp_path / "a.urdf.xacro").write_text(xacro(include))
+    (tmp_path / "r.srdf").write_text(SRDF.replace("NAME", "tip").replace("tool", "base"))
+    report = check(tmp_path / "with_hand.urdf", select=["SRD001"])
+    assert report.crashed == ()
+    assert len(report.diagnostics) == count

@@ -1,11 +1,14 @@
 """Other robots with the same name that an SRDF and MoveIt's files may have been written for."""
 
+import os
 from collections.abc import Iterator
 from itertools import chain, islice
 
 from urdfkit.lint.rules import Context
 from urdfkit.ros.launch.robot_arguments import launches_of_package, launches_of_workspace
 from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.text.file_kinds import is_xacro
+from urdfkit.workspace.srdf_files import has_robot_name
 
 #: Most robots of launch files that are expanded.
 _MAX_STARTED = 32
@@ -23,3 +26,16 @@ def launched_namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
         robot = context.other_robot(description.path, description.arguments)
         if robot.is_readable and robot.model.name in (context.model.name, srdf.root.get("name")):
             yield robot
+
+
+def has_incomplete_namesake(context: Context, srdf: Srdf) -> bool:
+    """True if the SRDF may be for a xacro of its name next to a URDF that lacks a package."""
+    directory, own = os.path.split(os.path.abspath(context.source.path))
+    name = srdf.root.get("name") or ""
+    if is_xacro(context.source) or not name:
+        return False
+    names = context.resolver.directories.entries(directory) or ()
+    paths = (os.path.join(directory, file) for file in names if file != own)
+    xacros = (path for path in paths if path.endswith(".xacro") and has_robot_name(path, name))
+    problems = (context.other_robot(path, {}).reading.problems for path in xacros)
+    return any(problem.code == "XAC011" for problem in chain.from_iterable(problems))

@@ -52,7 +52,7 @@ Sources:
 
 from urdfkit.checks.srdf.configuration import unknown_names
 from urdfkit.checks.srdf.configuration_layout import invalid_layout
-from urdfkit.checks.srdf.namesakes import launched_namesakes
+from urdfkit.checks.srdf.namesakes import has_incomplete_namesake, launched_namesakes
 from urdfkit.checks.srdf.servo import unknown_in_servo
 from urdfkit.checks.srdf.trajectory_controllers import mismatched_controllers
 from urdfkit.core.suggest import SIMILAR, Suggester
@@ -83,7 +83,10 @@ FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 def check(context: Context) -> Findings:
     srdf = context.required_srdf
     elsewhere = set[str]()
-    if srdf.unknown:
+    is_of_namesake = bool(srdf.unknown) and has_incomplete_namesake(context, srdf)
+    if is_of_namesake:
+        elsewhere = set(srdf.unknown)
+    elif srdf.unknown:
         elsewhere = _names_in_namesakes(context, srdf) | names_of_namesakes(context)
     suggestions = _Suggestions(context, srdf)
     for kind, attribute in srdf.references():
@@ -104,7 +107,8 @@ def check(context: Context) -> Findings:
                     severity=Severity.WARNING,
                 )
     yield from _not_in_group(context, srdf)
-    yield from unknown_names(context, srdf)
+    if not is_of_namesake:
+        yield from unknown_names(context, srdf)
     yield from invalid_layout(context, srdf)
     yield from mismatched_controllers(context, srdf)
     yield from unknown_in_servo(context, srdf)
