@@ -487,3 +487,21 @@ def test_templates_of_the_setup_assistant(tmp_path: Path, word: str, count: int)
     add_file(tmp_path / "b.urdf", b'<robot name="b"><link name="a"/></robot>')
     report = check(tmp_path, select=["LAU001", "LAU003", "URD017"])
     assert [one.code for one in report.diagnostics] == ["URD017", "LAU001", "LAU003"][: 3 * count]
+
+
+@pytest.mark.parametrize(("found", "count"), [("arm", 0), (" arm", 1)])
+def test_the_package_that_find_is_asked_for(tmp_path: Path, found: str, count: int) -> None:
+    """osr-rover-code: FindPackageShare does not look up its own package where find is called."""
+    program = (
+        "import os\n"
+        "from launch import LaunchDescription\n"
+        "from launch_ros.actions import Node\n"
+        "from launch_ros.substitutions import FindPackageShare\n"
+        f"SHARE = FindPackageShare(package=' arm').find('{found}')\n"
+        "def generate_launch_description():\n"
+        "    path = os.path.join(SHARE, 'config', 'a.yaml')\n"
+        "    return LaunchDescription([Node(package='p', executable='e', parameters=[path])])\n"
+    )
+    files = {"config/a.yaml": ""}
+    problems = reported(tmp_path / "arm", "XAC011", "a.launch.py", program, files)
+    assert len([one for one in problems if "' arm'" in one.message]) == count

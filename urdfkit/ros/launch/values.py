@@ -120,9 +120,9 @@ class Values:
         if name == "FindExecutable":
             return self.text(argument(call, 0, "name"), depth + 1)
         if name == "find" and isinstance(call.func, ast.Attribute):
-            package = call.func.value  # FindPackageShare(...).find(...)
+            package = call.func.value  # FindPackageShare(...).find(...): its argument counts
             is_one = isinstance(package, ast.Call) and called(package) in PACKAGE_DIRECTORY
-            return self.text(package, depth + 1) if is_one else None
+            return self._package_directory(call, depth) if is_one else None
         if name == "perform" and isinstance(call.func, ast.Attribute):
             return self.text(call.func.value, depth + 1)  # in an OpaqueFunction
         if name in _PASSED_ON and call.args:
@@ -130,7 +130,8 @@ class Values:
         return None
 
     def _package_directory(self, call: ast.Call, depth: int) -> str | None:
-        package = self.text(argument(call, 0, "package"), depth + 1)
+        named = argument(call, 0, "package") or argument(call, 0, "package_name")
+        package = self.text(named, depth + 1)
         if package is None:
             return None
         directory = self.collector.package(package, self.source, self.span(call))
