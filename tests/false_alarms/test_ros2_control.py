@@ -308,3 +308,18 @@ def test_parameters_of_a_node_of_ros_1(tmp_path: Path, use: str, count: int) -> 
     add_file(tmp_path / "r.launch", f"<launch>{robot}{node}</launch>".encode())
     found = check(tmp_path / "r.launch", select=["RCT026"]).diagnostics
     assert [one.span.line for one in found] == [2] * count
+
+
+@pytest.mark.parametrize(("above", "count"), [("", 1), ("servo:\n", 1), ("servo:\n joints:\n", 0)])
+def test_a_template_of_controllers(tmp_path: Path, above: str, count: int) -> None:
+    """jsk_aerial_robot: a program adds the joint to the parameters that all its servos share."""
+    kind = "type: effort_controllers/JointPositionController"
+    add_file(
+        tmp_path / "c.yaml", f"{above}   simulation:\n    {kind}\n    pid: {{p: 9}}\n".encode()
+    )
+    add_file(tmp_path / "r.urdf", whole_robot(ROBOT).encode())
+    robot = '<param name="robot_description" textfile="$(dirname)/r.urdf"/>'
+    load = '<rosparam command="load" file="$(dirname)/c.yaml"/>'
+    add_file(tmp_path / "r.launch", f"<launch>{robot}{load}</launch>".encode())
+    found = check(tmp_path / "r.launch", select=["RCT034"]).diagnostics
+    assert sum("missing: joint" in one.message for one in found) == count

@@ -70,6 +70,7 @@ class Controller(Record):
     type_at: Span  # location of the type
     ros: int  # 1 or 2
     section: Section  # parameters as written
+    namespaces: int = 0  # in ROS 1, the number of keys above its own
 
     @property
     def is_typed_by_itself(self) -> bool:
@@ -211,16 +212,16 @@ def _sections(source: Source) -> dict[tuple[str, ...], Section]:
 
 def _of_ros1(root: Node) -> Iterator[Controller]:
     """Mappings with a ``type`` that has a slash, in any namespace, and without a ``name``."""
-    stack: list[tuple[str, Node]] = [("", root)]
+    stack: list[tuple[str, Node, int]] = [("", root, -1)]
     while stack:
-        name, node = stack.pop()
+        name, node, above = stack.pop()
         node = mapping(node)
         kind = node.get("type")
         if isinstance(kind, Value) and "/" in kind.text:
             at = name.span if isinstance(name, Key) else kind.span
             section = Section({}, {}, at)
             section.add(node)
-            yield Controller(name, kind.text, kind.span, 1, section)
+            yield Controller(name, kind.text, kind.span, 1, section, above)
         elif not isinstance(node.get("name"), Value):
             # With a name it is a record from which a program creates an object.
-            stack += node.items()
+            stack += [(key, value, above + 1) for key, value in node.items()]

@@ -84,6 +84,9 @@ _BASE = "controller_interface"
 #: Joints per axle of a steering controller, by the first word of its package.
 _OF_AXLE = {"ackermann": 2, "bicycle": 1}
 
+#: Below more, in ROS 1, is a template that a program completes before it loads the controllers.
+_MAX_NAMESPACES = 1
+
 #: Place, message and help.
 _Problem = tuple[Span, str, str]
 
@@ -196,6 +199,8 @@ def _missing(
     controller: Controller, own: Section, others: dict[str, Section]
 ) -> Iterator[_Problem]:
     """Required parameters that the controller does not have, except misspelt ones."""
+    if controller.namespaces > _MAX_NAMESPACES:
+        return
     known = parameters_of(controller.type, controller.ros)
     required = known.required if known else ()
     absent = [name for name in required if name not in own.places]
