@@ -19,6 +19,11 @@ from urdfkit.physics.overloads import worst_pose
             {"a": 0.1, **{f"j{n}": -1.0 - n for n in range(6)}, "b": 0.2, "c": 1e-5},
             "j0 -1, j1 -2, j2 -3, j3 -4, j4 -5, j5 -6 and 2 more",
         ),
+        # The joint itself is named in any case.
+        (
+            {"j": 0.1, **{f"j{n}": -1.0 - n for n in range(6)}},
+            "j 0.1, j1 -2, j2 -3, j3 -4, j4 -5, j5 -6 and 1 more",
+        ),
     ],
 )
 def test_worst_pose(pose: dict[str, float], text: str) -> None:

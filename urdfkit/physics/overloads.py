@@ -41,9 +41,12 @@ def _loads(model: GravityModel, efforts: tuple[tuple[str, float | None], ...]) -
 
 
 def worst_pose(load: Load) -> str:
-    """The worst pose of a joint as text, such as ``elbow 1.57``; of many joints the farthest."""
+    """The worst pose of a joint as text, such as ``elbow 1.57``.
+
+    Of many joints, the joint itself and those that are farthest from zero.
+    """
     pose = {name: place for name, place in load.pose.items() if abs(place) > _AT_ZERO}
-    farthest = sorted(pose, key=lambda name: -abs(pose[name]))[:_MAX_NAMED]
+    farthest = sorted(pose, key=lambda name: (name != load.joint, -abs(pose[name])))[:_MAX_NAMED]
     named = [f"{name} {place:.3g}" for name, place in pose.items() if name in farthest]
     more = f" and {len(pose) - len(named)} more" if len(pose) > len(named) else ""
     return ", ".join(named) + more or "zero"
