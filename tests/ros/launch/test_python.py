@@ -255,6 +255,40 @@ def test_the_robot_of_an_included_file(package, body, side):
 
 
 @pytest.mark.parametrize(
+    ("side", "value"),
+    [
+        ("PythonExpression([\"'left' if \", lefty, \" else 'right'\"])", "left"),
+        ("IfElseSubstitution(lefty, if_value='left', else_value='right')", "left"),
+        ("IfElseSubstitution(NotSubstitution(lefty), else_value='right')", "right"),
+        ("IfElseSubstitution(EqualsSubstitution(lefty, 'true'), 'left', 'right')", "left"),
+    ],
+)
+def test_a_computed_argument(package, side, value):
+    included(package)
+    body = "lefty = LaunchConfiguration('lefty', default='True')\n"
+    body += include("rsp.launch.py", f", launch_arguments={{'side': {side}}}.items()")
+    (description,) = read(package, body).descriptions
+    assert description.arguments == {"side": value}
+
+
+@pytest.mark.parametrize(
+    ("condition", "is_sure"),
+    [
+        ("LaunchConfigurationEquals('sim', 'gz')", True),
+        ("IfCondition(PythonExpression([\"'\", LaunchConfiguration('sim'), \"' == 'gz'\"]))", True),
+        # The node of another choice: it is started with another value of the argument.
+        ("LaunchConfigurationNotEquals('sim', 'gz')", False),
+        ("IfCondition(EqualsSubstitution(LaunchConfiguration('sim'), 'classic'))", False),
+    ],
+)
+def test_a_compared_condition(package, condition, is_sure):
+    body = "DeclareLaunchArgument('sim', default_value='gz')\n"
+    body += f"Node(package='joy', executable='joy_node', condition={condition})"
+    (program,) = read(package, body).programs
+    assert program.is_sure is is_sure
+
+
+@pytest.mark.parametrize(
     "rest",
     [
         ", launch_arguments=unknown()",

@@ -8,7 +8,7 @@ from urdfkit.core import disk
 from urdfkit.ros.launch.branches import decided_calls
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.contents import LaunchedFile
-from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.ros.launch.values import COMPUTED, Values, argument, called
 from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
@@ -78,13 +78,35 @@ class PythonLaunchFile:
         condition = self.values.resolved(written)
         if not isinstance(condition, ast.Call):
             return None
-        value = (self.values.text(argument(condition, 0, "predicate_expression")) or "").lower()
-        holds = {"true": True, "1": True, "false": False, "0": False}.get(value)
-        if holds is None or called(condition) not in ("IfCondition", "UnlessCondition"):
-            return None
-        if holds is (called(condition) != "IfCondition"):
-            return False
+        if not (holds := self._holds(condition)):
+            return holds
         return None if action in self._decided else True
+
+    def _holds(self, condition: ast.Call) -> bool | None:
+        """Value of a condition; None if known only at run time.
+
+        A false comparison with a default is unknown, too: the action belongs to another choice.
+        """
+        name = called(condition)
+        if name in ("IfCondition", "UnlessCondition"):
+            predicate = self.values.resolved(argument(condition, 0, "predicate_expression"))
+            text = self.values.text(predicate) or ""
+            is_true = {"true": True, "1": True, "false": False, "0": False}.get(text.lower())
+            holds = None if is_true is None else is_true is (name == "IfCondition")
+            is_choice = isinstance(predicate, ast.Call) and called(predicate) in COMPUTED
+        else:
+            holds, is_choice = self._equals(condition), True
+        return None if is_choice and holds is False else holds
+
+    def _equals(self, condition: ast.Call) -> bool | None:
+        name = called(condition)
+        if name not in ("LaunchConfigurationEquals", "LaunchConfigurationNotEquals"):
+            return None
+        key = self.values.text(argument(condition, 0, "launch_configuration_name")) or ""
+        value = self.values.configuration(key)
+        expected = self.values.text(argument(condition, 1, "expected_value"))
+        is_known = value is not None and expected is not None
+        return (value == expected) is name.endswith("nEquals") if is_known else None
 
     def is_sure(self, action: ast.Call) -> bool:
         """True if an action certainly runs."""

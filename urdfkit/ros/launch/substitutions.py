@@ -6,13 +6,11 @@ from collections.abc import Callable, Iterator, Mapping
 
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
 from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
+from urdfkit.ros.launch.computed import computed, evaluated
 from urdfkit.ros.launch.contents import Word
 from urdfkit.text.document import Attribute
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
-from urdfkit.xacro.budget import Budget, deadline
-from urdfkit.xacro.expressions import evaluate as evaluate_in
-from urdfkit.xacro.sandbox import Sandbox
 
 #: Substitutions of ROS 1 and ROS 2 in a parameter file.
 _IN_FILES = {
@@ -29,8 +27,8 @@ MAX_LENGTH = 100_000
 _NAMES = {"true": True, "false": False} | {
     kind.__name__: kind for kind in (list, dict, map, str, float, int)
 }
-#: Length of the longest result of an expression.
-MAX_RESULT = 4096
+#: An expression of ROS 2, which is quoted as a whole; $(var ...) is replaced in it.
+_QUOTED = re.compile(r"""(?s)\s*(["'])(.*)\1\s*""")
 
 
 class Substitutions:
@@ -73,9 +71,8 @@ class Substitutions:
 
     def command(self, content: str, span: Span, level: int = 0) -> str | None:
         """The value of the content of ``$(...)``; None if unknown."""
-        if content.startswith("eval "):  # quotes belong to the expression
-            functions = {"find": lambda name: self._found(name, span)}
-            return evaluate(content[len("eval ") :], self._values, functions)
+        if content.startswith("eval "):
+            return self._evaluated(content[len("eval ") :], span, level)
         inner = self.text(content, span, level + 1)
         words = inner.split(None, 1) if inner else []
         if not words:
@@ -91,7 +88,15 @@ class Substitutions:
             _, _, default = rest.partition(" ")
             default = default.strip().strip("'\"")
             return None if not default or re.search(_PLACEHOLDER, default) else default
-        return None  # anon, exec-in-pkg, command
+        return computed(command, command_words(rest))  # None for anon, exec-in-pkg, command
+
+    def _evaluated(self, expression: str, span: Span, level: int) -> str | None:
+        quoted = _QUOTED.fullmatch(expression)
+        if quoted and "$(" in quoted[2]:
+            text = self.text(quoted[2], span, level + 1)
+            return None if text is None else evaluated(text)
+        functions = {"find": lambda name: self._found(name, span)}
+        return evaluate(expression, self._values, functions)
 
     def words(self, attribute: Attribute | None) -> tuple[Word, ...]:
         """The words of a command line, with the locations of constant words."""
@@ -118,21 +123,14 @@ def evaluate(
 ) -> str | None:
     """The result of ``$(eval ...)`` in ROS 1 as text; None if it is unknown.
 
-    It is evaluated in the sandbox of xacro's expressions. Source: ``_eval`` and ``_DictWrapper`` in
-    ``roslaunch/substitution_args.py`` of ros/ros_comm.
+    Source: ``_eval`` and ``_DictWrapper`` in ``roslaunch/substitution_args.py`` of ros/ros_comm.
 
     Args:
         arguments: of the launch file; available by name.
         functions: of one text, such as ``find``.
     """
     values = {name: _converted(value) for name, value in arguments.items()}
-    names = _NAMES | {"arg": values.__getitem__, **functions, **values}
-    try:
-        result = evaluate_in(text.strip(), names, Sandbox(Budget(deadline())))
-    except Exception:  # an expression may raise any exception
-        return None
-    is_text = isinstance(result, (str, bool, int, float)) and len(str(result)) <= MAX_RESULT
-    return str(result) if is_text else None
+    return evaluated(text, _NAMES | {"arg": values.__getitem__, **functions, **values})
 
 
 def _converted(text: str) -> str | bool | int | float:

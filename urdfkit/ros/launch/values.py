@@ -5,6 +5,7 @@ import os
 from collections.abc import Iterable
 
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
+from urdfkit.ros.launch.computed import computed
 from urdfkit.ros.launch.contents import LaunchedFile, Word
 from urdfkit.ros.launch.scopes import scopes
 from urdfkit.text import python_source
@@ -19,6 +20,18 @@ _PASSED_ON = (
     "XMLLaunchDescriptionSource", "FrontendLaunchDescriptionSource", "YAMLLaunchDescriptionSource",
     "AnyLaunchDescriptionSource", "ParameterFile", "abspath",
 )  # fmt: skip
+#: Substitutions whose result is computed: the name in XML, and the names of the arguments.
+COMPUTED = {
+    "PythonExpression": ("eval", ("expression",)),
+    "EqualsSubstitution": ("equals", ("left", "right")),
+    "NotEqualsSubstitution": ("not-equals", ("left", "right")),
+    "AndSubstitution": ("and", ("left", "right")),
+    "OrSubstitution": ("or", ("left", "right")),
+    "NotSubstitution": ("not", ("value",)),
+    "IfElseSubstitution": ("if", ("condition", "if_value", "else_value")),
+    "AllSubstitution": ("all", ()),
+    "AnySubstitution": ("any", ()),
+}
 
 
 class Values:
@@ -127,7 +140,14 @@ class Values:
             return self.text(call.func.value, depth + 1)  # in an OpaqueFunction
         if name in _PASSED_ON and call.args:
             return self.text(call.args[0], depth + 1)
-        return None
+        return self._computed(call, depth) if name in COMPUTED else None
+
+    def _computed(self, call: ast.Call, depth: int) -> str | None:
+        name, keys = COMPUTED[called(call)]
+        nodes = [argument(call, place, key) for place, key in enumerate(keys)] or call.args
+        return computed(
+            name, ["" if node is None else self.text(node, depth + 1) for node in nodes]
+        )
 
     def _package_directory(self, call: ast.Call, depth: int) -> str | None:
         named = argument(call, 0, "package") or argument(call, 0, "package_name")
