@@ -42,10 +42,13 @@ FILES = {
 }
 
 
-def arm(lower: str, more: str = "") -> str:
+def arm(lower: str, more: str = "", collision: str = "lower.stl") -> str:
     links = [
-        meshed.link(meshed.mesh(seen, "visual"), meshed.mesh(f"{name}.stl"), name=name)
-        for name, seen in (("upper", "upper.stl"), ("lower", lower))
+        meshed.link(meshed.mesh(seen, "visual"), meshed.mesh(touched), name=name)
+        for name, seen, touched in (
+            ("upper", "upper.stl", "upper.stl"),
+            ("lower", lower, collision),
+        )
     ]
     return "".join(links) + joint("upper", "lower", "revolute") + more
 
@@ -56,6 +59,14 @@ def test_the_mesh_of_another_link(tmp_path: Path) -> None:
     assert found.message == naming("lower", "collision", "visual", "7%", "34%", "visual", "upper")
     assert found.help == naming("lower")
     assert found.span.text.startswith("<visual>")
+
+
+def test_the_collision_of_another_link(tmp_path: Path) -> None:
+    robot = arm("lower.stl", collision="upper.stl")
+    (found,) = meshed.reported(tmp_path, "GEO004", robot, FILES)
+    assert found.message.endswith("; the collision is the mesh of 'upper'")
+    assert found.help == "name the mesh of 'lower'"
+    assert found.span.text.startswith("<collision>")
 
 
 OBJECT = b"v 0 0 0\nv 0.2 0 0\nv 0 0.12 0\nv 0 0 0.05\nf 1 2 3\nf 1 3 4\n"

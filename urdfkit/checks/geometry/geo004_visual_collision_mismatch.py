@@ -78,13 +78,13 @@ def check(context: Context) -> Findings:
     model, files = context.model, context.files
     pairs = VisualCollisionPairs(model, context.mesh_solid, files.has_ambiguous_axes)
     for pair in pairs.mismatches.get(Mismatch.APART, ()):
-        yield _apart(pair, context, pairs.foreign_link(pair))
+        yield _apart(pair, context, pairs.of_another_link(pair))
     for pair in pairs.mismatches.get(Mismatch.SIZE, ()):
         wrong = pair.unusual(pairs.span)
         if not _is_in_millimetres(wrong, context):
             yield _of_size(pair, wrong)
     for pair in pairs.mismatches.get(Mismatch.ROTATION, ()):
-        yield _rotated(pair, pairs.foreign_link(pair))
+        yield _rotated(pair, pairs.of_another_link(pair))
     yield from _diameters(context)
     for pair in pairs.each():
         yield from _diameter_of_mesh(pair)
@@ -100,14 +100,16 @@ def check(context: Context) -> Findings:
         )
 
 
-def _apart(pair: VisualCollisionPair, context: Context, foreign: str) -> Finding:
+def _apart(
+    pair: VisualCollisionPair, context: Context, foreign: tuple[Body, str] | None
+) -> Finding:
     link = pair.link
+    wrong, right, is_known = _misplaced(pair, context)
     difference = _difference(link) if pair.has_one_shape else ""
     if foreign:
-        difference = f"; the visual is the mesh of '{foreign}'"
-    wrong, right, is_known = _misplaced(pair, context)
-    if foreign:
-        wrong, right, is_known = right, wrong, False
+        difference, is_known = _of_another_link(*foreign), False
+        if wrong is not foreign[0]:
+            wrong, right = right, wrong
     is_known = is_known and bool(difference) and not _is_far(pair)
     return Finding(
         wrong.at,
@@ -184,7 +186,11 @@ def _replaces_mesh(link: Link) -> bool:
     return visuals == {"mesh"} and "mesh" not in collisions
 
 
-def _rotated(pair: VisualCollisionPair, foreign: str) -> Finding:
+def _of_another_link(body: Body, link: str) -> str:
+    return f"; the {body.at.tag} is the mesh of '{link}'"
+
+
+def _rotated(pair: VisualCollisionPair, foreign: tuple[Body, str] | None) -> Finding:
     turn = pair.turn
     assert turn is not None
     is_visual = turn.body in pair.link.visuals
@@ -195,8 +201,7 @@ def _rotated(pair: VisualCollisionPair, foreign: str) -> Finding:
         turn.body.at.child_or_self("origin"),
         f"link '{pair.link.name}': the bounding boxes of visual and collision have "
         f'{pair.overlap:.0%} of their volume in common; with rpy="{rpy}" for the {role} it '
-        f"would be {turn.overlap:.0%}"
-        + (f"; the visual is the mesh of '{foreign}'" if foreign else ""),
+        f"would be {turn.overlap:.0%}" + (_of_another_link(*foreign) if foreign else ""),
         f"name the mesh of '{pair.link.name}', or correct the <origin>" if foreign else "",
         related=(Related(others[0].at.span, f"the {other}"),),
         confidence=Confidence.INFERRED,

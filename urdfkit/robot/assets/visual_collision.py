@@ -278,24 +278,27 @@ class VisualCollisionPairs:
             if pair.turn:
                 return Mismatch.ROTATION
         is_unlike = pair.overlap < LEAST_OVERLAP and not pair.is_nested
-        is_apart = pair.is_apart or (is_unlike and self.foreign_link(pair))
+        is_apart = pair.is_apart or (is_unlike and self.of_another_link(pair))
         return Mismatch.APART if is_apart else None
 
-    def foreign_link(self, pair: VisualCollisionPair) -> str:
-        """The other link whose mesh is the only visual of a link, but not its collision, or empty.
+    def of_another_link(self, pair: VisualCollisionPair) -> tuple[Body, str] | None:
+        """The visual or the collision with the mesh of one other link, and the name of that link.
 
-        The mesh of a pair of links, such as wheels, is also that of their collisions.
+        Only if it is the only one of its link whose mesh has this name: a pair of links, such as
+        wheels, has the same mesh for both.
         """
         if len(pair.link.visuals) > 1:
-            return ""
-        meshes = [
-            body.shape.filename.value if body.shape and body.shape.filename else ""
-            for body in (pair.link.visuals[0], *pair.link.collisions)
-        ]
-        first, *others = [name.rpartition("/")[2].partition(".")[0].lower() for name in meshes]
-        users = self._users.get(meshes[0], {})
-        is_copied = all(meshes) and first not in others and len(users) == 2
-        return next(name for name in users.values() if name != pair.link.name) if is_copied else ""
+            return None
+        bodies = (pair.link.visuals[0], *pair.link.collisions)
+        if not all(body.shape and body.shape.filename for body in bodies):
+            return None
+        names = [_stem(body) for body in bodies]
+        for body in bodies if len(bodies) == 2 else bodies[:1]:
+            users = self._users.get(_file(body), {})
+            others = [link for link in users.values() if link != pair.link.name]
+            if names.count(_stem(body)) == 1 and len(others) == 1 and len(users) <= 2:
+                return body, others[0]
+        return None
 
     @cached_property
     def _users(self) -> dict[str, dict[Tag, str]]:
@@ -304,9 +307,7 @@ class VisualCollisionPairs:
         for link in self._model.links:
             for body in link.visuals:
                 if body.shape and body.shape.filename:
-                    users.setdefault(body.shape.filename.value, {})[body.shape.at.tag_at] = (
-                        link.name
-                    )
+                    users.setdefault(_file(body), {})[body.shape.at.tag_at] = link.name
         return users
 
 
@@ -329,6 +330,15 @@ def _overlap(a: BoundingBox, b: BoundingBox) -> float:
     common = a.common_volume(b)
     both = a.volume + b.volume - common
     return common / both if both > 0 else 0.0
+
+
+def _file(body: Body) -> str:
+    """The file name of a mesh as written; empty for other shapes."""
+    return body.shape.filename.value if body.shape and body.shape.filename else ""
+
+
+def _stem(body: Body) -> str:
+    return _file(body).rpartition("/")[2].partition(".")[0].lower()
 
 
 def _is_mesh(solid: LinkSolid) -> bool:
