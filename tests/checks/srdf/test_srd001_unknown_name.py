@@ -188,12 +188,34 @@ def test_known_or_other_names_are_accepted(tmp_path: Path, text: str) -> None:
     assert findings(tmp_path, GROUPS, "SRD001") == []
 
 
+@pytest.mark.parametrize(
+    "around",
+    [
+        "/**: {{ros__parameters: {{robot_description_kinematics: {{{}}}}}}}",
+        "/move_group: {{ros__parameters: {{{}}}}}",
+        "robot_description_kinematics: {{{}}}",
+    ],
+)
+def test_groups_in_parameters(tmp_path: Path, around: str) -> None:
+    """Flexiv's launch files load the solvers as parameters of all nodes."""
+    for group, count in (("arm", 0), ("manipulator", 1)):
+        text = around.format(f"{group}: {{kinematics_solver: kdl_kinematics_plugin}}")
+        (tmp_path / "kinematics.yaml").write_text(text)
+        found = [one for one in findings(tmp_path, GROUPS, "SRD001") if "group" in one.message]
+        assert [one.span.text for one in found] == ["manipulator"] * count
+
+
 TWO = """\
 moveit_simple_controller_manager:
   controller_names: [arm_controller]
   arm_controller:
     type: FollowJointTrajectory
     joints: [shoulder, wrist, knuckle]
+"""
+#: Launch files of their own pass the whole file as the settings of the manager.
+FLAT = """\
+controller_names: [arm_controller]
+arm_controller: {type: FollowJointTrajectory, joints: [shoulder, wrist, knuckle]}
 """
 ONE = "controller_list:\n  - name: arm_controller\n    joints: [shoulder, wrist, knuckle]\n"
 
@@ -205,6 +227,8 @@ ONE = "controller_list:\n  - name: arm_controller\n    joints: [shoulder, wrist,
         ("simple_moveit_controllers.yaml", ONE, "wrist", "wrsit", 3),
         ("controllers.yaml", ONE, "wrist", "wrsit", 3),
         ("moveit_controllers.yaml", TWO, "[arm_controller]", "[arm_controler]", 2),
+        ("moveit_controllers.yaml", FLAT, "wrist", "wrsit", 2),
+        ("moveit_controllers.yaml", FLAT, "[arm_controller]", "[arm_controler]", 1),
         ("initial_positions.yaml", "initial_positions:\n  shoulder: 0\n", "should", "shuold", 2),
     ],
 )

@@ -58,11 +58,23 @@ def group_entries(srdf: Srdf, resolver: Resolver) -> Iterator[GroupEntry]:
     for file, marks in _OF_GROUPS.items():
         sections = [
             (key, node)
-            for key, node in _mappings(load_next_to(srdf, file, resolver))
+            for key, node in _mappings(_groups(load_next_to(srdf, file, resolver)))
             if not node.keys().isdisjoint(marks) and not key.startswith(_OPEN)
         ]
         for key, node in sections:
             yield GroupEntry(key, node, len(sections) == 1)
+
+
+def _groups(root: dict[str, Node]) -> dict[str, Node]:
+    """The sections of groups, which a launch file may also load as the parameters of all nodes."""
+    parameters = _parameters(root)
+    return mapping(parameters, "robot_description_kinematics") or parameters
+
+
+def _parameters(root: dict[str, Node]) -> dict[str, Node]:
+    """The parameters in a parameter file of ROS 2; any other file as it is."""
+    nodes = (mapping(node, "ros__parameters") for _, node in _mappings(root))
+    return next(filter(None, nodes), root)
 
 
 def planner_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, list[str]]]:
@@ -115,7 +127,8 @@ def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str,
     """The controllers to which MoveIt sends trajectories, with their settings."""
     for file in _OF_CONTROLLERS:
         root = load_next_to(srdf, file, resolver)
-        for _, manager in _mappings(root):
+        managers = [root] if _is_manager(root) else [node for _, node in _mappings(root)]
+        for manager in managers:
             yield from _mappings(manager)
     for file in (*_OF_CONTROLLERS, _OF_ROS_1):
         listed = load_next_to(srdf, file, resolver).get("controller_list")
@@ -126,9 +139,18 @@ def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str,
 
 def controller_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, dict[str, Node]]]:
     """The settings of the controllers of MoveIt 2, by name with location."""
-    for key, entry in _mappings(mapping(load_next_to(srdf, _OF_CONTROLLERS[0], resolver), MANAGER)):
+    for key, entry in _mappings(_manager(load_next_to(srdf, _OF_CONTROLLERS[0], resolver))):
         if not key.startswith(_OPEN):
             yield key, entry
+
+
+def _manager(root: dict[str, Node]) -> dict[str, Node]:
+    """The settings of the manager; launch files of their own pass a whole file as its settings."""
+    return root if _is_manager(root) else mapping(_parameters(root), MANAGER)
+
+
+def _is_manager(root: dict[str, Node]) -> bool:
+    return isinstance(root.get("controller_names"), list)
 
 
 def controller_manager(srdf: Srdf, resolver: Resolver) -> Value | None:
@@ -154,7 +176,7 @@ def names_without_settings(
     The third item is True if the settings are in the file, but not below the manager.
     """
     root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
-    manager = mapping(root, MANAGER)
+    manager = _manager(root)
     configured = [str(key) for key, _ in _mappings(manager)]
     for name in scalars(manager.get("controller_names")):
         if name.text not in configured and not name.text.startswith(_OPEN):
