@@ -76,3 +76,20 @@ def test_a_tensor_with_products(shape_at: float, tensor_at: float, found: int) -
     robot = link("rod", rod, inertial(1, turned(tensor_at)))
     assert len(messages("INE006", robot)) == found
     assert messages("INE006", fixed("INE006", robot)) == []
+
+
+@pytest.mark.parametrize(
+    ("moments", "found"),
+    [
+        ((0.02, 0.02, 0.002), 1),  # a rod along z, of another density in its middle
+        ((0.02, 0.002, 0.02), 1),
+        ((0.002, 0.02, 0.02), 0),
+        ((0.02, 0.02, 0.006), 0),  # not elongated: motors beside the rod
+        ((0.01, 0.02, 0.014), 0),
+    ],
+)
+def test_a_long_part_that_points_another_way(moments: tuple[float, ...], found: int) -> None:
+    """Doosan's arms: the second links of two series point along x and along z."""
+    rod = shape("collision", '<box size="0.6 0.1 0.1"/>')
+    reports = reported("INE006", link("rod", rod, inertial(1, moments)))
+    assert [(one.severity.name, one.fix) for one in reports] == [("WARNING", None)] * found

@@ -7,9 +7,10 @@
 - Too small: less than a hundredth of the moments of the uniform solid; even a concentrated mass
   does not explain that. Controllers tuned on it oscillate, and next to heavier links the solver
   becomes unstable.
-- About the wrong axes: the moments are those of the shape in another order, or a product of inertia
-  has the wrong sign. URDF rotates the tensor with the `<origin>` of the `<inertial>`, not with that
-  of the collision or visual. Swap the values, or give the `<inertial>` the `rpy` of the shape.
+- About the wrong axes: the moments are those of the shape in another order, or of a long part that
+  points another way, or a product of inertia has the wrong sign. URDF rotates the tensor with the
+  `<origin>` of the `<inertial>`, not with that of the collision or visual. Swap the values, or give
+  the `<inertial>` the `rpy` of the shape.
 
 A tensor that is too large on purpose, next to a comment such as "to stabilize simulation", is an
 info. A shape of at most a few millimetres is a marker, and no tensor is compared with it.
@@ -56,6 +57,8 @@ _PURPOSES = (b"stabilis", b"stabiliz")
 
 #: Ratio of the mass that the joints of a link carry to its own, above which no fix is offered.
 _CARRIED = 300.0
+
+_TURN = "swap the values, or give the <inertial> the rpy of the shape"
 
 #: Shares in the inertia of the rigid body that the message contains.
 _MIN_SHARE, _MAX_SHARE = 0.1, 0.99
@@ -146,15 +149,13 @@ def _too_small(inertia: LinkInertia, masses: Masses) -> Finding:
 
 
 def _wrong_axes(inertia: LinkInertia) -> Finding:
+    if not inertia.is_at_wrong_axes:
+        return Finding(inertia.at, _moments(inertia), _TURN, confidence=Confidence.INFERRED)
     _, tensor = explain_wrong_axes(inertia)
     flipped = opposite(inertia.tensor, tensor)
     fix = replacement(inertia, tensor)
     message = _signs(inertia, flipped) if flipped else _moments(inertia)
-    help = (
-        f"{fix.title}, or rotate the <inertial>"
-        if fix
-        else "swap the values, or give the <inertial> the rpy of the shape"
-    )
+    help = f"{fix.title}, or rotate the <inertial>" if fix else _TURN
     return Finding(inertia.at, message, help, fix, confidence=Confidence.INFERRED)
 
 

@@ -5,7 +5,7 @@ from functools import cached_property
 from math import inf
 
 from urdfkit.core.grouping import by_key
-from urdfkit.core.spatial import Vector, transposed
+from urdfkit.core.spatial import Vector, dot, transposed
 from urdfkit.robot import inertia
 from urdfkit.robot.link import Body, Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody
@@ -38,6 +38,10 @@ TURNED = 0.25
 #: Range of a tensor relative to that of the uniform solid: a mass in the middle has less, and the
 #: thinnest shell twice as much. Tensors with many digits were computed and may be larger.
 MIN_FACTOR, MAX_FACTOR, MAX_COMPUTED_FACTOR = 0.3, 2.0, 3.5
+
+#: The largest moment of an elongated body by its smallest, and the least part of the largest that
+#: the middle one has; and the cosine of the angle below which two axes are different.
+ELONGATED, SLENDER, OTHER_AXIS = 4.0, 0.6, 0.5
 
 #: Values that are written as placeholders, in kg·m².
 PLACEHOLDERS = (1.0, 0.1, 0.01, 0.001)
@@ -225,6 +229,23 @@ class LinkInertia:
             return False  # slightly rotated
         pairs = zip(self.moments, inertia.principal_moments(self.expected), strict=True)
         return all(abs(a - b) <= MOMENT_TOLERANCE * b for a, b in pairs)
+
+    @property
+    def is_along_another_axis(self) -> bool:
+        """True if tensor and uniform solid are of elongated bodies, along different axes.
+
+        How the mass is distributed changes the moments, but not which way a long part points.
+        """
+        if self.expected is None or any(map(self.is_of, self.solids)):
+            return False
+        axes = []
+        for tensor in (self.tensor, self.expected):
+            low, middle, high = inertia.principal_moments(tensor)
+            if high < ELONGATED * low or middle < SLENDER * high or low <= 0:
+                return False
+            _, rotation = inertia.principal_axes(tensor)
+            axes.append(transposed(rotation)[0])
+        return abs(dot(*axes)) < OTHER_AXIS
 
     @property
     def is_marker(self) -> bool:
