@@ -272,6 +272,38 @@ def test_a_computed_argument(package, side, value):
 
 
 @pytest.mark.parametrize(
+    "side",
+    [
+        "os.environ.get('SIDE', 'left')",
+        "os.getenv('SIDE', default='left')",
+        "EnvironmentVariable('SIDE', default_value='left')",
+        "TextSubstitution(text='left')",
+        "context.perform_substitution(LaunchConfiguration('s', default='left'))",
+    ],
+)
+def test_a_value_that_is_passed_on(package, side):
+    included(package)
+    body = include("rsp.launch.py", f", launch_arguments={{'side': {side}}}.items()")
+    (description,) = read(package, body).descriptions
+    assert description.arguments == {"side": "left"}
+
+
+@pytest.mark.parametrize(
+    "directory",
+    [
+        "os.path.dirname(os.path.realpath(__file__))",
+        "str(Path(__file__).parent.resolve())",
+        "os.path.join(os.path.dirname(os.path.dirname(__file__)), 'launch')",
+    ],
+)
+def test_a_path_from_the_launch_file(package, directory):
+    included(package)
+    source = f"PythonLaunchDescriptionSource(os.path.join({directory}, 'rsp.launch.py'))"
+    (description,) = read(package, f"IncludeLaunchDescription({source})").descriptions
+    assert description.arguments == {"side": "none"}
+
+
+@pytest.mark.parametrize(
     ("condition", "is_sure"),
     [
         ("LaunchConfigurationEquals('sim', 'gz')", True),

@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import TypeGuard
 
 from urdfkit.core.record import Record
+from urdfkit.ros.launch.bound_parameters import bound_parameters
 from urdfkit.text.python_source import CACHE_SIZE, nodes
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
@@ -33,6 +34,7 @@ class Scopes:
 
     def __init__(self, tree: ast.Module) -> None:
         self._scope_of: dict[int, _Scope] = {}
+        self._passed = bound_parameters(tree)
         stack: list[tuple[ast.AST, _Scope]] = [(tree, _Scope({}, None))]
         while stack:
             node, scope = stack.pop()
@@ -48,8 +50,7 @@ class Scopes:
             scope = scope.outer
         return scope.values[name.id] if scope else None
 
-    @staticmethod
-    def _bound(node: ast.AST, scope: _Scope) -> _Scope:
+    def _bound(self, node: ast.AST, scope: _Scope) -> _Scope:
         """Record the names that a node binds; returns the scope of its contents."""
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             target = node.targets[0]
@@ -61,8 +62,9 @@ class Scopes:
         elif isinstance(node, _FUNCTIONS):
             inner = _Scope({}, scope)
             parameters = node.args
+            passed = self._passed.get(node, {}) if isinstance(node, ast.FunctionDef) else {}
             for argument in (*parameters.posonlyargs, *parameters.args, *parameters.kwonlyargs):
-                inner.bind(argument.arg, None)
+                inner.bind(argument.arg, passed.get(argument.arg))
             return inner
         else:
             for name in _stored(node):

@@ -15,11 +15,32 @@ from urdfkit.text.source import Span
 MAX_DEPTH = 40
 
 PACKAGE_DIRECTORY = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
-_PASSED_ON = (
-    "ParameterValue", "TextSubstitution", "PythonLaunchDescriptionSource", "str", "Path",
-    "XMLLaunchDescriptionSource", "FrontendLaunchDescriptionSource", "YAMLLaunchDescriptionSource",
-    "AnyLaunchDescriptionSource", "ParameterFile", "abspath",
-)  # fmt: skip
+#: Calls whose value is that of an argument, with its name.
+_PASSED_ON = {
+    "FindExecutable": "name",
+    "ParameterValue": "value",
+    "TextSubstitution": "text",
+    "ParameterFile": "param_file",
+    "str": "object",
+    "Path": "",
+    "abspath": "path",
+    "realpath": "filename",
+    "perform_substitution": "substitution",
+    "PythonLaunchDescriptionSource": "launch_file_path",
+    "XMLLaunchDescriptionSource": "launch_file_path",
+    "YAMLLaunchDescriptionSource": "launch_file_path",
+    "FrontendLaunchDescriptionSource": "launch_file_path",
+    "AnyLaunchDescriptionSource": "launch_file_path",
+}
+#: Methods whose value is that of their object: of a substitution in an OpaqueFunction, of a path.
+_OF_OBJECT = ("perform", "resolve", "absolute", "as_posix")
+#: Functions with the value of an environment variable, and the name of the argument for its
+#: default: most users do not set the variable.
+_OF_ENVIRONMENT = {
+    "EnvironmentVariable": "default_value",
+    "get": "default",
+    "getenv": "default",
+}
 #: Substitutions whose result is computed: the name in XML, and the names of the arguments.
 COMPUTED = {
     "PythonExpression": ("eval", ("expression",)),
@@ -59,7 +80,11 @@ class Values:
         if isinstance(node, ast.Constant):
             return str(node.value) if isinstance(node.value, (str, int, float)) else None
         if isinstance(node, ast.Name):
+            if node.id == "__file__":
+                return os.path.abspath(self.source.path)
             return self.text(self._scopes.value(node), depth + 1)
+        if isinstance(node, ast.Attribute) and node.attr == "parent":
+            return _directory(self.text(node.value, depth + 1))
         if isinstance(node, (ast.List, ast.Tuple)):
             return _joined(self.text(item, depth + 1) for item in node.elts)
         if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Div)):
@@ -130,17 +155,27 @@ class Values:
             return self._of_configuration(call, depth)
         if name == "ThisLaunchFileDir":
             return os.path.dirname(os.path.abspath(self.source.path))
-        if name == "FindExecutable":
-            return self.text(argument(call, 0, "name"), depth + 1)
+        if name in COMPUTED:
+            return self._computed(call, depth)
+        if isinstance(call.func, ast.Attribute) and name in _OF_OBJECT:
+            return self.text(call.func.value, depth + 1)
+        return self._of_function(call, depth)
+
+    def _of_function(self, call: ast.Call, depth: int) -> str | None:
+        name = called(call)
+        if name in _PASSED_ON:
+            return self.text(argument(call, 0, _PASSED_ON[name]), depth + 1)
+        if name == "dirname":
+            return _directory(self.text(argument(call, 0, "p"), depth + 1))
+        if name in _OF_ENVIRONMENT:
+            is_mapping = ast.unparse(call.func) in ("os.environ.get", "environ.get")
+            default = argument(call, 1, _OF_ENVIRONMENT[name])
+            return self.text(default, depth + 1) if name != "get" or is_mapping else None
         if name == "find" and isinstance(call.func, ast.Attribute):
             package = call.func.value  # FindPackageShare(...).find(...): its argument counts
             is_one = isinstance(package, ast.Call) and called(package) in PACKAGE_DIRECTORY
             return self._package_directory(call, depth) if is_one else None
-        if name == "perform" and isinstance(call.func, ast.Attribute):
-            return self.text(call.func.value, depth + 1)  # in an OpaqueFunction
-        if name in _PASSED_ON and call.args:
-            return self.text(call.args[0], depth + 1)
-        return self._computed(call, depth) if name in COMPUTED else None
+        return None
 
     def _computed(self, call: ast.Call, depth: int) -> str | None:
         name, keys = COMPUTED[called(call)]
@@ -214,6 +249,11 @@ def _path(parts: Iterable[str | None]) -> str | None:
     """Joined path; an absolute part drops the parts before it."""
     texts = _all_known(parts)
     return None if texts is None else os.path.join("", *texts)
+
+
+def _directory(path: str | None) -> str | None:
+    """The directory of a path; None for a relative one, which is not that of the file."""
+    return os.path.dirname(path) if path and os.path.isabs(path) else None
 
 
 def _all_known(parts: Iterable[str | None]) -> list[str] | None:

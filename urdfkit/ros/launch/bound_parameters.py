@@ -1,0 +1,64 @@
+"""The arguments of functions in a Python launch file that are called once."""
+
+import ast
+from collections import Counter
+from collections.abc import Iterator
+
+from urdfkit.core.grouping import by_key
+from urdfkit.text.python_source import nodes
+
+#: The class that calls a function with the launch context, then with its own ``args``.
+_OPAQUE = "OpaqueFunction"
+
+
+def bound_parameters(tree: ast.Module) -> dict[ast.FunctionDef, dict[str, ast.expr]]:
+    """The parameters of each function that is called in one place, with the expressions passed.
+
+    A function that is used in any other way, or defined twice, is not known.
+    """
+    defined = by_key((node.name, node) for node in nodes(tree) if isinstance(node, ast.FunctionDef))
+    uses = Counter(node.id for node in nodes(tree) if isinstance(node, ast.Name))
+    found = {}
+    for call in nodes(tree):
+        if isinstance(call, ast.Call) and (target := _target(call)):
+            name, positional, keywords = target
+            if len(defined.get(name, ())) == 1 and uses[name] == 1:
+                (function,) = defined[name]
+                found[function] = dict(_bound(function, positional, keywords))
+    return found
+
+
+def _target(call: ast.Call) -> tuple[str, list[ast.expr | None], dict[str, ast.expr]] | None:
+    """The name of the called function, and its arguments; None stands for an unknown one."""
+    if not isinstance(call.func, ast.Name):
+        return None
+    keywords = {keyword.arg: keyword.value for keyword in call.keywords if keyword.arg}
+    if call.func.id != _OPAQUE:
+        return call.func.id, list(call.args), keywords
+    function = keywords.get("function")
+    if not isinstance(function, ast.Name):
+        return None
+    passed, named = keywords.get("args"), keywords.get("kwargs")
+    positional = passed.elts if isinstance(passed, (ast.List, ast.Tuple)) else []
+    return function.id, [None, *positional], dict(_items(named))
+
+
+def _items(node: ast.expr | None) -> Iterator[tuple[str, ast.expr]]:
+    if isinstance(node, ast.Dict):
+        for key, value in zip(node.keys, node.values, strict=True):
+            if isinstance(key, ast.Constant) and isinstance(key.value, str):
+                yield key.value, value
+
+
+def _bound(
+    function: ast.FunctionDef, positional: list[ast.expr | None], keywords: dict[str, ast.expr]
+) -> Iterator[tuple[str, ast.expr]]:
+    names = [parameter.arg for parameter in (*function.args.posonlyargs, *function.args.args)]
+    defaults = function.args.defaults
+    passed = dict(zip(reversed(names), reversed(defaults), strict=False)) | keywords
+    is_whole = not any(isinstance(value, ast.Starred) for value in positional)
+    for name, value in zip(names, positional, strict=False) if is_whole else ():
+        passed.pop(name, None)
+        if value is not None:
+            passed[name] = value
+    yield from passed.items() if is_whole else keywords.items()
