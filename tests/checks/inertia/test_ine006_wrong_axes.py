@@ -41,9 +41,11 @@ def test_turned_with_the_shape_it_is_right() -> None:
     assert messages("INE006", link("wheel", LYING, turned)) == []
 
 
-def test_other_values_are_another_rule_s() -> None:
-    robot = link("wheel", LYING, inertial(0.5, (ACROSS, ACROSS, ALONG * 1.1)))
-    assert messages("INE006", robot) == []
+def test_moments_that_are_not_those_of_the_shape_are_not_edited() -> None:
+    (found,) = reported(
+        "INE006", link("wheel", LYING, inertial(0.5, (ACROSS, ACROSS, ALONG * 1.1)))
+    )
+    assert found.fix is None
 
 
 def test_a_small_part_of_a_large_body_does_not_matter() -> None:
@@ -92,4 +94,19 @@ def test_a_long_part_that_points_another_way(moments: tuple[float, ...], found: 
     """Doosan's arms: the second links of two series point along x and along z."""
     rod = shape("collision", '<box size="0.6 0.1 0.1"/>')
     reports = reported("INE006", link("rod", rod, inertial(1, moments)))
+    assert [(one.severity.name, one.fix) for one in reports] == [("WARNING", None)] * found
+
+
+@pytest.mark.parametrize(
+    ("moments", "found"),
+    [
+        ((0.0247, 0.0247, 0.0441), 1),
+        ((0.0247, 0.0441, 0.0247), 0),
+        ((0.0247, 0.0247, 0.03), 0),  # nearly round
+    ],
+)
+def test_a_wheel_that_turns_about_another_axis(moments: tuple[float, ...], found: int) -> None:
+    """Husky's wheels: measured for a wheel about z, they turn about y."""
+    wheel = shape("collision", '<cylinder radius="0.165" length="0.114"/>', rpy=f"{pi / 2!r} 0 0")
+    reports = reported("INE006", link("wheel", wheel, inertial(2.637, moments)))
     assert [(one.severity.name, one.fix) for one in reports] == [("WARNING", None)] * found

@@ -7,10 +7,10 @@
 - Too small: less than a hundredth of the moments of the uniform solid; even a concentrated mass
   does not explain that. Controllers tuned on it oscillate, and next to heavier links the solver
   becomes unstable.
-- About the wrong axes: the moments are those of the shape in another order, or of a long part that
-  points another way, or a product of inertia has the wrong sign. URDF rotates the tensor with the
-  `<origin>` of the `<inertial>`, not with that of the collision or visual. Swap the values, or give
-  the `<inertial>` the `rpy` of the shape.
+- About the wrong axes: the moments are those of the shape in another order, or of a rod or a wheel
+  that points another way, or a product of inertia has the wrong sign. URDF rotates the tensor with
+  the `<origin>` of the `<inertial>`, not with that of the collision or visual. Swap the values, or
+  give the `<inertial>` the `rpy` of the shape.
 
 A tensor that is too large on purpose, next to a comment such as "to stabilize simulation", is an
 info. A shape of at most a few millimetres is a marker, and no tensor is compared with it.

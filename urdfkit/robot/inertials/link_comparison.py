@@ -39,9 +39,14 @@ TURNED = 0.25
 #: thinnest shell twice as much. Tensors with many digits were computed and may be larger.
 MIN_FACTOR, MAX_FACTOR, MAX_COMPUTED_FACTOR = 0.3, 2.0, 3.5
 
-#: The largest moment of an elongated body by its smallest, and the least part of the largest that
-#: the middle one has; and the cosine of the angle below which two axes are different.
-ELONGATED, SLENDER, OTHER_AXIS = 4.0, 0.6, 0.5
+#: Of a long body such as a rod: the largest moment by the smallest, and the least part of the
+#: largest that the middle one has.
+LONG, LONG_MIDDLE = 4.0, 0.6
+#: Of a flat body such as a wheel: the largest moment by the middle one, and the least part of the
+#: middle one that the smallest has.
+FLAT, FLAT_LEAST = 1.4, 0.7
+#: Cosine of the angle below which two axes are different, not rotated a little.
+OTHER_AXIS = 0.5
 
 #: Values that are written as placeholders, in kg·m².
 PLACEHOLDERS = (1.0, 0.1, 0.01, 0.001)
@@ -231,21 +236,19 @@ class LinkInertia:
         return all(abs(a - b) <= MOMENT_TOLERANCE * b for a, b in pairs)
 
     @property
-    def is_along_another_axis(self) -> bool:
-        """True if tensor and uniform solid are of elongated bodies, along different axes.
+    def points_another_way(self) -> bool:
+        """True if tensor and solids are of long bodies, or of flat ones, with different axes.
 
-        How the mass is distributed changes the moments, but not which way a long part points.
+        How the mass is distributed changes the moments, but not where a rod or a wheel points.
         """
-        if self.expected is None or any(map(self.is_of, self.solids)):
+        shape = _elongation(self.tensor)
+        if shape is None:
             return False
-        axes = []
-        for tensor in (self.tensor, self.expected):
-            low, middle, high = inertia.principal_moments(tensor)
-            if high < ELONGATED * low or middle < SLENDER * high or low <= 0:
-                return False
-            _, rotation = inertia.principal_axes(tensor)
-            axes.append(transposed(rotation)[0])
-        return abs(dot(*axes)) < OTHER_AXIS
+        others = [_elongation(self._uniform(solid)) for solid in self.solids]
+        return bool(others) and all(
+            other and other[0] == shape[0] and abs(dot(other[1], shape[1])) < OTHER_AXIS
+            for other in others
+        )
 
     @property
     def is_marker(self) -> bool:
@@ -269,6 +272,18 @@ class LinkInertia:
         least = min(solid.minimum_volume for solid in self.solids)
         most = max(solid.maximum_volume for solid in self.solids)
         return self.mass / most, self.mass / least if least else inf
+
+
+def _elongation(tensor: Tensor) -> tuple[str, Vector] | None:
+    """Whether a body is ``long`` or ``flat``, and its axis; None if neither."""
+    low, middle, high = inertia.principal_moments(tensor)
+    is_long = high >= LONG * low and middle >= LONG_MIDDLE * high
+    is_flat = high >= FLAT * middle and low >= FLAT_LEAST * middle
+    if low <= 0 or not (is_long or is_flat):
+        return None
+    _, rotation = inertia.principal_axes(tensor)
+    axes = transposed(rotation)
+    return ("long", axes[0]) if is_long else ("flat", axes[2])
 
 
 def by_tensor(inertias: Iterable[LinkInertia]) -> Iterable[list[LinkInertia]]:
