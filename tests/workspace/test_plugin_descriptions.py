@@ -41,6 +41,13 @@ def test_a_class_that_is_not_exported(tmp_path: Path, name: str) -> None:
     assert help.startswith("write drives/Can, or")
 
 
+@pytest.mark.parametrize("path", ["../secret.xml", "/tmp/secret.xml"])
+def test_files_outside_the_package_are_not_read(tmp_path: Path, path: str) -> None:
+    add_file(tmp_path / "secret.xml", DESCRIPTION.encode())
+    near = workspace(tmp_path, CMAKE.replace("${PROJECT_NAME}.xml", path))
+    assert why_unknown("drives/Cann", "hardware_interface", near, Resolver()) is None
+
+
 def test_a_description_that_is_not_exported(tmp_path: Path) -> None:
     near = workspace(tmp_path, CMAKE.partition("\n")[0])
     message, help = why_unknown("drives/Can", "hardware_interface", near, Resolver()) or ("", "")

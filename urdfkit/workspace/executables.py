@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.text import python_source
-from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.file_head import is_inside, read_head
 from urdfkit.workspace.install_rules import build_file
 from urdfkit.workspace.installs import MAX_BYTES
 
@@ -78,7 +78,7 @@ def script_of(directory: str, package: str, name: str) -> str:
     text = re.sub(r"#[^\n]*", "", text).replace("${PROJECT_NAME}", package)
     for group in re.findall(_PROGRAM, text) if name.endswith(".py") else ():
         for path in group.split():
-            if os.path.basename(path) == name and "$" not in path:
+            if os.path.basename(path) == name and "$" not in path and is_inside(path):
                 return os.path.join(directory, path)
     return ""
 

@@ -1,5 +1,7 @@
 """Bounded reading of files of any kind."""
 
+import os
+
 from urdfkit.core import disk
 
 
@@ -11,3 +13,8 @@ def read_head(path: str, most: int) -> bytes:
         return disk.read(path, most)
     except (OSError, ValueError):  # ValueError: a NUL in the name
         return b""
+
+
+def is_inside(path: str) -> bool:
+    """True for a relative path that does not leave its directory."""
+    return not os.path.isabs(path) and ".." not in path.split("/")

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.text.comments import without_comments
-from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.file_head import is_inside, read_head
 from urdfkit.workspace.installs import MAX_BYTES
 from urdfkit.workspace.resolve import Resolver
 
@@ -58,7 +58,7 @@ def _exported(directory: str, package: str) -> dict[str, str] | None:
         return None
     exported: dict[str, str] = {}
     for base, file in _EXPORT.findall(text):
-        data = read_head(os.path.join(directory, file), MAX_BYTES)
+        data = read_head(os.path.join(directory, file), MAX_BYTES) if is_inside(file) else b""
         if not data:  # of a build, or with a variable
             return None
         exported.update(dict.fromkeys(_classes(data), base))
