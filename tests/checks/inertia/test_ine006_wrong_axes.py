@@ -110,3 +110,13 @@ def test_a_wheel_that_turns_about_another_axis(moments: tuple[float, ...], found
     wheel = shape("collision", '<cylinder radius="0.165" length="0.114"/>', rpy=f"{pi / 2!r} 0 0")
     reports = reported("INE006", link("wheel", wheel, inertial(2.637, moments)))
     assert [(one.severity.name, one.fix) for one in reports] == [("WARNING", None)] * found
+
+
+def test_products_with_the_wrong_sign_of_a_part_of_other_density() -> None:
+    """The moments about x, y and z are like those of the shape: the axes are the difference."""
+    rod = shape("collision", '<box size="0.6 0.1 0.1"/>', rpy=f"0 0 {radians(45)!r}")
+    moments = tuple(0.8 * value for value in turned(-45))
+    (found,) = reported("INE006", link("rod", rod, inertial(1, moments)))
+    assert "0.71 -0.71 0, but" in found.message
+    assert found.message.endswith("0.71 0.71 0")
+    assert found.fix is None

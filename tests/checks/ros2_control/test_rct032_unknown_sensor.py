@@ -101,6 +101,13 @@ def test_existing_or_unknown_sensor_is_accepted(tmp_path: Path, text: str) -> No
     assert reported_broadcaster(tmp_path, text) == []
 
 
+def test_a_sensor_in_a_namespace_is_accepted(tmp_path: Path) -> None:
+    """Husarion's IMU broadcaster adds the namespace to the name."""
+    blocks = OFFERED.replace('name="imu"', 'name="/imu"')
+    text = controller("b", IMU_BROADCASTER, sensor_name="imu")
+    assert reported_broadcaster(tmp_path, text, blocks) == []
+
+
 @pytest.mark.parametrize("blocks", ["", control(driven("swing"))])
 def test_robot_without_sensors_is_accepted(tmp_path: Path, blocks: str) -> None:
     assert (

@@ -27,6 +27,7 @@ Sources:
 """
 
 from urdfkit.checks.inertia.copies import together
+from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.defects import InertiaDefect
@@ -150,13 +151,28 @@ def _too_small(inertia: LinkInertia, masses: Masses) -> Finding:
 
 def _wrong_axes(inertia: LinkInertia) -> Finding:
     if not inertia.is_at_wrong_axes:
-        return Finding(inertia.at, _moments(inertia), _TURN, confidence=Confidence.INFERRED)
+        return _turned(inertia)
     _, tensor = explain_wrong_axes(inertia)
     flipped = opposite(inertia.tensor, tensor)
     fix = replacement(inertia, tensor)
     message = _signs(inertia, flipped) if flipped else _moments(inertia)
     help = f"{fix.title}, or rotate the <inertial>" if fix else _TURN
     return Finding(inertia.at, message, help, fix, confidence=Confidence.INFERRED)
+
+
+def _turned(inertia: LinkInertia) -> Finding:
+    """A tensor of a rod or a wheel that points another way than the shape."""
+    if inertia.is_diagonal:
+        return Finding(inertia.at, _moments(inertia), _TURN, confidence=Confidence.INFERRED)
+    assert inertia.turned_axis is not None
+    own, other = (rounded(axis, 2) for axis in inertia.turned_axis)
+    return Finding(
+        inertia.at,
+        f"link '{inertia.link.name}': the tensor is that of a body with the axis {own}, but the "
+        f"solid {inertia.solid} has the axis {other}",
+        "correct the signs of the products, or give the <inertial> the rpy of the shape",
+        confidence=Confidence.INFERRED,
+    )
 
 
 def _moments(inertia: LinkInertia) -> str:

@@ -62,5 +62,6 @@ def check(context: Context) -> Findings:
                 Location(call, description.frame.outer),
                 f"'{description.path}': unknown argument '{name}'{hint}",
                 help,
+                group_key=description.path,
                 severity=Severity.INFO if is_for_any else None,
             )

@@ -87,7 +87,9 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
     exported = {part.name for part in parts}
     for file, controller in context.controllers:
         for name, value in _named(controller).items():
-            if name and not is_expression(name) and name not in exported:
+            # A namespace before the name may be added by the broadcaster.
+            is_known = any(other == name or other.endswith(f"/{name}") for other in exported)
+            if name and not is_expression(name) and not is_known:
                 yield Finding(
                     value.span,
                     f"controller '{controller.name}': sensor '{name}' does not exist in "

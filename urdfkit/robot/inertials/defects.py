@@ -121,7 +121,7 @@ def _defect(link: LinkInertia, is_significant: IsSignificant) -> InertiaDefect |
         return InertiaDefect.DENSITY if is_mass_wrong else InertiaDefect.TOO_SMALL
     if density is not None:
         return InertiaDefect.DENSITY
-    is_turned = link.is_at_wrong_axes or link.points_another_way
+    is_turned = link.is_at_wrong_axes or link.turned_axis is not None
     if is_turned and is_significant(link.body, high):
         return InertiaDefect.WRONG_AXES
     return None

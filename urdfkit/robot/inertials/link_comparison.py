@@ -235,20 +235,21 @@ class LinkInertia:
         pairs = zip(self.moments, inertia.principal_moments(self.expected), strict=True)
         return all(abs(a - b) <= MOMENT_TOLERANCE * b for a, b in pairs)
 
-    @property
-    def points_another_way(self) -> bool:
-        """True if tensor and solids are of long bodies, or of flat ones, with different axes.
+    @cached_property
+    def turned_axis(self) -> tuple[Vector, Vector] | None:
+        """The axes of tensor and shape if both are of long or of flat bodies, and differ.
 
         How the mass is distributed changes the moments, but not where a rod or a wheel points.
         """
-        shape = _elongation(self.tensor)
-        if shape is None:
-            return False
-        others = [_elongation(self._uniform(solid)) for solid in self.solids]
-        return bool(others) and all(
-            other and other[0] == shape[0] and abs(dot(other[1], shape[1])) < OTHER_AXIS
-            for other in others
-        )
+        if (own := _elongation(self.tensor)) is None:
+            return None
+        axes = []
+        for shape in self.solids:
+            other = _elongation(self._uniform(shape))
+            if other is None or other[0] != own[0] or abs(dot(other[1], own[1])) >= OTHER_AXIS:
+                return None
+            axes.append(other[1])
+        return (own[1], axes[0]) if axes else None
 
     @property
     def is_marker(self) -> bool:
