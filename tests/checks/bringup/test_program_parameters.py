@@ -16,6 +16,7 @@ nodes = [Node({}, parameters=[{}])]
 CAMERA = 'package="usb_cam", executable="usb_cam_node_exe"'
 REALSENSE = 'package="realsense2_camera", executable="realsense2_camera_node"'
 JOY = 'package="joy", executable="joy_node"'
+EKF = 'package="robot_localization", executable="ekf_node"'
 MADGWICK = 'package="imu_filter_madgwick", executable="imu_filter_madgwick_node"'
 
 
@@ -40,6 +41,9 @@ def found(directory: Path, node: str, given: str, yaml: str = "") -> list[str]:
         (CAMERA, '{"camera_frame_id": "camera"}', "it is 'frame_id'"),
         (REALSENSE, '{"enable_pointcloud": True}', "it is 'pointcloud.enable'"),
         (JOY, '{"dev": "/dev/input/js1"}', "it is 'device_id'"),
+        (JOY, '{"device_name": "/dev/input/js0"}', "is a name, not a path"),
+        (EKF, '{"frequency": 30.0}', "has no inputs"),
+        (REALSENSE, '{"decimation_filter,enable": True}', "contains a comma"),
         (MADGWICK, '{"_use_mag": False}', "did you mean 'use_mag'"),
     ],
 )
@@ -58,6 +62,7 @@ def test_in_the_launch_file(tmp_path: Path, node: str, given: str, words: str) -
         (REALSENSE, '{"pointcloud.enable": True, "enable_pointcloud": True}'),
         (REALSENSE, '{"align_depth": {"enable": True}}'),
         (JOY, '{"device_id": 1}'),
+        (EKF, '{"odom0": "odom", "odom0_config": [True] * 15}'),
         ('package="own", executable="usb_cam_node_exe"', '{"framerate": 30}'),
     ],
 )
@@ -84,3 +89,11 @@ def test_a_file_of_several_nodes(tmp_path: Path) -> None:
     yaml = "/**:\n  ros__parameters:\n    framerate: 30\n"
     for code in CODES:
         assert reported(tmp_path / "arm", code, "a.launch.py", text, {"a.yaml": yaml}) == []
+
+
+@pytest.mark.parametrize(("value", "count"), [("true", 0), ('"true"', 1), ("$(var time)", 0)])
+def test_the_type_that_all_nodes_know(tmp_path: Path, value: str, count: int) -> None:
+    yaml = f"own:\n  ros__parameters:\n    use_sim_time: {value}\n"
+    node = 'package="own", executable="own", name="own"'
+    found_here = found(tmp_path, node, '"../a.yaml"', yaml)
+    assert ["must be true or false" in one for one in found_here] == [True] * count

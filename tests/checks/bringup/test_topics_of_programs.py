@@ -161,3 +161,93 @@ def test_odometry_of_cartographer(tmp_path: Path, frame: str, provided: str, cou
     files = {"a.yaml": FILTER, "a.lua": LUA.format(frame, provided)}
     found = messages(tmp_path, "LAU021", SLAM.replace('".."', repr(str(tmp_path / "arm"))), files)
     assert ["by 'cartographer_node'" in one for one in found] == [True] * count
+
+
+def component(package: str, plugin: str, remappings: str) -> str:
+    return f"""from launch_ros.actions import ComposableNodeContainer
+from launch_ros.descriptions import ComposableNode
+
+container = ComposableNodeContainer(
+    package="rclcpp_components", executable="component_container", name="c", namespace="",
+    composable_node_descriptions=[
+        ComposableNode(package="{package}", plugin="{plugin}", remappings=[{remappings}]),
+    ],
+)
+"""
+
+
+@pytest.mark.parametrize(("topic", "count"), [("image", 0), ("image_raw", 1)])
+def test_topics_of_a_composable_node(tmp_path: Path, topic: str, count: int) -> None:
+    text = component("image_proc", "image_proc::RectifyNode", f'("{topic}", "/camera/image")')
+    found = messages(tmp_path, "LAU028", text, {})
+    assert ["has no effect" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("second", "more", "count"), [("a", "", 1), ("b", "", 0), ("a", ', "-allow_renaming"', 0)]
+)
+def test_models_of_one_name(tmp_path: Path, second: str, more: str, count: int) -> None:
+    spawn = 'Node(package="ros_gz_sim", executable="create", arguments=["-topic", "r", "-name", '
+    text = f'{IMPORT}nodes = [{spawn}"a"]), {spawn}"{second}"{more}])]\n'
+    found = messages(tmp_path, "LAU021", text, {})
+    assert ["has a model 'a' already" in one for one in found] == [True] * count
+
+
+TWICE = (
+    INCLUDE.format("False")
+    + """
+again = IncludeLaunchDescription(
+    PythonLaunchDescriptionSource(
+        get_package_share_directory("nav2_bringup") + "/launch/FILE"
+    ),
+    launch_arguments={"params_file": "/nav2.yaml"}.items(),
+)
+"""
+)
+
+
+@pytest.mark.parametrize(
+    ("file", "count"), [("bringup_launch.py", 1), ("localization_launch.py", 0)]
+)
+def test_servers_that_are_started_twice(tmp_path: Path, file: str, count: int) -> None:
+    found = messages(tmp_path, "LAU021", TWICE.replace("FILE", file), {})
+    assert ["is started twice" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("more", "count"), [("", 1), ('"use_namespace": "True", ', 0)])
+def test_a_namespace_that_has_no_effect(tmp_path: Path, more: str, count: int) -> None:
+    text = INCLUDE.replace("navigation_launch", "bringup_launch")
+    text = text.replace('"use_composition": "{}"', f'{more}"namespace": "robot"')
+    found = messages(tmp_path, "LAU005", text.replace("{{", "{").replace("}}", "}"), {})
+    assert ["without use_namespace" in one for one in found] == [True] * count
+
+
+AMCL = """ekf_filter_node:
+  ros__parameters: {odom_frame: odom, world_frame: odom, base_link_frame: base_link}
+amcl:
+  ros__parameters: {odom_frame_id: FRAME}
+"""
+LOCALIZED = (
+    IMPORT
+    + """nodes = [
+    Node(package="robot_localization", executable="ekf_node", name="ekf_filter_node",
+         parameters=["../a.yaml"]),
+    Node(package="nav2_amcl", executable="amcl", parameters=["../a.yaml"]),
+]
+"""
+)
+
+
+@pytest.mark.parametrize(
+    ("frame", "more", "count"),
+    [
+        ("odom", "", 0),
+        ("/odom", "", 0),
+        ("odom_combined", "", 1),
+        ("odom_combined", "other:\n  ros__parameters: {odom_frame_id: odom_combined}\n", 0),
+    ],
+)
+def test_another_frame_of_odometry(tmp_path: Path, frame: str, more: str, count: int) -> None:
+    yaml = AMCL.replace("FRAME", frame) + more
+    found = messages(tmp_path, "LAU023", LOCALIZED, {"a.yaml": yaml})
+    assert ["frame of odometry" in one for one in found] == [True] * count

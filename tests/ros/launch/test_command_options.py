@@ -28,3 +28,20 @@ nodes = [Node(package="micro_ros_agent", executable="micro_ros_agent", arguments
 def test_the_agent_of_micro_ros(tmp_path: Path, words: str, message: str) -> None:
     found = reported(tmp_path / "arm", "LAU010", "a.launch.py", AGENT.format(words))
     assert [message in one.message for one in found] == [True] * bool(message)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ('["--yaw", "1.57", "--frame-id", "a", "--child-frame-id", "b"]', ""),
+        ('["--yaw", "90", "--frame-id", "a", "--child-frame-id", "b"]', "is 90 rad"),
+        ('["--x", "90", "--frame-id", "a", "--child-frame-id", "b"]', ""),
+        ('["--", "yaw", "0", "--frame-id", "a", "--child-frame-id", "b"]', "no option '--'"),
+        ('["_own:=a", "--frame-id", "a", "--child-frame-id", "b"]', "a parameter of ROS 1"),
+    ],
+)
+def test_words_of_a_static_transform(tmp_path: Path, words: str, message: str) -> None:
+    text = AGENT.replace("micro_ros_agent", "tf2_ros", 1)
+    text = text.replace("micro_ros_agent", "static_transform_publisher").format(words)
+    found = reported(tmp_path / "arm", "LAU010", "a.launch.py", text)
+    assert [message in one.message for one in found] == [True] * bool(message)

@@ -12,11 +12,12 @@ from urdfkit.checks.bringup.odometry import (
 )
 from urdfkit.checks.bringup.published_robots import published_robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.bridges import is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import topic_name
-from urdfkit.ros.launch.spawning import model_spawner
+from urdfkit.ros.launch.spawning import model_spawner, spawn_option
 from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.ros.ros_control import control_plugins
@@ -122,6 +123,45 @@ def second_filter(context: Context, programs: list[StartedProgram]) -> Findings:
                 f"'{other.title}' and '{node.title}' both publish on '{output}'",
                 f"remap {_FILTERED} of one of them",
                 related=(Related(other.span, f"'{other.title}' is started here"),),
+            )
+
+
+def second_server(context: Context, programs: list[StartedProgram]) -> Findings:
+    """A second node of the same name of Nav2 or slam_toolbox."""
+    servers = data("nodes")["lifecycle"].split()
+    first: dict[tuple[str, str | None], StartedProgram] = {}
+    for node in programs if not context.launch.has_scopes else ():
+        if node.executable not in servers or node.namespace is None:
+            continue
+        other = first.setdefault((node.title, node.namespace), node)
+        if other.span != node.span:
+            yield Finding(
+                node.at,
+                f"'{node.title}' is started twice: lifecycle managers change the state of both",
+                "start it once",
+                related=(Related(other.span, "it is started here, too"),),
+            )
+            return
+
+
+def second_model(context: Context) -> Findings:
+    """A second model with the name of the first, which Gazebo rejects."""
+    first: dict[str, StartedProgram] = {}
+    for node in context.launch.started:
+        names = (spawn_option(node, name) for name in ("name", "entity", "model"))
+        word = next(filter(None, names), None)
+        may_rename = any("allow_renaming" in (item.text or "") for item in node.words)
+        spaces = [spawn_option(node, name) for name in ("world", "gazebo_namespace")]
+        is_own = node.is_sure and node.frame is None
+        if word is None or not word.text or may_rename or any(spaces) or not is_own:
+            continue
+        other = first.setdefault(word.text, node)
+        if other is not node:
+            yield Finding(
+                Location(word.span, node.frame),
+                f"Gazebo has a model '{word.text}' already: the second one is not spawned",
+                "give it another name",
+                related=(Related(other.span, "the first is spawned here"),),
             )
 
 

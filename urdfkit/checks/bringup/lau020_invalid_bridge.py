@@ -5,8 +5,9 @@ a bridge for topic" and continues, so that the topic has no messages on the othe
 happens to an entry of its YAML file that lacks a type, or has another direction than `GZ_TO_ROS`,
 `ROS_TO_GZ` or `BIDIRECTIONAL`. An argument that is not `topic@ros_type@gz_type`, with `[` from
 Gazebo and `]` to Gazebo, stops the program. So does a name that ROS rejects: Gazebo's
-`/model/bot/joint/arm/0/cmd_pos` has a part that begins with a digit. Message types that urdfkit
-does not know are not reported: later releases may support them.
+`/model/bot/joint/arm/0/cmd_pos` has a part that begins with a digit. A file that is a mapping, not
+a list, has no topics. Message types that urdfkit does not know are not reported: later releases may
+support them.
 
 Reported as a warning:
 
@@ -16,7 +17,8 @@ Reported as a warning:
   to its images. A topic that the xacro has with other arguments is not reported.
 - The bridge has parameters, but neither `config_file` nor topics as arguments.
 - The topic is bridged only in the wrong direction, such as `/clock` to Gazebo.
-- Two topics of sensors are bridged to one topic of ROS: images of two cameras alternate on it.
+- Two topics of sensors are bridged to one topic of ROS: images of two cameras alternate on it. Or
+  one is bridged twice.
 - No sensor or system of the robot uses the message type, and the world contains no other model
   that may.
 
@@ -131,7 +133,16 @@ def _merged(program: StartedProgram, context: Context) -> Findings:
         if topic.direction != FROM_GAZEBO or topic.ros_type.rpartition("/")[2] not in _OF_SENSORS:
             continue
         other = first.setdefault((topic.ros_topic.strip("/"), topic.ros_type), topic)
-        if other.topic.strip("/") != topic.topic.strip("/"):
+        if other is not topic and other.topic.strip("/") == topic.topic.strip("/"):
+            yield Finding(
+                Location(topic.span, program.frame),
+                f"'{topic.topic}' is bridged twice: each message arrives twice on "
+                f"'{topic.ros_topic}'",
+                "remove one of the two",
+                related=(Related(other.span, "the other one"),),
+                severity=Severity.WARNING,
+            )
+        elif other.topic.strip("/") != topic.topic.strip("/"):
             yield Finding(
                 Location(topic.at("ros_topic_name", "topic_name"), program.frame),
                 f"'{topic.topic}' and '{other.topic}' of Gazebo are both published on "

@@ -34,6 +34,7 @@
 - A lifecycle manager of Nav2 waits for a node that nothing starts, or `autostart` of the manager is
   false, as it is by default. Or no manager activates a node of Nav2, or of slam_toolbox since
   Jazzy, which stays unconfigured.
+- A launch file of Nav2 waits for a container of composable nodes that nothing starts.
 - The collision monitor of Nav2 reads commands on another topic than that of the velocity smoother.
 
 A launch file is not checked if it includes unavailable files that are not part of ROS.

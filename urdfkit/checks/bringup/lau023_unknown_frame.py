@@ -16,6 +16,8 @@ Checked are:
 - Parents of static transforms, unless the launch file starts drivers that are not in the workspace,
   which may publish other frames.
 - The `global_frame` of a costmap, only for typos of `map` or `odom`.
+- The frames in which drivers of lidars and cameras publish, next to the robot or to navigation.
+- The frame of odometry of AMCL and slam_toolbox, if robot_localization publishes another one.
 - A `world_frame` of robot_localization that is neither its `odom_frame` nor its `map_frame`, and an
   `odom_frame` that equals another frame: the filter stops ("Invalid frame configuration!").
 
@@ -36,6 +38,7 @@ Sources:
 import re
 from collections.abc import Iterable, Iterator
 
+from urdfkit.checks.bringup.odometry import of_filters
 from urdfkit.checks.bringup.published_frames import (
     WELL_KNOWN,
     links_of_robots,
@@ -54,9 +57,10 @@ from urdfkit.ros.launch.frames import (
     named_frames,
     sensor_frames,
 )
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import node_parameters
-from urdfkit.text.located_yaml import Value
+from urdfkit.text.located_yaml import Value, entries
 from urdfkit.workspace.program_strings import strings_in_programs
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -85,11 +89,18 @@ FILES = {
 #: Usual global frames of a costmap.
 _GLOBAL = ("map", "odom")
 _MAX_NAMED = 4
+#: Nodes that need the frame of odometry, with their parameter for it, and those of publishers.
+_ODOMETRY_OF = {
+    "amcl": "odom_frame_id",
+    "collision_monitor": "odom_frame_id",
+    "slam_toolbox": "odom_frame",
+}
+_ODOMETRY_KEYS = ("odom_frame", "odom_frame_id", "odometry_frame")
 #: Packages whose programs publish no frames of sensors, and those that need these frames.
 _PLAIN = re.compile(
     r"controller_manager|joint_state_publisher(_gui)?|joy(_linux)?|ros_gz_\w+|rviz2|tf2_ros"
     r"|twist_mux|teleop_twist_(joy|keyboard)|rplidar_ros|sllidar_ros2|ldlidar_stl_ros2|urg_node2"
-    r"|usb_cam|velodyne_\w+|laser_filters|pointcloud_to_laserscan|imu_filter_madgwick"
+    r"|ydlidar_ros2_driver|depthimage_to_laserscan|usb_cam|velodyne_\w+|laser_filters|pointcloud_to_laserscan|imu_filter_madgwick"
     r"|robot_state_publisher|robot_localization|slam_toolbox|nav2_\w+|micro_ros_agent|xacro"
 )
 _LOCATED = re.compile(r"robot_state_publisher|robot_localization|slam_toolbox|nav2_\w+")
@@ -109,6 +120,7 @@ def check(context: Context) -> Findings:
         known |= _frames_of_filters(launch, frames)
         yield from _unpublished(context, frames, known)
     yield from _wrong_filter_frames(context)
+    yield from _unpublished_odometry(context)
 
 
 def _unpublished(context: Context, frames: list[NamedFrame], known: frozenset[str]) -> Findings:
@@ -210,6 +222,42 @@ def _unknown_parents(
             message += did_you_mean(name, known - {child})
             help = f"name a frame that is published: {few(sorted(known - WELL_KNOWN), _MAX_NAMED)}"
             yield name, Finding(Location(transform.parent.span, node.frame), message, help)
+
+
+def _unpublished_odometry(context: Context) -> Findings:
+    """Frames of odometry that localization or Nav2 names, but not the filters of the workspace."""
+    launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
+    programs = [node for launch in launches for node in launch.programs]
+    published = {transform.parent for transform in of_filters(programs, context)}
+    if not published or may_have_other_publishers(context):
+        return
+    named: list[Value] = []
+    paths = dict.fromkeys(file.path for launch in launches for file in launch.parameters)
+    own = {file.path for file in context.launch.parameters}
+    for source in filter(None, map(context.resolver.readable, paths)):
+        for node in node_parameters(source):
+            frame = node.values.get(_ODOMETRY_OF.get(node.name, ""))
+            if isinstance(frame, Value) and source.path in own:
+                named.append(frame)
+            elif node.name not in _ODOMETRY_OF:
+                frames = (value for key, value in entries(node.values) if key in _ODOMETRY_KEYS)
+                published.update(
+                    frame.text.strip("/") for frame in frames if isinstance(frame, Value)
+                )
+    transforms = (transform for launch in launches for transform in static_transforms(launch))
+    published.update(transform.child.name for transform in transforms)
+    unknown = [frame for frame in named if frame.text.strip("/") not in published]
+    elsewhere = strings_in_programs(
+        {frame.text for frame in unknown}, context.source.path, context.resolver
+    )
+    for frame in unknown:
+        if frame.text and frame.text not in elsewhere and not re.search(r"[$<{]", frame.text):
+            yield Finding(
+                frame.span,
+                f"the frame of odometry '{frame.text}' is not published; robot_localization "
+                f"publishes '{min(published)}'",
+                f"write {min(published)}",
+            )
 
 
 def _wrong_filter_frames(context: Context) -> Findings:

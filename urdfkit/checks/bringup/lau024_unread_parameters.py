@@ -64,12 +64,14 @@ def check(context: Context) -> Findings:
     started = parameters_of_started(context, files)
     for section in (*sections, *started):
         yield from parameter_names.misspelt(section)
+        yield from parameter_names.with_commas(section)
     for section in whole_sections(sections):
         yield from parameter_sections.unread_plugins(section)
         yield from parameter_sections.misplaced(section)
         yield from parameter_sections.unlisted_filters(section)
         yield from parameter_names.unread_inputs(section)
     yield from outdated(context, [*sections, *started])
+    yield from parameter_names.without_inputs(context)
     yield from _lists(context)
     yield from parameter_sections.misnamed_sections(context, files)
 

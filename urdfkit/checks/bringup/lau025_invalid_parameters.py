@@ -1,5 +1,7 @@
 """A node stops at its parameters: a value or a type is invalid, or a parameter is missing.
 
+- ROS 2 rejects the file: a value is not below `ros__parameters`, or is missing, or a list has
+  values of several types, such as `[1, 0.5]`, or mappings.
 - A value has another type than the declared one, such as an integer for a double: "expected
   [double] got [integer]". A list contains lists.
 - `odom0_config` or a similar parameter does not have 15 values, five rows of three, as
@@ -14,13 +16,15 @@
   controller, or has an unknown critic. The classes of plugins have names of different versions of
   Nav2 (warning).
 - A costmap layer has an unknown class or an unsupported `data_type`.
-- A behaviour tree has no full path (warning). The frames of the map and of odometry are swapped
+- A behaviour tree has no full path, or the default one calls a behaviour that is not in
+  `behavior_plugins` (warnings). The frames of the map and of odometry are swapped
   (warning).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
 - A map lacks a value or has an invalid one, at which map_server stops. Or it gets no map (warning).
   For `localization` slam_toolbox needs a `map_file_name` (info).
 
 Sources:
+    ROS 2, parser of parameter files: https://github.com/ros2/rcl/blob/rolling/rcl_yaml_param_parser/src/parse.c
     robot_localization, state estimation: https://docs.ros.org/en/noetic/api/robot_localization/html/state_estimation_nodes.html
     Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
     Nav2, map server: https://docs.nav2.org/configuration/packages/configuring-map-server.html

@@ -7,12 +7,13 @@ cra-ros-pkg/robot_localization, humble to rolling.
 import re
 
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, is_typo, nearest
-from urdfkit.lint.rules import Finding, Findings, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.launch.known_parameters import CONFIGURATION, GivenValue, given_values
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Value
+from urdfkit.text.located_yaml import Key, Value, entries
 
 _INPUT = re.compile(r"(odom|imu|pose|twist)\d+")
+_FILTERS = ("ekf_node", "ukf_node")
 #: Letters of words that are not typos of each other.
 _SHORT = 3
 
@@ -27,6 +28,15 @@ def misspelt(node: NodeParameters) -> Findings:
                 f"write {suggested}",
                 severity=Severity.WARNING,
             )
+
+
+def with_commas(node: NodeParameters) -> Findings:
+    """Commas in names of parameters, where a dot is meant."""
+    for key, _ in entries(node.values):
+        if re.fullmatch(r"\w+,\w+", key):
+            message = f"'{node.name}': the name of the parameter '{key}' contains a comma"
+            help = f"write {key.replace(',', '.')}"
+            yield Finding(key.span, message, help, severity=Severity.WARNING)
 
 
 def _meant(given: GivenValue) -> str | None:
@@ -46,6 +56,16 @@ def _is_of_other_axis(name: str, other: str) -> bool:
     """True for ``az_max`` and ``ay_max``, which differ in a short word."""
     pairs = zip(name.split("_"), other.split("_"), strict=False)
     return any(word != known and len(word) <= _SHORT >= len(known) for word, known in pairs)
+
+
+def without_inputs(context: Context) -> Findings:
+    """Filters of robot_localization whose parameters name no input, mostly for lack of a file."""
+    for node in context.launch.started if not context.launch.has_scopes else ():
+        is_filter = node.package == "robot_localization" and node.executable in _FILTERS
+        given = node.parameters.every if is_filter and node.is_ros_2 else None
+        if given is not None and node.is_sure and not any(map(_INPUT.fullmatch, given)):
+            message = f"'{node.title}' has no inputs: it gets no odom0, imu0 or the like"
+            yield Finding(node.at, message, "load its parameter file", severity=Severity.WARNING)
 
 
 def unread_inputs(node: NodeParameters) -> Findings:

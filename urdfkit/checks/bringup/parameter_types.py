@@ -14,6 +14,7 @@ from urdfkit.ros.parameter_types import TYPES, correction, type_of
 from urdfkit.text.located_yaml import Key, Node, Value, entries, mapping, scalars
 
 _SIZES = ("width", "height")
+_SIM_TIME = "use_sim_time"
 #: Values of a configuration of robot_localization: position, angles, velocities, rates,
 #: accelerations.
 _STATES = 15
@@ -31,9 +32,13 @@ def wrong_types(node: NodeParameters) -> Findings:
                 f"'{node.name}': {key} is a list of lists, which ROS 2 does not read",
                 'write one list, or for a footprint a text: "[[x, y], ...]"',
             )
+    is_checked = False
     for given in given_values(node):
+        is_checked = is_checked or given.at == _SIM_TIME
         if given.at not in _SIZES:
             yield from _wrong_type(node, given.at, given.value, given.type)
+    if _SIM_TIME in node.values and not is_checked:  # every node has it
+        yield from _wrong_type(node, _SIM_TIME, node.values[_SIM_TIME], "bool")
 
 
 def _wrong_type(node: NodeParameters, name: str, value: Node, expected: str | None) -> Findings:

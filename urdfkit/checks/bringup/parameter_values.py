@@ -12,7 +12,7 @@ from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import given_values, kind_of
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Value, scalars
+from urdfkit.text.located_yaml import Node, Value, scalars
 
 
 def missing(node: NodeParameters) -> Findings:
@@ -33,6 +33,7 @@ def invalid_values(node: NodeParameters) -> Findings:
     choices: dict[str, str] = data("node_parameters")["choices"]
     lengths: dict[str, list[int]] = data("node_parameters")["lengths"].get(kind_of(node), {})
     most: dict[str, int] = data("node_parameters")["most"]
+    names: dict[str, str] = data("node_parameters")["names"]
     for given in given_values(node):
         value, expected = given.value, lengths.get(given.at)
         modes = choices.get(f"{given.owner}.{given.at}", "").split()
@@ -41,6 +42,9 @@ def invalid_values(node: NodeParameters) -> Findings:
                 message = f"'{node.name}': unknown {given.at} '{value.text}'"
                 message += did_you_mean(value.text, modes)
                 yield Finding(value.span, message, f"write one of {', '.join(modes)}")
+        elif f"{given.owner}.{given.at}" in names and _is_device(value):
+            message = f"'{node.name}': {given.at} is a name, not a path"
+            yield Finding(given.at.span, message, f"write {names[f'{given.owner}.{given.at}']}")
         elif isinstance(value, list) and expected and len(value) not in expected:
             message = f"'{node.name}' stops: {given.at} has {len(value)} numbers, must have "
             message += f"{expected[0]}"
@@ -51,6 +55,10 @@ def invalid_values(node: NodeParameters) -> Findings:
         elif given.at == "footprint" and isinstance(value, Value) and not _is_footprint(value.text):
             message = f"'{node.name}': the footprint is no list of three or more points"
             yield Finding(value.span, message, 'write "[[x, y], [x, y], [x, y]]"')
+
+
+def _is_device(value: Node) -> bool:
+    return isinstance(value, Value) and value.text.startswith("/dev/")
 
 
 def wrong_signs(node: NodeParameters) -> Findings:

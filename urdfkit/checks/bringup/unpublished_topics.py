@@ -102,7 +102,9 @@ def unpublished_inputs(context: Context) -> Findings:
         if len(names) == 1 and name in types:
             yield _other_type(read, name, *types[name])
             continue
-        other = nearest(name, published, 0) or next(iter(published))
+        # A node that converts messages does not read its own.
+        others = [topic for topic, node in published.items() if node.at != read.at]
+        other = nearest(name, others or published, 0) or next(iter(published))
         yield Finding(
             read.at,
             f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "

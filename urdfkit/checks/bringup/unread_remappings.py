@@ -137,9 +137,14 @@ def unknown_topics(context: Context) -> Findings:
         own = {resolve_name(topic, node.namespace): topic for topic in topics}
         for old in node.remappings or {}:
             name = resolve_name(old, node.namespace)
+            new = resolve_name((node.remappings or {})[old], node.namespace)
+            if new in own:
+                continue  # the wrong way round
             if name in own or _OF_ALL.search(name) or not re.match(r"[\w/]", old):
                 continue
-            suggested = nearest(old.strip("/"), topics, 0) or topics[0]
+            others = {resolve_name(other, node.namespace) for other in node.remappings or {}}
+            free = [topic for full_name, topic in own.items() if full_name not in others]
+            suggested = nearest(old.strip("/"), free or topics, 0) or topics[0]
             yield Finding(
                 node.at,
                 f"remapping of '{old}' has no effect: '{node.executable}' has the topics "
@@ -171,4 +176,5 @@ def read_own_output(context: Context) -> Findings:
 
 
 def _topics(program: StartedProgram, topics: dict[str, str]) -> list[str]:
-    return topics.get(f"{program.package}/{program.executable}", "").split()
+    name = f"{program.package}/{program.executable}"
+    return (topics.get(name) or data("nodes")["all_topics"].get(name, "")).split()

@@ -26,6 +26,7 @@ def wrong_options(program: StartedProgram) -> Iterator[Problem]:
     if not program.is_ros_2 or program.frame is not None:
         return
     yield from _ros_arguments(program)
+    yield from _private_parameters(program)
     if (program.package, program.executable) == _SPAWNER:
         yield from _spawner(program)
     if [word.text for word in program.words[:2]] == ["ros2", "control"]:
@@ -57,6 +58,17 @@ def _ros_arguments(program: StartedProgram) -> Iterator[Problem]:
             match = nearest(text, known, TYPO)
             help = f"did you mean {match}?" if match else "remove it, or write it before --ros-args"
             yield _error(word, f"unknown ROS argument '{text}'", help)
+
+
+def _private_parameters(program: StartedProgram) -> Iterator[Problem]:
+    """Parameters as on the command line of ROS 1, which ROS 2 ignores."""
+    for word in program.words if program.package else ():
+        if word.text == _ROS_ARGUMENTS:
+            return
+        if match := re.match(r"_([a-zA-Z]\w*):=(.*)", word.text or ""):
+            message = f"ROS 2 ignores '{word.text}', a parameter of ROS 1"
+            help = f"write parameters: {match[1]}: {match[2]}"
+            yield Problem("LAU010", word.span, message, help, severity=Severity.WARNING)
 
 
 def _spawner(program: StartedProgram) -> Iterator[Problem]:

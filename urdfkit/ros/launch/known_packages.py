@@ -42,6 +42,7 @@ def mistakes(
         if file.frame is None and not _is_own(_name(file)[0], file, resolver):
             yield from filter(None, [unknown_file(file)])
             yield from unknown_arguments(file)
+            yield from missing_arguments(file)
 
 
 def shipped_nodes(included: IncludedFile) -> Iterator[StartedProgram]:
@@ -195,6 +196,30 @@ def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
         message = f"'{name}': unknown argument '{argument}'{hint}"
         severity = Severity.ERROR if is_ros_1 else Severity.WARNING
         yield Problem("LAU005", word.span, message, frame=included.frame, severity=severity)
+
+
+def missing_arguments(included: IncludedFile) -> Iterator[Problem]:
+    """Arguments without which a launch file does not do what another argument asks of it."""
+    package, name = _name(included)
+    needs: dict[str, str] = data("launch")["needed_arguments"].get(f"{package}/{name}", {})
+    passed = included.arguments or {}
+    for argument, word in _passed(included):
+        other = needs.get(argument)
+        given = passed.get(other) if other else None
+        is_off = given is None or (given.text or "true").lower() == "false"
+        if other and word.text and is_off:
+            message = (
+                f"'{name}' up to Jazzy puts no node into the {argument} '{word.text}' without "
+            )
+            message += other
+            yield Problem(
+                "LAU005",
+                word.span,
+                message,
+                f"pass {other}: True",
+                frame=included.frame,
+                severity=Severity.WARNING,
+            )
 
 
 def _passed(included: IncludedFile) -> Iterator[tuple[str, Word]]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise, takewhile
+from math import radians
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector
@@ -19,6 +20,8 @@ from urdfkit.ros.launch.contents import StartedProgram, Word
 _OPTIONS = frozenset(
     "--x --y --z --qx --qy --qz --qw --roll --pitch --yaw --frame-id --child-frame-id".split()
 )
+_ANGLES = ("--roll", "--pitch", "--yaw")
+_TURN = 6.3  # rad
 #: Numbers before the two frames: with angles, and with a quaternion.
 _COUNTS = (6, 7)
 _PROGRAM = "tf2_ros/static_transform_publisher"
@@ -66,6 +69,11 @@ def mistakes(program: StartedProgram) -> Iterator[tuple[Word, str, str]]:
             hint = did_you_mean(word.text or "", _OPTIONS)
             known = "known options: --frame-id, --child-frame-id, --x, --yaw and others"
             yield word, f"static_transform_publisher has no option '{word.text}'{hint}", known
+    for flag, word in pairwise(words):
+        angle = number(word.text) if flag.text in _ANGLES else None
+        if angle is not None and abs(angle) > _TURN:
+            message = f"{flag.text} of static_transform_publisher is {word.text} rad"
+            yield word, message, f"write {round(radians(angle), 4)}, if it is in degrees"
     numbers = [word for word in words if number(word.text) is not None]
     are_numbers = words[: len(numbers)] == numbers
     if not flags and not (len(numbers) in _COUNTS and are_numbers and len(words) - 2 in _COUNTS):
