@@ -8,13 +8,14 @@ Source: ``rcl_yaml_param_parser`` of ros2/rcl, ``controller_manager`` of ros_con
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 from operator import itemgetter
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.errors import UrdfkitError
+from urdfkit.errors import PackageNotFound, UrdfkitError
 from urdfkit.ros import RosDescription
 from urdfkit.ros.catalog.ros_control import ControllerType, controller_types, simulated_hardware
 from urdfkit.ros.node_parameters import node_parameters
@@ -96,6 +97,8 @@ class ParameterFile(Record):
     found: str | None  # the existing file, or None
     #: The ``<parameters>`` of the plugin; None for a reference in the launch file.
     element: Element | None = None
+    #: For a path of another computer: package and path in it of the file that it means here.
+    meant: tuple[str, str] | None = None
 
     @property
     def note(self) -> Related:
@@ -118,8 +121,26 @@ def parameter_files(description: RosDescription) -> list[ParameterFile]:
             if not path.startswith("/") or is_expression(path) or "\0" in path:
                 continue
             found = path if disk.is_file(path) else description.resolver.installed(path)
-            files.setdefault(path, ParameterFile(element.span, path, found, element))
+            meant = None if found else _meant(path, description)
+            files.setdefault(path, ParameterFile(element.span, path, found, element, meant))
     return list(files.values())
+
+
+def _meant(path: str, description: RosDescription) -> tuple[str, str] | None:
+    """The package of this workspace and the path in it that a path of another computer means.
+
+    As in ``/home/me/ws/src/arm/config/controllers.yaml``; None if there is no such file.
+    """
+    parts = path.split("/")
+    for number in range(1, len(parts) - 1):
+        try:
+            directory = description.resolver.package(parts[number], description.source.path)
+        except PackageNotFound:
+            continue
+        relative = "/".join(parts[number + 1 :])
+        if disk.is_file(os.path.join(directory, relative)):
+            return parts[number], relative
+    return None
 
 
 def _is_address(path: str) -> bool:
@@ -155,10 +176,15 @@ def by_file(
 
 def readable_files(description: RosDescription) -> Iterator[tuple[ParameterFile, Source]]:
     """The parameter files that can be read."""
+    resolver, near = description.resolver, description.source.path
     for file in parameter_files(description):
-        if file.found and description.resolver.allows(file.found, description.source.path):
+        path = file.found
+        if file.meant:
+            package, relative = file.meant
+            path = os.path.join(resolver.package(package, near), relative)
+        if path and resolver.allows(path, near):
             try:
-                source = description.resolver.read(file.found)
+                source = resolver.read(path)
             except UrdfkitError:
                 continue
             yield file, source

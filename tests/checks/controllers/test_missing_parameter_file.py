@@ -63,3 +63,21 @@ def test_a_path_of_a_package(tmp_path: Path) -> None:
     (tmp_path / "config" / "c.yaml").unlink()
     (found,) = check(file, select=["RCT026"]).diagnostics
     assert found.message == naming(f"{tmp_path}/config/c.yaml")
+
+
+@pytest.mark.parametrize("above", ["/home/me/ws/src/arm", "/opt/ws/install/arm/share/arm"])
+def test_a_path_of_another_computer_means_a_file_of_this_workspace(
+    tmp_path: Path, above: str
+) -> None:
+    """It is reported, and its controllers are checked all the same."""
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "config").mkdir()
+    (tmp_path / "config" / "c.yaml").write_text(
+        "controller_manager:\n  ros__parameters:\n    c: {type: a/B}\nc:\n  ros_parameters: {}\n"
+    )
+    file = tmp_path / "robot.urdf"
+    file.write_text(f'<robot name="r">{robot(f"{above}/config/c.yaml")}</robot>')
+    misspelt, missing = check(file, select=["RCT026"]).diagnostics
+    assert missing.message == naming(f"{above}/config/c.yaml")
+    assert "$(find arm)/config/c.yaml" in missing.help
+    assert misspelt.message == naming("c", "ros_parameters", "ros__parameters")

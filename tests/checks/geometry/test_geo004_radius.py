@@ -22,6 +22,21 @@ def test_twice_the_radius() -> None:
 
 
 @pytest.mark.parametrize(
+    ("radius", "factor"), [("1", "10 times"), ("0.01", "10 times"), ("0.001", "100 times")]
+)
+def test_the_decimal_point_of_a_radius(radius: str, factor: str) -> None:
+    robot = LINK.format(SMALL, "", SMALL.replace("0.1", radius))
+    (message,) = messages("GEO004", robot)
+    assert message.startswith("link 'a': the radius of the ")
+    assert f"is {factor} that" in message
+
+
+def test_a_ball_of_another_size_is_reported_once() -> None:
+    ball = '<sphere radius="0.1"/>'
+    assert len(messages("GEO004", LINK.format(ball, "", ball.replace("0.1", "1")))) == 1
+
+
+@pytest.mark.parametrize(
     ("seen", "origin", "touched"),
     [
         (SMALL, "", SMALL),

@@ -24,7 +24,7 @@ import re
 from urdfkit.checks.controllers.unread_keys import unread_keys
 from urdfkit.core.suggest import nearest_file
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
-from urdfkit.ros.controllers import MANAGER, parameter_files, readable_files
+from urdfkit.ros.controllers import MANAGER, ParameterFile, parameter_files, readable_files
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.ros.ros_control import control_plugins, namespace_of
@@ -39,7 +39,6 @@ FILES = {
     "config/good.yaml": _YAML,
 }
 
-_FIND = "$(find PACKAGE)/config/FILE.yaml in the xacro, which works everywhere"
 #: Directories of generated files.
 _GENERATED = ("generated", "temp", "tmp")
 
@@ -87,17 +86,19 @@ def _missing(context: Context) -> Findings:
             continue  # LAU003 reports the files of launch files
         if "://" in file.path:
             message = f"the plugin reads '{file.path}' as a path, which does not exist"
-            yield Finding(file.element, message, f"write {_FIND}")
+            help = "write $(find PACKAGE)/config/FILE.yaml in the xacro, which works everywhere"
+            yield Finding(file.element, message, help)
         # The launch file writes a generated file first.
         elif file.found is None and _directory(file.path) not in _GENERATED:
-            yield _not_found(context, file.path, file.element)
+            yield _not_found(context, file, file.element)
 
 
 def _directory(path: str) -> str:
     return os.path.basename(os.path.dirname(path))
 
 
-def _not_found(context: Context, path: str, element: Element) -> Finding:
+def _not_found(context: Context, file: ParameterFile, element: Element) -> Finding:
+    path = file.path
     is_here = context.resolver.packages.searches(path, context.source.path)
     suggested = nearest_file(path)
     hint = f"; did you mean '{suggested}'?" if suggested else ""
@@ -106,9 +107,11 @@ def _not_found(context: Context, path: str, element: Element) -> Finding:
     has_find = "$(find " in written
     is_chosen = "$" in re.sub(r"\$\(find [^)]*\)", "", written)
     severity = None if is_here else Severity.WARNING
+    package, relative = file.meant or ("PACKAGE", "config/FILE.yaml")
+    write = f"write $(find {package})/{relative} in the xacro, which works everywhere"
     return Finding(
         element,
         f"parameter file not found{where}: {path}{hint}",
-        "correct the path" if has_find else f"correct the path; write {_FIND}",
+        "correct the path" if has_find else write if file.meant else f"correct the path; {write}",
         severity=Severity.INFO if is_chosen else severity,
     )

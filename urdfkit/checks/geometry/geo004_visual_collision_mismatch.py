@@ -15,8 +15,8 @@ The rule compares the bounding box of all collisions of a link with that of all 
   mesh.
 - A link has the visual mesh of its left or right counterpart, no link uses the mesh file of its own
   side, and other pairs have a mesh for each side.
-- A radius is exactly twice that of the same shape in the other, or about twice that of a mesh: a
-  diameter. An info.
+- A radius is exactly 10, 100 or 1000 times that of the same shape in the other. An info is exactly
+  twice, or about twice that of a mesh: a diameter.
 
 Wheels sink into the floor or hover, grippers close without contact, and MoveIt avoids free space
 and plans through the real part.
@@ -25,6 +25,8 @@ Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
     measured: of 579 public robots, nine differ in size, eight of them by a scale
 """
+
+from math import isclose
 
 from urdfkit.checks.geometry.other_side import meshes_of_the_other_side
 from urdfkit.core.spatial import Z_AXIS, Transform, cross, length, minus, rotate
@@ -68,6 +70,9 @@ _PARALLEL = 0.1
 
 #: Ratio of a diameter to the double of a radius, and of the lengths of two such cylinders.
 _DIAMETER_TOLERANCE, _MAX_WIDTH_RATIO = 1.05, 1.5
+
+#: Ratios of two radii by a diameter, and by a decimal point.
+_RADIUS_FACTORS = (2, 10, 100, 1000)
 
 #: Relative tolerance of a factor of units: visual and collision are rarely equal.
 _UNIT_TOLERANCE = 1.08
@@ -215,17 +220,22 @@ def _diameters(context: Context) -> Findings:
             continue
         visual, collision = link.visuals[0], link.collisions[0]
         first, second = _radius(visual, collision), _radius(collision, visual)
-        if first and second and abs(max(first, second) / min(first, second) - 2) < 1e-6:
-            large, small = (visual, collision) if first > second else (collision, visual)
-            assert large.shape is not None
+        if not first or not second:
+            continue
+        large, small = (visual, collision) if first > second else (collision, visual)
+        ratio = max(first, second) / min(first, second)
+        factor = next((factor for factor in _RADIUS_FACTORS if isclose(ratio, factor)), None)
+        assert large.shape is not None
+        if factor and (factor == 2 or large.shape.length):  # else the whole size differs
+            times = "twice" if factor == 2 else f"{factor} times"
             yield Finding(
                 large.shape.at,
                 f"link '{link.name}': the radius of the {large.at.tag}, {max(first, second):g} m, "
-                f"is twice that of the {small.at.tag}, {min(first, second):g} m",
-                "write the radius in both",
+                f"is {times} that of the {small.at.tag}, {min(first, second):g} m",
+                "write the radius in both" if factor == 2 else "correct the decimal point",
                 related=(Related(small.at.span, f"the {small.at.tag}"),),
                 confidence=Confidence.INFERRED,
-                severity=Severity.INFO,
+                severity=Severity.INFO if factor == 2 else None,
             )
 
 
