@@ -279,3 +279,21 @@ def test_a_template_of_a_program_is_no_robot(tmp_path: Path, value: str, is_temp
     found = discover(str(tmp_path), Config(), Resolver())
     assert names(found) == (["a.urdf"] if is_template else ["a.urdf", "b.urdf"])
     assert [Path(path).name for path in found.others] == (["b.urdf"] if is_template else [])
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "is_template"),
+    [
+        ("box-template.urdf", "DIM0 DIM1 DIM2", True),  # ravens
+        ("box-template.urdf", "0.1 0.1 0.1", False),
+        ("box.urdf", "DIM0 DIM1 DIM2", False),
+    ],
+)
+def test_a_file_that_is_called_a_template(
+    tmp_path: Path, name: str, value: str, is_template: bool
+) -> None:
+    box = f'<visual><geometry><box size="{value}"/></geometry></visual>'
+    (tmp_path / "a.urdf").write_text('<robot name="a"><link name="a"/></robot>')
+    (tmp_path / name).write_text(f'<robot name="b"><link name="BOX">{box}</link></robot>')
+    found = discover(str(tmp_path), Config(), Resolver())
+    assert [Path(path).name for path in found.others] == ([name] if is_template else [])

@@ -42,6 +42,10 @@ _PLACEHOLDER = re.compile(rb"\[[A-Z]+(?:_[A-Z]+)+\]")
 _MAX_TEMPLATE = 65_536
 #: A value that a program replaces: ``$name$``, ``{{ name }}`` or ``@NAME@``.
 _REPLACED = re.compile(rb"""=\s*["'](?:\$[A-Za-z_]\w*\$|\{\{[^{}"']*\}\}|@[A-Za-z_]\w*@)["']""")
+#: A word in capitals instead of a number, in a file that is called a template: ``size="DIM0 DIM1"``.
+_IN_CAPITALS = re.compile(
+    rb"""\b(?:size|xyz|scale|radius|length|value)\s*=\s*["'][^"']*\b[A-Z]{3,}\d*\b"""
+)
 _TEMPLATE = "is a template: a program replaces its values"
 _NOT_CONFIGURED = "no [[robot]] in the configuration for it"
 
@@ -72,15 +76,18 @@ def discover(directory: str, config: Config, resolver: Resolver) -> DirectoryCon
 
 def _without_templates(contents: DirectoryContents) -> DirectoryContents:
     """The contents without robots whose values a program writes, which are named as skipped."""
-    templates = {
-        robot.file
-        for robot in contents.robots
-        if _REPLACED.search(without_comments(read_head(robot.file, _MAX_TEMPLATE)))
-    }
+    templates = {robot.file for robot in contents.robots if _is_robot_template(robot.file)}
     return contents._replace(
         robots=tuple(robot for robot in contents.robots if robot.file not in templates),
         others={**contents.others, **dict.fromkeys(sorted(templates), _TEMPLATE)},
     )
+
+
+def _is_robot_template(path: str) -> bool:
+    """True for a robot whose values a program writes."""
+    text = without_comments(read_head(path, _MAX_TEMPLATE))
+    is_called_so = "template" in os.path.basename(path).lower()
+    return bool(_REPLACED.search(text) or (is_called_so and _IN_CAPITALS.search(text)))
 
 
 def _entry_points(directory: str, config: Config, resolver: Resolver) -> EntryPoints:
