@@ -42,6 +42,8 @@ def messages(directory: Path, text: str, *, other: str = "", **files: str) -> li
         ("base_link_frame: $(var base)", 0),
         ("base_link_frame: ''", 0),
         ("costmap: {robot_base_frame: chassis}", 1),
+        ("base_frame_id: link", 1),
+        ("{camera_name: arm, base_frame_id: link}", 0),  # realsense2_camera: arm_link
         ("odom_frame: odometry", 0),
         ("{base_link_frame: base_link, odom_frame: o, map_frame: m, world_frame: o}", 0),
         ("{base_link_frame: base_link, odom_frame: o, map_frame: m, world_frame: w}", 1),

@@ -84,6 +84,8 @@ def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
         return
     for node in node_parameters(source):
         for key, value in entries(node.values):
+            if key == "base_frame_id" and "camera_name" in node.values:
+                continue  # realsense2_camera puts the name of the camera before it
             if key in _NAMING and isinstance(value, Value):
                 yield key, key, value
 
