@@ -28,3 +28,14 @@ def test_the_version_of_ros_is_that_of_the_package(
     assert report.skipped == ()
     (link,) = load(tmp_path / "r.xacro").links
     assert link.name == f"ros{BUILDS[build]}"
+
+
+@pytest.mark.parametrize(("name", "is_trusted"), [("LDS_MODEL", True), ("ROBOT_NAME", False)])
+def test_a_variable_that_is_set_where_the_robot_is_used(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, is_trusted: bool
+) -> None:
+    """TurtleBot3: its shells set the model of the lidar."""
+    monkeypatch.delenv(name, raising=False)
+    (tmp_path / "r.xacro").write_text(ROBOT.replace("ROS_VERSION", name))
+    (found,) = check(tmp_path / "r.xacro", select=["XAC001"]).diagnostics
+    assert (found.severity.value, "--trust" in found.help) == ("warning", is_trusted)

@@ -21,7 +21,7 @@ from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, EscapesRoots, MissingArgument, root_cause
 from urdfkit.xacro.locator import LocatedExpression, locate
 from urdfkit.xacro.messages import explain, macro_of
-from urdfkit.xacro.substitution import ForbiddenVariable
+from urdfkit.xacro.substitution import ENVIRONMENT, ForbiddenVariable, UnsetVariable
 from urdfkit.xacro.undefined_names import bare_property
 from urdfkit.xacro.yaml_files import YamlTooLarge
 
@@ -193,6 +193,9 @@ def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]
         searched = ", ".join(cause.searched) or "nothing to search"
         message = f"package '{cause.name}' is not found; searched: {searched}"
         return "XAC011", message, f"pass its directory: --package {cause.name}=DIR"
+    if isinstance(cause, UnsetVariable):
+        help = "set it" if cause.name in ENVIRONMENT else "set it, and pass --trust"
+        return "XAC001", str(cause), f"{help}, or write $(optenv {cause.name} DEFAULT)"
     if isinstance(cause, EscapesRoots):
         help = "move the file into a package, or add --trust if you trust the author of the model"
         return "XAC009", str(cause), help

@@ -21,6 +21,9 @@ NOT_BUILT = "the build has not created the file"
 #: Start of the message about a file that xacrodoc finds from the directory where it is run.
 ONLY_XACRODOC = "xacro looks next to the including file: not found"
 
+#: Start of the message about an environment variable that is not set.
+VARIABLE = "environment variable"
+
 #: In the help for a name whose definition is in a condition that is false.
 IN_CONDITION = "whose condition is false here"
 

@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import Any
 from urdfkit.xacro.bounds import UnsafeExpression
-from urdfkit.xacro.errors import MissingArgument
+from urdfkit.xacro.errors import VARIABLE, MissingArgument
 from urdfkit.xacro.expressions import evaluate
 from urdfkit.xacro.sandbox import Sandbox
 
@@ -31,6 +31,14 @@ COMMANDS = ("find", "env", "optenv", "dirname", "arg", "eval", "cwd")
 
 class SubstitutionError(Exception):
     """The command failed; the text is for users."""
+
+
+class UnsetVariable(SubstitutionError):
+    """A variable that is not set."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(f"{VARIABLE} '{name}' is not set")
+        self.name = name
 
 
 class ForbiddenVariable(SubstitutionError):
@@ -94,9 +102,9 @@ def _variable(name: str, context: SubstitutionContext) -> str:
     if name not in context.environment:
         if name == "ROS_VERSION":
             return context.ros_version()
-        raise SubstitutionError(f"environment variable '{name}' is not set")
+        raise UnsetVariable(name)
     if not may_read(name, context):
-        raise ForbiddenVariable(f"environment variable '{name}' is not on the allow-list")
+        raise ForbiddenVariable(f"{VARIABLE} '{name}' is not on the allow-list")
     return context.environment[name]
 
 

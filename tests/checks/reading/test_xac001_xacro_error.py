@@ -112,7 +112,7 @@ MACRO = '<xacro:macro name="m" params="a b:=1 *c"><link name="l${a}"/></xacro:ma
             '<link name="$(env URDFKIT_NONE)"/>',
             "$(env URDFKIT_NONE)",
             naming("URDFKIT_NONE", "$(env URDFKIT_NONE)"),
-            "",
+            "set it, and pass --trust, or write $(optenv URDFKIT_NONE DEFAULT)",
         ),
     ],
 )

@@ -9,7 +9,8 @@ without the prefix are one finding, at the first.
 A name that is defined in a condition is a warning if an argument has its default: the file may be
 for other values.
 
-An included file that only xacrodoc finds, from the directory where it is run, is a warning.
+An included file that only xacrodoc finds, from the directory where it is run, is a warning, and so
+are a file that the build creates and an environment variable that is not set.
 
 A file that another file includes, and that uses macros, properties or arguments of that file, is
 not a complete robot: an info. Check the top file; findings in included files are reported at their
@@ -36,10 +37,13 @@ from urdfkit.lint.rules import (
     rule,
 )
 from urdfkit.robot.samples import xacro_xml
-from urdfkit.xacro.errors import IN_CONDITION, NOT_BUILT, ONLY_XACRODOC
+from urdfkit.xacro.errors import IN_CONDITION, NOT_BUILT, ONLY_XACRODOC, VARIABLE
 
 BAD = xacro_xml('<link name="${prefix}base"/>')
 GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="${prefix}base"/>')
+
+#: Starts of messages about what another place of work may have.
+_OF_ENVIRONMENT = (NOT_BUILT, ONLY_XACRODOC, VARIABLE)
 
 #: All uses of a name lack one definition, and all properties without prefix the prefix.
 _UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
@@ -58,7 +62,7 @@ _NO_KEY = "The yaml dictionary has no key '[^']*'"
 def check(context: Context) -> Findings:
     unprefixed: dict[str, list[Finding]] = {}
     for finding in _reported(context):
-        if start := next(filter(finding.message.startswith, (NOT_BUILT, ONLY_XACRODOC)), ""):
+        if start := next(filter(finding.message.startswith, _OF_ENVIRONMENT), ""):
             yield finding._replace(severity=Severity.WARNING, group_key=start)
             continue
         if _is_in_plain_macro(finding):
