@@ -42,7 +42,7 @@ _PLACEHOLDER = re.compile(rb"\[[A-Z]+(?:_[A-Z]+)+\]")
 _MAX_TEMPLATE = 65_536
 #: A value that a program replaces: ``$name$``, ``{{ name }}`` or ``@NAME@``.
 _REPLACED = re.compile(rb"""=\s*["'](?:\$[A-Za-z_]\w*\$|\{\{[^{}"']*\}\}|@[A-Za-z_]\w*@)["']""")
-#: A word in capitals instead of a number, in a file that is called a template: ``size="DIM0 DIM1"``.
+#: A word in capitals for a number, in a file that is called a template: ``size="DIM0 DIM1"``.
 _IN_CAPITALS = re.compile(
     rb"""\b(?:size|xyz|scale|radius|length|value)\s*=\s*["'][^"']*\b[A-Z]{3,}\d*\b"""
 )
