@@ -472,7 +472,8 @@ def test_an_argument_whose_default_is_its_own_configuration(
         "             parameters=[{'frame_id': frame_id}]),\n"
         "        Node(package='rviz2', executable='rviz2', arguments=['-d', '../r.rviz'])])\n"
     )
-    assert len(reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)) == count
+    found = reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)
+    assert len([one for one in found if one.span.source.path.endswith(".rviz")]) == count
 
 
 @pytest.mark.parametrize(("word", "count"), [("[GENERATED_NAME]", 0), ("r", 1)])
