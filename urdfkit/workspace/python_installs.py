@@ -66,6 +66,15 @@ def globbed_files(tree: ast.Module) -> Iterator[tuple[str, ast.Constant]]:
             yield place, pattern
 
 
+def listed_files(tree: ast.Module) -> Iterator[tuple[str, ast.expr]]:
+    """The data files of a setup.py that are written there without a pattern."""
+    reader = _Constants(tree)
+    for _, files in reader.data_files():
+        for item in files.elts if isinstance(files, (ast.List, ast.Tuple)) else ():
+            if path := reader.text(item):
+                yield path, item
+
+
 class _Constants:
     """Evaluates constant expressions of a module."""
 

@@ -174,3 +174,23 @@ def test_parameters_of_move_group(tmp_path: Path, settings: str, extra: str, wor
     # MoveIt of Humble reads solvers at the top level, too: so does franka_ros2 pass them.
     severity = "info" if "kinematics" in words else "warning"
     assert {finding.severity.value for finding in found} <= {severity}
+
+
+@pytest.mark.parametrize(
+    ("more", "missing"),
+    [
+        ("", ["robot_description_kinematics", "robot_description_planning"]),
+        (', "robot_description_kinematics": z', ["robot_description_planning"]),
+        (', "robot_description_kinematics": z, "robot_description_planning": z', []),
+        (', "a": {"kinematics_solver": z}', ["robot_description_planning"]),
+        (", x: y", []),
+    ],
+)
+def test_files_that_move_group_does_not_get(tmp_path: Path, more: str, missing: list[str]) -> None:
+    semantic = '{"robot_description": x, "robot_description_semantic": y'
+    text = HANDED.replace("[{}", f"[{semantic}{more}}}")
+    text += 'Node(package="rviz2", executable="rviz2", parameters=["kinematics.yaml"])\n'
+    text += "# joint_limits.yaml\n"
+    found = reported(tmp_path / "arm", "LAU029", "a.launch.py", text)
+    words = [one.message.split()[3].rstrip(":") for one in found if "gets no" in one.message]
+    assert words == missing

@@ -346,3 +346,61 @@ def test_a_pattern_without_its_directory(tmp_path: Path, pattern: str, count: in
     (tmp_path / "launch" / "arm.launch.py").write_text("")
     found = of_python(tmp_path, setup, CONFIG, "def main(): ...")
     assert [one.span.text for one in found] == [f"'{pattern}'"] * count
+
+
+@pytest.mark.parametrize(
+    ("listed", "help"),
+    [("launch/b.launch.py", "write "), ("launch/arm.launch.py", None), ("x.txt", "remove it")],
+)
+def test_a_listed_file(tmp_path: Path, listed: str, help: str | None) -> None:
+    setup = RUNNING.replace("setup(", f"setup(data_files=[('share/arm', ['{listed}'])], ")
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "launch" / "arm.launch.py").write_text("")
+    found = of_python(tmp_path, setup, CONFIG, "def main(): ...")
+    assert [one.span.text for one in found] == ([] if help is None else [f"'{listed}'"])
+    assert all(one.help.startswith(help or "") for one in found)
+
+
+INTERFACES = """cmake_minimum_required(VERSION 3.8)
+project(arm_msgs)
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+find_package(std_msgs REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME}
+  "msg/Load.msg"
+  DEPENDENCIES std_msgs)
+ament_package()
+"""
+GROUP = "<member_of_group>rosidl_interface_packages</member_of_group>"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "group", "message"),
+    [
+        ("", "", GROUP, ""),
+        ("", "", "", "package.xml has no <member_of_group>"),
+        ("std_msgs)", "std_msgs SKIP_INSTALL)", "", ""),
+        ("Load", "Laod", GROUP, "interface 'msg/Laod.msg' does not exist"),
+        ("find_package(std_msgs REQUIRED)", "", GROUP, "CMakeLists.txt does not find std_msgs"),
+        ("find_package(std_msgs", "find_package(nav_msgs", GROUP, ""),  # which finds std_msgs
+        ("find_package(std_msgs", "foreach(name a b)\n#", GROUP, ""),
+        ("msg/Load.msg", "${files}", GROUP, ""),
+    ],
+)
+def test_interfaces(tmp_path: Path, old: str, new: str, group: str, message: str) -> None:
+    """They are those of a package on which the package of the robot depends."""
+    messages, robot = tmp_path / "arm_msgs", tmp_path / "arm"
+    (messages / "msg").mkdir(parents=True)
+    robot.mkdir()
+    manifest = MANIFEST.replace("<name>arm<", "<name>arm_msgs<")
+    (messages / "package.xml").write_text(manifest.replace("</package>", f"{group}</package>"))
+    (messages / "CMakeLists.txt").write_text(INTERFACES.replace(old, new, 1))
+    (messages / "msg" / "Load.msg").write_text("float64 mass\n")
+    dependency = "<depend>arm_msgs</depend><export><build_type>ament_cmake</build_type></export>"
+    found = reported(robot, MANIFEST.replace("</package>", f"{dependency}</package>"))
+    assert [one.message.startswith(message) for one in found] == [True] * bool(message)
+
+
+def test_a_tag_of_a_later_format(tmp_path: Path) -> None:
+    text = MANIFEST.replace('"3"', '"2"').replace("</package>", f"{GROUP}</package>")
+    assert [one.help for one in reported(tmp_path, text)] == ['write format="3"']

@@ -229,3 +229,15 @@ def test_a_topic_of_servo_that_its_controller_does_not_read(
     found = [(message, help) for _, _, message, help in reported(tmp_path, "servo.yaml", text)]
     message = naming("servo.yaml", topic, read)
     assert found == ([(message, f"write {read}")] if read else [])
+
+
+@pytest.mark.parametrize(("kind", "count"), [("ament_cmake", 1), ("catkin", 0)])
+def test_settings_in_the_list_of_sensors(tmp_path: Path, kind: str, count: int) -> None:
+    manifest = f"<package><name>a</name><buildtool_depend>{kind}</buildtool_depend></package>"
+    (tmp_path / "package.xml").write_text(manifest)
+    text = CLOUD.replace("s:\n  sensor", "sensors:\n  - sensor").replace("\n  ", "\n    ")
+    text = text.replace("    - ", "  - ")
+    found = reported(tmp_path, "sensors_3d.yaml", text)
+    assert [("sensors contains settings" in message) for _, _, message, _ in found] == [
+        True
+    ] * count

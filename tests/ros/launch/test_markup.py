@@ -87,3 +87,18 @@ def test_yaml_follows_the_rules_of_xml(package, old, new, code, line, place):
 )
 def test_files_without_a_launch_key_are_ignored(package, text):
     assert read(package, text).descriptions == ()
+
+
+@pytest.mark.parametrize(
+    ("child", "count"),
+    [
+        ("<arg name='a' value='b'/>", 1),
+        ("<node pkg='a' exec='b'/>", 1),
+        ("<env name='a' value='b'/>", 0),
+    ],
+)
+def test_tags_in_a_node(package, child, count):
+    path = package / "launch" / "a.launch.xml"
+    path.write_text(f"<launch><node pkg='rviz2' exec='rviz2'>{child}</node></launch>")
+    found = check(path, select=["LAU010"]).diagnostics
+    assert ["ROS 2 stops at it" in one.message for one in found] == [True] * count

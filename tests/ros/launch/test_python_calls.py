@@ -91,6 +91,17 @@ def program(entities: str, before: str = "") -> str:
             "OnProcessExit is not an action",
             "write RegisterEventHandler(OnProcessExit(...))",
         ),
+        (
+            program("node, Node(executable='d', condition=LaunchConfiguration('c'))"),
+            "LaunchConfiguration is no condition, but a substitution",
+            "write IfCondition(LaunchConfiguration(...))",
+        ),
+        (
+            "from launch.substitutions import NotSubstitution\n"
+            + program("node", "    print(NotSubstitution(IfCondition(a)))\n"),
+            "NotSubstitution takes a substitution, but IfCondition is a condition",
+            "write what the condition asks",
+        ),
     ],
 )
 def test_calls_that_launch_rejects(tmp_path: Path, text: str, message: str, help: str) -> None:
@@ -138,6 +149,8 @@ def test_what_has_no_effect(tmp_path: Path, text: str, start: str) -> None:
         program("node, Node(package='c', executable='d', **more)", "    more = {}\n"),
         program("node", "    if a.perform(None) == 'b':\n        node.x = 1\n"),
         program("node", "    if a is None:\n        node.x = 1\n"),
+        program("node, Node(executable='d', condition=IfCondition(LaunchConfiguration('c')))"),
+        program("node, Node(executable='d', condition=print(a))"),
         "class Node:\n    pass\n"
         + program("node").replace("actions import Node, ", "actions import ")
         + "Node(mine=1, output='mine')\n",
@@ -265,3 +278,22 @@ def test_the_container_of_composable_nodes(
     text = LOADED.replace("NAMESPACE", namespace).replace("TARGET", target)
     found = reported(tmp_path, "LAU010", "a.launch.py", text)
     assert [one.help for one in found if "container" in one.message] == [help] * bool(help)
+
+
+@pytest.mark.parametrize(
+    ("handler", "count"),
+    [
+        ("OnProcessExit(on_exit=[node])", 1),
+        ("OnProcessStart(on_start=node)", 1),
+        ("OnProcessExit(target_action=other, on_exit=[node])", 0),
+        ("OnProcessExit(on_exit=[node], handle_once=True)", 0),
+        ("OnProcessExit(on_exit=[EmitEvent(event=Shutdown())])", 0),
+        ("OnProcessExit(on_exit=[node], **more)", 0),
+    ],
+)
+def test_handlers_of_any_process(tmp_path: Path, handler: str, count: int) -> None:
+    text = program(f"RegisterEventHandler({handler})", "    more = {}\n")
+    text = text.replace("OnProcessExit\n", "OnProcessExit, OnProcessStart\n", 1)
+    text = text.replace("DeclareLaunchArgument,", "DeclareLaunchArgument, EmitEvent, Shutdown,", 1)
+    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert ["no target_action" in one.message for one in found] == [True] * count

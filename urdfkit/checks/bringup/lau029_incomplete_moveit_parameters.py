@@ -9,7 +9,8 @@
   interactive markers.
 - A file of MoveItConfigsBuilder has `ros__parameters`, or the name that the builder puts around it
   (warning). Or the builder cannot choose among several files of controllers.
-- move_group gets no SRDF (warning).
+- move_group gets no SRDF, or not the kinematics.yaml or joint_limits.yaml that the launch file
+  mentions (warning).
 
 Sources:
     MoveIt, MoveItConfigsBuilder: https://github.com/moveit/moveit2/blob/main/moveit_configs_utils/moveit_configs_utils/moveit_configs_builder.py

@@ -11,7 +11,7 @@
 - A launch file of ROS 1 includes one of ROS 2 in Python or YAML, which `roslaunch` cannot parse.
 - A tag is misspelt, or belongs to the other version of ROS, as `<rosparam>` does (error in ROS 2).
   Packages may define their own tags, so only typos of known tags are reported. Or `<remap>` or
-  `<param>` is outside of a node in ROS 2, or an `<arg>` has a value (error).
+  `<param>` is outside of a node in ROS 2, or an `<arg>` in it or with a value (error).
 - The parts of a `Command` have no space between them (error). launch concatenates them:
   `["xacro", path]` runs a program called `xacro/home/...`; in `["xacro ", path, "sim:=true"]` the
   argument becomes part of the file name. Write `["xacro ", path, " sim:=true"]`.
@@ -24,7 +24,7 @@
   keyword argument". Or a required one is missing, or is given without its name, as in
   `LogInfo("text")`. A name is not defined or imported (error; a
   warning under a condition), or is imported from a module that does not have it. The value of
-  `output` is unknown, an event handler is among the actions without `RegisterEventHandler`, or the
+  `output` is unknown, a substitution is in place of a condition, an event handler is among the actions without `RegisterEventHandler`, or the
   function of an `OpaqueFunction` returns no list (error).
 - `SetParameter`, `push_ros_namespace` or a similar action stands behind the last node (warning): it
   applies to the actions after it. A condition of Python tests or compares a `LaunchConfiguration`
@@ -49,7 +49,8 @@
   comparison (error): `if="$(arg gui) == true"` is not a boolean. Write `$(eval ...)`.
 - `generate_launch_description` is misspelt or returns nothing (error).
 - An action is both in the launch description and in an event handler of it (error): launch starts
-  it once and stops at the second start. An action waits for the exit of a node that does not exit,
+  it once and stops at the second start. Or an event handler without `target_action` starts a process
+  at an event of each process (warning). An action waits for the exit of a node that does not exit,
   such as robot_state_publisher, and never starts; or for that of an included launch file, which is
   no process (error).
 - A node that reads the keyboard, such as teleop_twist_keyboard, has no terminal in a launch file of

@@ -86,7 +86,7 @@ def missing_directories(name: str, directory: str) -> Findings:
         return
     for path in dict.fromkeys(rule.source for rule in read_rules(directory, name)):
         place = re.search(rb"(?<=[\s\"/])%s(?=[\s\"/)])" % re.escape(path.encode()), text)
-        if place and _is_missing(directory, path):
+        if place and is_missing(directory, path):
             yield Finding(
                 Span(source, *place.span()),
                 f"'{path}' is installed and does not exist: the build of '{name}' fails",
@@ -95,7 +95,8 @@ def missing_directories(name: str, directory: str) -> Findings:
             )
 
 
-def _is_missing(directory: str, path: str) -> bool:
+def is_missing(directory: str, path: str) -> bool:
+    """True if a file of a package does not exist, and is not one that the build creates."""
     whole = os.path.normpath(os.path.join(directory, path))
     if not whole.startswith(os.path.join(directory, "")) or disk.exists(whole):
         return False

@@ -13,6 +13,9 @@ resolve.
   find". A clone lacks empty directories, since git stores only files. Not reported in ROS 1:
   catkin's devel space installs nothing.
 - CMakeLists.txt finds catkin in a package of type ament_cmake: ROS 2 does not have catkin.
+- CMakeLists.txt generates messages, services or actions, also those of a package on which this one
+  depends, and the build stops: a file does not exist, package.xml has no `<member_of_group>
+  rosidl_interface_packages`, or a package of DEPENDENCIES is not found.
 - The `<build_type>` needs another build file than the package has: colcon does not build it.
 - A package of ROS 2 depends on one that only ROS 1 has, such as rospy, or writes hyphens in the
   name of a ROS package (warning).
@@ -22,6 +25,7 @@ resolve.
 - The setup.py of a Python package of ROS 2 is not a Python program, or uses a name that it does not
   import, such as `glob`. It names a directory of modules that does not exist; or `find_packages()`
   misses a directory without `__init__.py`, or a pattern for installed files matches none (warning).
+  Or a file that it installs does not exist.
 - A Python package of ROS 2 is not registered. `ros2 launch`, `package://` and `$(find ...)` find it
   only if setup.py installs an existing file of its name into
   `share/ament_index/resource_index/packages`. If setup.py does not mention that directory, colcon
@@ -35,9 +39,12 @@ Sources:
     catkin_pkg, package.py: https://github.com/ros-infrastructure/catkin_pkg/blob/master/src/catkin_pkg/package.py
     colcon/colcon-ros#79: https://github.com/colcon/colcon-ros/pull/79
     CMake, install(DIRECTORY): https://cmake.org/cmake/help/latest/command/install.html#directory
+    ros2/rosidl, rosidl_generate_interfaces.cmake: https://github.com/ros2/rosidl/blob/rolling/rosidl_cmake/cmake/rosidl_generate_interfaces.cmake
     andrewda/learm_ros2#2: https://github.com/andrewda/learm_ros2/issues/2
     ROS 2, developing a package: https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html
 """
+
+import os
 
 from urdfkit.checks.package.build_files import (
     finds_catkin,
@@ -48,6 +55,7 @@ from urdfkit.checks.package.build_files import (
     other_build_type,
     other_name,
 )
+from urdfkit.checks.package.interfaces import not_generated, packages_with_interfaces
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
@@ -62,6 +70,7 @@ from urdfkit.text.xml_reader import read_xml
 from urdfkit.workspace.install_rules import build_file
 from urdfkit.workspace.manifest import REQUIRED, known_tags, nearest_manifest
 from urdfkit.workspace.package_references import have_references
+from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "urdf/bot.urdf"
@@ -100,8 +109,18 @@ def check(context: Context) -> Findings:
             from urdfkit.checks.package.python_executables import not_runnable  # for few robots
 
             yield from not_runnable(*home)
+        yield from not_generated(home[1])
+        for directory in packages_with_interfaces(context):
+            yield from not_generated(directory)
+            yield from _of_manifest(os.path.join(directory, "package.xml"), resolver)
     file = nearest_manifest(path)
-    if file is None or disk.is_link(file):  # a link may refer to any file
+    if file is not None:
+        yield from _of_manifest(file, resolver)
+
+
+def _of_manifest(file: str, resolver: Resolver) -> Findings:
+    """Mistakes in a package.xml."""
+    if disk.is_link(file):  # which may refer to any file
         return
     try:
         data = resolver.text(file)
@@ -140,7 +159,8 @@ def _tags(package: Element) -> Findings:
         if not known or child.tag in known:
             continue
         suggested = renamed.get(child.tag) or nearest(child.tag, known)
-        help = f"write <{suggested}>" if suggested in known else "remove it"
+        of_later = 'write format="3"' if child.tag in known_tags("3") else "remove it"
+        help = f"write <{suggested}>" if suggested in known else of_later
         number = package.get("format") or "1"
         yield Finding(child.span, f"<{child.tag}> is not a tag of format {number}", help)
 

@@ -4,7 +4,7 @@ import os
 import re
 
 from urdfkit.checks.package.build_files import package_file
-from urdfkit.checks.package.setup_programs import unmatched_patterns, wrong_names
+from urdfkit.checks.package.setup_programs import missing_files, unmatched_patterns, wrong_names
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Severity
@@ -33,6 +33,7 @@ def not_runnable(name: str, directory: str) -> Findings:
         return
     yield from wrong_names(setup, tree)
     yield from unmatched_patterns(setup, tree, directory)
+    yield from missing_files(setup, tree, directory)
     entries = entry_points(text) or []
     config = package_file(directory, "setup.cfg")
     written = config.data if config else b""

@@ -1,4 +1,4 @@
-"""Names in a setup.py that Python does not know, and patterns of files that match none."""
+"""Names in a setup.py that Python does not know, and files that it does not find."""
 
 import ast
 import builtins
@@ -6,15 +6,19 @@ import os
 import posixpath
 from fnmatch import fnmatchcase
 
+from urdfkit.checks.package.build_files import is_missing
 from urdfkit.core import disk
+from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.launch.python_names import bound_names
 from urdfkit.text.python_source import nodes
 from urdfkit.text.source import Source, Span
-from urdfkit.workspace.python_installs import globbed_files
+from urdfkit.workspace.python_installs import globbed_files, listed_files
 
 _OF_MODULES = frozenset(("__file__", "__name__", "__doc__"))
 _SETUP = "setup"
+#: Where the file is that registers a package, which is reported as such.
+_MARKER = "resource/"
 #: What is usually meant by a name without an import.
 _IMPORTS = {
     "find_packages": "from setuptools import find_packages",
@@ -60,6 +64,19 @@ def unmatched_patterns(setup: Source, tree: ast.Module, directory: str) -> Findi
                 f"write {folder}/{text}",
                 severity=Severity.WARNING,
             )
+
+
+def missing_files(setup: Source, tree: ast.Module, directory: str) -> Findings:
+    """Files that a setup.py installs and that do not exist: colcon stops."""
+    for path, node in listed_files(tree):
+        if not path.startswith(_MARKER) and is_missing(directory, path):
+            folder = os.path.dirname(path)
+            names = [posixpath.join(folder, n) for n in disk.names(os.path.join(directory, folder))]
+            message = f"'{path}' is installed and does not exist: the build fails"
+            help = f"remove it, or create {path}"
+            if match := nearest(path, names):
+                help = f"write {match}"
+            yield Finding(_span(setup, node), message, help, group_key="not there")
 
 
 def _matches(directory: str, pattern: str) -> bool:

@@ -24,6 +24,7 @@ from urdfkit.ros.moveit.config import (
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
 from urdfkit.workspace.launch_files import launch_files
+from urdfkit.workspace.manifest import manifest_of
 
 _CONTROLLERS = "moveit_controllers.yaml"
 _PLUGIN = "moveit_controller_manager"
@@ -131,6 +132,15 @@ def _sensors(context: Context, srdf: Srdf) -> Findings:
     if isinstance(listed, Value) and listed.text:
         message, help = f"sensors is '{listed.text}', not a list", f"write [{listed.text}]"
         yield Finding(listed.span, message, help)
+    manifest = manifest_of(context.resolver, srdf.path)
+    for item in listed if isinstance(listed, list) and manifest and manifest.ros == 2 else ():
+        written = mapping(item).get("sensor_plugin")
+        if isinstance(written, Value):
+            message = (
+                "sensors contains settings, but MoveIt 2 reads names of sections: launch stops"
+            )
+            help = "write sensors: [camera], and the settings below camera:"
+            yield Finding(written.span, message, help)
     for name in scalars(listed):
         section = mapping(root, name.text)
         if name.text and not section:

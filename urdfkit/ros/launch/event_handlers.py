@@ -9,6 +9,11 @@ from urdfkit.text.diagnostic import Problem, Severity
 
 #: Event handlers of the process of an action.
 _OF_PROCESS = ("OnProcessExit", "OnProcessIO", "OnProcessStart")
+#: Handlers by the argument with the actions that they start, and what limits them to one event.
+_STARTS = {"OnProcessExit": "on_exit", "OnProcessStart": "on_start"}
+_ONCE = ("target_action", "handle_once")
+#: Actions that are processes.
+_PROCESSES = ("ExecuteProcess", "Node")
 #: Arguments of a handler or timer with the actions to start.
 _LATER = ("on_exit", "on_start", "actions")
 #: Nodes that run until the launch ends, by package and executable.
@@ -66,7 +71,7 @@ def wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
         if called(call) not in _OF_PROCESS or target is None or not is_action:
             continue
         name = called(action) if isinstance(action, ast.Call) else ""
-        if name not in ("ExecuteProcess", "Node"):
+        if name not in _PROCESSES:
             yield Problem(
                 "LAU010",
                 values.span(target),
@@ -74,6 +79,28 @@ def wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
                 "name the Node whose process it is, such as the one that spawns the robot",
                 severity=Severity.ERROR,
             )
+
+
+def endless(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+    """Processes that a handler starts at an event of any process, also at their own."""
+    for call in calls:
+        given = {keyword.arg for keyword in call.keywords}
+        waiting = argument(call, None, _STARTS.get(called(call), ""))
+        if waiting is None or call.args or not given.isdisjoint((None, *_ONCE)):
+            continue
+        for item in _listed(waiting, values):
+            action = values.resolved(item)
+            if isinstance(action, ast.Call) and called(action) in _PROCESSES:
+                event = called(call).removeprefix("OnProcess").lower()
+                yield Problem(
+                    "LAU010",
+                    values.span(call.func),
+                    f"{called(call)} has no target_action: the {event} of each process starts the "
+                    "action, which launch starts only once",
+                    "write target_action=..., or handle_once=True",
+                    severity=Severity.WARNING,
+                )
+                break
 
 
 def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:

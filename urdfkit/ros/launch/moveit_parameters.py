@@ -21,6 +21,11 @@ _DESCRIPTION = "robot_description"
 _SEMANTIC = "robot_description_semantic"
 _KINEMATICS = "robot_description_kinematics"
 _SOLVER = ".kinematics_solver"
+#: Files whose content move_group needs, and what fails without it.
+_SETTINGS = {
+    _KINEMATICS: (b"kinematics.yaml", "no planning group has a solver"),
+    "robot_description_planning": (b"joint_limits.yaml", "no joint has a limit of acceleration"),
+}
 #: Statements that change a dictionary after its creation.
 _CHANGES = re.compile(rb"\.update\(|\]\s*=[^=]|\|=")
 _LOADS = ("safe_load", "load", "full_load")
@@ -43,6 +48,13 @@ def missing_of_move_group(file: PythonLaunchFile, node: ast.Call) -> Iterator[Pr
         message = f"move_group gets no {_SEMANTIC}, and so no planning groups"
         help = f'add {{"{_SEMANTIC}": ...}} with the text of the SRDF'
         yield Problem("LAU029", values.span(node), message, help, severity=Severity.WARNING)
+    is_open = any(key.endswith(_SOLVER) for key in keys)  # as in Humble, see below
+    for name, (file_name, lost) in _SETTINGS.items() if _SEMANTIC in keys else ():
+        is_given = name in keys or (is_open and name == _KINEMATICS)
+        if not is_given and file_name in file.source.data:
+            message = f"move_group gets no {name}: {lost}"
+            help = f"add {name} with {file_name.decode()} to its parameters"
+            yield Problem("LAU029", values.span(node), message, help, severity=Severity.WARNING)
     for item in items:
         for name, place in reader.pipelines(item):
             plugins = (_OPEN, "planning_plugin", "planning_plugins")

@@ -9,6 +9,7 @@ from urdfkit.ros.launch.collect import Collector
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, StartedProgram
 from urdfkit.ros.launch.event_handlers import (
+    endless,
     never_reached,
     started_twice,
     waits_for_itself,
@@ -118,6 +119,7 @@ class _PythonReader(PythonLaunchFile):
         problems += wrong_calls(self.tree, self.calls, self.values)
         problems += declared_late(self.calls, self.values)
         problems += never_reached(self.calls, self.values)
+        problems += endless(self.calls, self.values)
         problems += started_twice(self.calls, self.values)
         problems += wrong_targets(self.calls, self.values)
         problems += waits_for_itself(self.calls, self.values)

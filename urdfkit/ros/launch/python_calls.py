@@ -39,6 +39,14 @@ _RETURNED = (
 )  # fmt: skip
 #: The executables of containers begin with this, and what gives a container its name.
 _CONTAINER, _NAMES = "component_container", ("namespace", "name")
+#: Modules of launch with conditions and with substitutions.
+_KINDS = ("conditions", "substitutions")
+#: What to write in place of conditions.
+_SUBSTITUTES = {
+    "LaunchConfigurationEquals": "write EqualsSubstitution(LaunchConfiguration(...), ...)",
+    "LaunchConfigurationNotEquals": "write NotEqualsSubstitution(LaunchConfiguration(...), ...)",
+    "UnlessCondition": "write NotSubstitution(...)",
+}
 #: Arguments of Foxy and before, which are reported as such.
 _FORMER = ("node_", "package_")
 #: What a LaunchConfiguration becomes when a launch file runs.
@@ -54,6 +62,7 @@ def wrong_calls(tree: ast.Module, calls: list[ast.Call], values: Values) -> Iter
             yield from _missing(call, values)
             yield from _positional(call, values)
             yield from _output(call, values)
+            yield from _conditions(call, values)
             yield from _component(call, values)
         yield from _no_actions(call, values)
         yield from _without_effect(call, values)
@@ -197,6 +206,25 @@ def _output(call: ast.Call, values: Values) -> Iterator[Problem]:
     if node is not None and text is not None and text not in known:
         message = f"output is '{text}', which launch does not know"
         yield _error(node, message, f"write {' or '.join(known)}", values)
+
+
+def _conditions(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """Substitutions in place of conditions, and the reverse: launch stops at both."""
+    modules = data("launch_python")["modules"]
+    conditions, substitutions = (modules[f"launch.{kind}"].split() for kind in _KINDS)
+    node = argument(call, None, "condition")
+    value = values.resolved(node)
+    if node is not None and isinstance(value, ast.Call) and called(value) in substitutions:
+        message = f"{called(value)} is no condition, but a substitution"
+        yield _error(node, message, f"write IfCondition({called(value)}(...))", values)
+    if called(call) not in (*conditions, *substitutions):
+        return
+    for item in call.args:
+        inner = values.resolved(item)
+        if isinstance(inner, ast.Call) and called(inner) in conditions:
+            message = f"{called(call)} takes a substitution, but {called(inner)} is a condition"
+            help = _SUBSTITUTES.get(called(inner), "write what the condition asks")
+            yield _error(item, message, help, values)
 
 
 def _component(call: ast.Call, values: Values) -> Iterator[Problem]:

@@ -151,6 +151,11 @@ def _misplaced(element: Element, frame: CallFrame | None) -> Iterator[Problem]:
         message = f"<{element.tag}> is not in a <node>: ROS 2 stops at it"
         help = f"write <{_OF_NODES[element.tag]}>, or move it into the node"
         yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
+    if parent in _CHILDREN[2] and element.tag not in _CHILDREN[2][parent]:
+        message = f"unknown tag <{element.tag}> in <{parent}>: ROS 2 stops at it"
+        words = ", ".join(f"<{tag}>" for tag in _CHILDREN[2][parent])
+        help = "write <param>" if element.tag == "arg" else f"write one of {words}"
+        yield Problem("LAU010", element.span, message, help, frame, severity=Severity.ERROR)
     yield from _without_value(element, frame)
     value = element.attributes.get("value")
     if element.tag == "arg" and parent in ("launch", "group") and value is not None:

@@ -1,0 +1,95 @@
+"""Messages, services and actions of a package that the build cannot generate.
+
+Source: ``rosidl_generate_interfaces.cmake`` of ros2/rosidl.
+"""
+
+import os
+import posixpath
+import re
+from collections.abc import Iterator
+from itertools import takewhile
+
+from urdfkit.checks.package.build_files import is_ignored, is_missing, package_file
+from urdfkit.core import disk
+from urdfkit.core.suggest import nearest
+from urdfkit.lint.rules import Context, Finding, Findings
+from urdfkit.text.comments import blank_comments
+from urdfkit.text.source import Source, Span
+from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.ros_packages import comes_with_ros
+
+_CALL = re.compile(rb"\brosidl_generate_interfaces\s*\(\s*[^\s()]+\s+([^()]*)\)")
+_FOUND = re.compile(rb"\bfind_package\s*\(\s*([\w-]+)")
+#: What finds packages in another way, or creates files.
+_OTHER = re.compile(rb"\b(ament_auto_\w+|configure_file|file|foreach|include|macro)\s*\(")
+_KEYWORDS = (
+    "ADD_LINTER_TESTS", "DEPENDENCIES", "LIBRARY_NAME", "SKIP_GROUP_MEMBERSHIP_CHECK",
+    "SKIP_INSTALL",
+)  # fmt: skip
+_SUFFIXES = (".action", ".idl", ".msg", ".srv")
+_GROUP = "rosidl_interface_packages"
+#: Packages that bring no messages along, or only those of time and of actions.
+_WITHOUT_OTHERS = re.compile(r"ament_\w+|rosidl_\w+|builtin_interfaces|std_msgs|action_msgs")
+_BROUGHT = ("action_msgs", "builtin_interfaces", "service_msgs", "unique_identifier_msgs")
+
+
+def packages_with_interfaces(context: Context) -> Iterator[str]:
+    """The directories of those on which the package of a file depends, in its workspace."""
+    manifest = manifest_of(context.resolver, context.source.path)
+    names = sorted(manifest.dependencies) if manifest and manifest.ros == 2 else ()
+    names = [name for name in names if not comes_with_ros(name)]
+    known = context.resolver.packages.known(context.source.path) if names else {}
+    for directory in filter(None, map(known.get, names)):
+        build = package_file(directory, "CMakeLists.txt")
+        if build and _CALL.search(build.data) and not is_ignored(directory):
+            yield directory
+
+
+def not_generated(directory: str) -> Findings:
+    """What stops the build of a package with interfaces."""
+    build, manifest = (package_file(directory, file) for file in ("CMakeLists.txt", "package.xml"))
+    if build is None or manifest is None:
+        return
+    text = re.sub(rb"#[^\n]*", lambda comment: b" " * len(comment[0]), build.data)
+    call = _CALL.search(text)
+    if call is None:
+        return
+    words = list(_words(call, build))
+    names = [word for word, _ in words]
+    if "SKIP_INSTALL" not in names and "SKIP_GROUP_MEMBERSHIP_CHECK" not in names:
+        yield from _not_in_group(manifest, Span(build, call.start(), call.start(1)))
+    if _OTHER.search(text) or any("$" in name for name in names):
+        return
+    for path, span in takewhile(lambda word: word[0] not in _KEYWORDS, words):
+        if path.endswith(_SUFFIXES) and is_missing(directory, path):
+            folder = posixpath.dirname(path)
+            files = disk.names(os.path.join(directory, folder))
+            match = nearest(path, [posixpath.join(folder, file) for file in files])
+            message = f"interface '{path}' does not exist: the build fails"
+            help = f"write {match}" if match else f"create {path}, or remove it here"
+            yield Finding(span, message, help)
+    found = {match[1].decode() for match in _FOUND.finditer(text)}
+    if "DEPENDENCIES" not in names or not all(map(_WITHOUT_OTHERS.fullmatch, found)):
+        return
+    listed = words[names.index("DEPENDENCIES") + 1 :]
+    for name, span in takewhile(lambda word: word[0] not in _KEYWORDS, listed):
+        if name not in found and name not in _BROUGHT:
+            message = f"CMakeLists.txt does not find {name}, on which the interfaces depend"
+            yield Finding(span, message, f"write find_package({name} REQUIRED) above")
+
+
+def _words(call: re.Match[bytes], build: Source) -> Iterator[tuple[str, Span]]:
+    """The arguments of a call without their quotes."""
+    for word in re.finditer(rb"[^\s\";]+", call[1]):
+        start = call.start(1) + word.start()
+        yield word[0].decode("utf-8", "replace"), Span(build, start, start + len(word[0]))
+
+
+def _not_in_group(manifest: Source, span: Span) -> Findings:
+    data = blank_comments(manifest.data)
+    if not re.search(rb"<member_of_group\b[^>]*>\s*%s\s*<" % _GROUP.encode(), data):
+        message = (
+            f"package.xml has no <member_of_group> {_GROUP}: the build of the interfaces stops"
+        )
+        help = f"add <member_of_group>{_GROUP}</member_of_group>, which format 3 has"
+        yield Finding(span, message, help)
