@@ -296,4 +296,4 @@ def test_handlers_of_any_process(tmp_path: Path, handler: str, count: int) -> No
     text = text.replace("OnProcessExit\n", "OnProcessExit, OnProcessStart\n", 1)
     text = text.replace("DeclareLaunchArgument,", "DeclareLaunchArgument, EmitEvent, Shutdown,", 1)
     found = reported(tmp_path, "LAU010", "a.launch.py", text)
-    assert ["no target_action" in one.message for one in found] == [True] * count
+    assert sum("no target_action" in one.message for one in found) == count

@@ -24,8 +24,9 @@
   keyword argument". Or a required one is missing, or is given without its name, as in
   `LogInfo("text")`. A name is not defined or imported (error; a
   warning under a condition), or is imported from a module that does not have it. The value of
-  `output` is unknown, a substitution is in place of a condition, an event handler is among the actions without `RegisterEventHandler`, or the
-  function of an `OpaqueFunction` returns no list (error).
+  `output` is unknown, a substitution is in place of a condition, an event handler is among the
+  actions without `RegisterEventHandler`, or the function of an `OpaqueFunction` returns no list
+  (error).
 - `SetParameter`, `push_ros_namespace` or a similar action stands behind the last node (warning): it
   applies to the actions after it. A condition of Python tests or compares a `LaunchConfiguration`
   (warning), which has no value when Python runs.
@@ -49,10 +50,10 @@
   comparison (error): `if="$(arg gui) == true"` is not a boolean. Write `$(eval ...)`.
 - `generate_launch_description` is misspelt or returns nothing (error).
 - An action is both in the launch description and in an event handler of it (error): launch starts
-  it once and stops at the second start. Or an event handler without `target_action` starts a process
-  at an event of each process (warning). An action waits for the exit of a node that does not exit,
-  such as robot_state_publisher, and never starts; or for that of an included launch file, which is
-  no process (error).
+  it once and stops at the second start. Or an event handler without `target_action` starts a
+  process at an event of each process (warning). An action waits for the exit of a node that does
+  not exit, such as robot_state_publisher, and never starts; or for that of an included launch file,
+  which is no process (error).
 - A node that reads the keyboard, such as teleop_twist_keyboard, has no terminal in a launch file of
   ROS 2: "Inappropriate ioctl for device". Start it in one of its own, with `prefix="xterm -e"`.
 - An action is created but not added to the launch description, so it is never started (info: often
