@@ -333,6 +333,17 @@ def test_unknown_contents_of_an_included_file_are_ignored(package, rest):
     assert read(package, include("rsp.launch.py", rest)).descriptions == ()
 
 
+@pytest.mark.parametrize(
+    "step", ["[v{0}, v{0}]", "IfElseSubstitution(v{0}, v{0}, v{0})", "v{0} + v{0}"]
+)
+def test_values_that_double_at_each_level_end(package, step):
+    """A text of 2 to the power of 36 letters, or as many evaluations."""
+    names = "".join(f"v{n} = {step.format(n + 1)}\n" for n in reversed(range(36)))
+    body = f"v36 = 'true'\n{names}Node(package='joy', executable=v0)"
+    (program,) = read(package, body).programs
+    assert program.executable in ("", None)
+
+
 def test_files_that_include_each_other_end(package):
     included(package, body=f"{ARM}\n{include('a.launch.py')}\n{include('rsp.launch.py')}")
     assert len(read(package, include("rsp.launch.py")).descriptions) == 1

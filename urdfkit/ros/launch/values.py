@@ -13,6 +13,9 @@ from urdfkit.text.source import Span
 
 #: Greatest depth of nested expressions that are evaluated.
 MAX_DEPTH = 40
+#: Most expressions that are evaluated for one text, and its greatest length: lists of lists double
+#: both at each level.
+_MAX_STEPS, _MAX_LENGTH = 10_000, 100_000
 
 PACKAGE_DIRECTORY = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
 #: Calls whose value is that of an argument, with its name.
@@ -67,6 +70,7 @@ class Values:
         self.source = file.source
         self.arguments: dict[str, ast.expr | str | None] = dict(file.arguments)
         self._scopes = scopes(tree)
+        self._steps = 0
         self._opened: dict[str, list[ast.expr]] = {}
         for node in python_source.nodes(tree):
             for item in node.items if isinstance(node, ast.With) else ():
@@ -75,7 +79,8 @@ class Values:
 
     def text(self, node: ast.expr | None, depth: int = 0) -> str | None:
         """The text of an expression; None if it is known only at run time."""
-        if node is None or depth > MAX_DEPTH:
+        self._steps = self._steps + 1 if depth else 0
+        if node is None or depth > MAX_DEPTH or self._steps > _MAX_STEPS:
             return None
         if isinstance(node, ast.Constant):
             return str(node.value) if isinstance(node.value, (str, int, float)) else None
@@ -240,9 +245,10 @@ def parts_of_path(call: ast.Call) -> list[ast.expr]:
 
 
 def _joined(parts: Iterable[str | None]) -> str | None:
-    """Concatenated texts; None if one of them is unknown."""
+    """Concatenated texts; None if one of them is unknown, or if the result is too long."""
     texts = _all_known(parts)
-    return None if texts is None else "".join(texts)
+    text = None if texts is None else "".join(texts)
+    return None if text is None or len(text) > _MAX_LENGTH else text
 
 
 def _path(parts: Iterable[str | None]) -> str | None:
