@@ -35,6 +35,11 @@ class Value(Record):
         start, end = (self.source.offset(line + 1, column + 1) for line, column in self[2:4])
         return Span(self.source, start, end)
 
+    @property
+    def boolean(self) -> bool | None:
+        """None for a text that is neither true nor false."""
+        return {"true": True, "false": False}.get(self.text.lower())
+
 
 class Key(str):
     """A key of a mapping, with its source location."""
@@ -70,6 +75,19 @@ def mapping(node: Node, *keys: str) -> dict[str, Node]:
     for key in keys:
         node = node.get(key) if isinstance(node, dict) else None
     return node if isinstance(node, dict) else {}
+
+
+def scalar(node: Node, *keys: str) -> Value | None:
+    """The scalar at a path of keys; None if there is none."""
+    for key in keys:
+        node = mapping(node).get(key)
+    return node if isinstance(node, Value) else None
+
+
+def words(node: Node, *keys: str) -> list[str]:
+    """The words of the scalar at a path of keys, which stand between spaces."""
+    value = scalar(node, *keys)
+    return value.text.split() if value else []
 
 
 def scalars(node: Node) -> list[Value]:

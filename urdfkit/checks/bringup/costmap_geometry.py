@@ -12,7 +12,7 @@ from urdfkit.checks.bringup.costmaps import COSTMAPS, class_of_active_layer, cla
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Node, Value, mapping, scalars
+from urdfkit.text.located_yaml import Node, Value, mapping, scalar, scalars, words
 from urdfkit.workspace.launch_files import launch_files
 
 _STATIC, _INFLATION = "StaticLayer", "InflationLayer"
@@ -36,14 +36,13 @@ def unmoved(node: NodeParameters) -> Findings:
     if not classes or not set(classes) <= {*_SIZELESS} or _rolls(node) is not False:
         return
     if node.name == COSTMAPS[0] or not has_size:
-        switch = node.values.get("rolling_window")
-        at = switch.span if isinstance(switch, Value) else node.at
+        switch = scalar(node.values, "rolling_window")
+        at = switch.span if switch else node.at
         yield Finding(
             at,
             f"'{node.name}' does not move with the robot, which leaves it: rolling_window is "
             f"false, and no layer is a {_STATIC}",
             f"write rolling_window: true, or add a {_STATIC}",
-            severity=Severity.WARNING,
         )
 
 
@@ -61,7 +60,6 @@ def not_inflated(node: NodeParameters) -> Findings:
                 f"'{node.name}': the obstacles of '{layer.text}' are not inflated: it stands "
                 f"behind '{layers[last].text}'",
                 f"write {layers[last].text} behind {layer.text}",
-                severity=Severity.WARNING,
             )
 
 
@@ -73,15 +71,14 @@ def untransformed_map(sections: list[NodeParameters]) -> Findings:
         if isinstance(value := node.values.get(_MAP_FRAMES.get(node.name, "")), Value)
     }
     for node in sections if frames == {"map"} else ():
-        frame = node.values.get("global_frame")
+        frame = scalar(node.values, "global_frame")
         has_map = _STATIC in _classes_of_layers(node) and _rolls(node) is False
-        if has_map and isinstance(frame, Value) and frame.text.strip("/") == "odom":
+        if has_map and frame and frame.text.strip("/") == "odom":
             yield Finding(
                 frame.span,
                 f"'{node.name}' has the map in '{frame.text}' without a transform from 'map', "
                 "as it does not roll",
                 "write global_frame: map",
-                severity=Severity.WARNING,
             )
 
 
@@ -102,7 +99,6 @@ def misread_costmaps(node: NodeParameters) -> Findings:
                     f"'{node.name}': {key} '{value.text}' is not '{topic}', which a costmap "
                     "publishes for it",
                     f"write {right}",
-                    severity=Severity.WARNING,
                 )
 
 
@@ -143,10 +139,9 @@ def _relative(node: NodeParameters) -> list[Value]:
     """The relative topics of the sources of a costmap's layers."""
     found: list[Value] = []
     for layer in map(mapping, node.values.values()) if node.name in COSTMAPS else ():
-        listed = layer.get("observation_sources")
-        for name in listed.text.split() if isinstance(listed, Value) else ():
-            topic = mapping(layer.get(name)).get("topic")
-            if isinstance(topic, Value) and re.match(r"\w", topic.text):
+        for name in words(layer, "observation_sources"):
+            topic = scalar(layer, name, "topic")
+            if topic and re.match(r"\w", topic.text):
                 found.append(topic)
     return found
 
@@ -159,6 +154,5 @@ def _classes_of_layers(node: NodeParameters) -> list[str]:
 
 def _rolls(node: NodeParameters) -> bool | None:
     """None if it is not known."""
-    value = node.values.get("rolling_window")
-    text = value.text.lower() if isinstance(value, Value) else "false" if value is None else ""
-    return {"true": True, "false": False}.get(text)
+    value = scalar(node.values, "rolling_window")
+    return value.boolean if value else False

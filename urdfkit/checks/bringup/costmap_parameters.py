@@ -9,8 +9,9 @@ from urdfkit.checks.bringup.costmaps import COSTMAPS, has_default_plugins
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.known_parameters import plugin_class
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Node, Value, mapping, scalars
+from urdfkit.text.located_yaml import Node, Value, scalar, scalars
 
 _PACKAGE = "nav2_costmap_2d"
 _KIND = r"(Layer|Filter)s?$"
@@ -48,10 +49,9 @@ def misspelt_servers(node: NodeParameters) -> Findings:
     """Misspelt planners, controllers and checkers of Nav2; ``/`` and ``::`` are accepted."""
     known: list[str] = data("nodes")["plugins"].get(node.name, [])
     for section in node.values.values() if known else ():
-        plugin = mapping(section).get("plugin")
-        text = plugin.text.replace("/", "::") if isinstance(plugin, Value) else ""
-        suggested = nearest(text, known, CLOSE_TYPO)
-        if suggested and suggested != text and isinstance(plugin, Value):
+        plugin, name = scalar(section, "plugin"), plugin_class(section)
+        suggested = nearest(name, known, CLOSE_TYPO)
+        if plugin and suggested and suggested != name:
             suggested = suggested.replace("::", "/") if "/" in plugin.text else suggested
             hint = f"unknown plugin '{plugin.text}'; did you mean '{suggested}'?"
             at = plugin.span
@@ -63,8 +63,8 @@ def mixed_names(sections: list[NodeParameters]) -> Findings:
     found: dict[str, list[Value]] = {"/": [], "::": []}
     for node in sections:
         for section in node.values.values():
-            plugin = mapping(section).get("plugin")
-            if isinstance(plugin, Value) and (match := _RENAMED.match(plugin.text)):
+            plugin = scalar(section, "plugin")
+            if plugin and (match := _RENAMED.match(plugin.text)):
                 found[match.group(1)].append(plugin)
     old, new = found["/"], found["::"]
     if old and new:
@@ -80,10 +80,10 @@ def mixed_names(sections: list[NodeParameters]) -> Findings:
 
 
 def _sources(layer: dict[str, Node]) -> Findings:
-    listed = layer.get("observation_sources")
+    listed = scalar(layer, "observation_sources")
     sections = {name for name, value in layer.items() if isinstance(value, dict)}
-    for name in listed.text.split() if isinstance(listed, Value) else ():
-        if isinstance(listed, Value) and name not in sections:
+    for name in listed.text.split() if listed else ():
+        if listed and name not in sections:
             yield Finding(
                 listed.span,
                 f"observation source '{name}' has no parameters{did_you_mean(name, sections)}",
@@ -94,8 +94,8 @@ def _sources(layer: dict[str, Node]) -> Findings:
 
 def _layer(layer: dict[str, Node]) -> Findings:
     """A misspelt layer class, and message types that an obstacle layer does not accept."""
-    plugin = layer.get("plugin")
-    if not isinstance(plugin, Value):
+    plugin = scalar(layer, "plugin")
+    if plugin is None:
         return
     package, _, name = re.sub("::|/", " ", plugin.text).partition(" ")
     kinds = {re.sub(_KIND, "", known): known for known in data("nodes")["layers"].split()}
@@ -106,8 +106,8 @@ def _layer(layer: dict[str, Node]) -> Findings:
         help = f"write {_PACKAGE}::{suggested}"
         yield Finding(plugin.span, f"unknown layer {hint}", help)
     for source in layer.values() if suggested in ("ObstacleLayer", "VoxelLayer") else ():
-        kind = mapping(source).get("data_type")
-        if isinstance(kind, Value) and kind.text not in _DATA:
+        kind = scalar(source, "data_type")
+        if kind and kind.text not in _DATA:
             yield Finding(
                 kind.span,
                 f"unknown data_type '{kind.text}', which stops the costmap"

@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-import re
-
-from urdfkit.ros.launch.known_parameters import has_parameter
+from urdfkit.ros.launch.known_parameters import has_parameter, plugin_class
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Node, Value, mapping, scalars
+from urdfkit.text.located_yaml import Node, scalar, scalars
 
 COSTMAPS = ("local_costmap", "global_costmap")
 
 
 def class_of_layer(layer: Node) -> str:
     """The class of a layer without its package; empty if unknown."""
-    plugin = mapping(layer).get("plugin")
-    return re.split("::|/", plugin.text)[-1] if isinstance(plugin, Value) else ""
+    return plugin_class(layer).rpartition("::")[2]
 
 
 def class_of_active_layer(layer: Node) -> str:
     """The class of a layer without its package; empty if unknown, or if it is disabled."""
-    enabled = mapping(layer).get("enabled")
-    is_disabled = isinstance(enabled, Value) and enabled.text.lower() == "false"
-    return "" if is_disabled else class_of_layer(layer)
+    enabled = scalar(layer, "enabled")
+    return "" if enabled and enabled.boolean is False else class_of_layer(layer)
 
 
 def has_default_plugins(node: NodeParameters, key: str, defaults: list[str]) -> bool:

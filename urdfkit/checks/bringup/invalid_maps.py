@@ -12,7 +12,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.launch.contents import MAP, StartedProgram
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Node, Value, load, mapping, scalars
+from urdfkit.text.located_yaml import Node, Value, load, mapping, scalar, scalars
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.launch_files import launch_files
 
@@ -80,18 +80,18 @@ def _problems(source: Source, values: dict[str, Node]) -> Iterator[tuple[Span, s
             hint = did_you_mean(key, values.keys() - set(_REQUIRED))
             yield Span(source, 0, 0), f"the map has no {key}{hint}", f"add {key}"
     for key in _NUMBERS:
-        value = values.get(key)
-        if isinstance(value, Value) and _is_fixed(value) and number(value.text) is None:
+        value = scalar(values, key)
+        if value and _is_fixed(value) and number(value.text) is None:
             yield value.span, f"{key} '{value.text}' is not a number", "write a number"
-    resolution, mode = values.get("resolution"), values.get("mode")
-    if isinstance(resolution, Value) and (number(resolution.text) or 1.0) < 0:
+    resolution, mode = scalar(values, "resolution"), scalar(values, "mode")
+    if resolution and (number(resolution.text) or 1.0) < 0:
         yield resolution.span, f"resolution {resolution.text} is negative", "write m per pixel"
     origin = values.get("origin")
     numbers = [number(value.text) for value in scalars(origin)]
     if isinstance(origin, list) and origin and (len(numbers) != 3 or None in numbers):
         first = scalars(origin)[0].span if scalars(origin) else Span(source, 0, 0)
         yield first, f"origin has {len(origin)} values, not 3 numbers", "write [x, y, yaw]"
-    if isinstance(mode, Value) and _is_fixed(mode) and mode.text not in _MODES:
+    if mode and _is_fixed(mode) and mode.text not in _MODES:
         hint = did_you_mean(mode.text, _MODES)
         yield mode.span, f"unknown mode '{mode.text}'{hint}", f"write {', '.join(_MODES)}"
 
@@ -99,17 +99,17 @@ def _problems(source: Source, values: dict[str, Node]) -> Iterator[tuple[Span, s
 def _thresholds(values: dict[str, Node]) -> Findings:
     """A cell cannot be free and occupied; thresholds are shares of black, not percent."""
     for key in _NUMBERS[1:]:
-        value = values.get(key)
-        share = number(value.text) if isinstance(value, Value) else None
-        if isinstance(value, Value) and share is not None and share > 1:
+        value = scalar(values, key)
+        share = number(value.text) if value else None
+        if value and share is not None and share > 1:
             yield Finding(
                 value.span,
                 f"{key} is {share:g}, above 1: it is the share of black of a cell",
                 f"write {share / 100:g}" if share <= 100 else "write a number from 0 to 1",
                 severity=Severity.WARNING,
             )
-    free, occupied = values.get("free_thresh"), values.get("occupied_thresh")
-    if isinstance(free, Value) and isinstance(occupied, Value):
+    free, occupied = scalar(values, "free_thresh"), scalar(values, "occupied_thresh")
+    if free and occupied:
         low, high = number(free.text), number(occupied.text)
         if low is not None and high is not None and low > high:
             yield Finding(

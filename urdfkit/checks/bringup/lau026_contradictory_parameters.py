@@ -27,9 +27,10 @@ Sources:
 """
 
 from urdfkit.checks.bringup import costmap_geometry
+from urdfkit.checks.bringup.footprints import without_footprint, wrong_radii
 from urdfkit.checks.bringup.navigation_commands import mixed_stamps
 from urdfkit.checks.bringup.obstacle_heights import discarded_scans
-from urdfkit.checks.bringup.parameter_relations import contradictions, without_footprint
+from urdfkit.checks.bringup.parameter_relations import contradictions
 from urdfkit.checks.bringup.read_parameters import parameter_sections, whole_sections
 from urdfkit.lint.rules import Context, Findings, Need, Severity, rule
 
@@ -53,6 +54,8 @@ def check(context: Context) -> Findings:
     sections = parameter_sections(context)
     for section in sections:
         yield from contradictions(section)
+        if section.name.endswith("_costmap"):
+            yield from wrong_radii(section)
         yield from costmap_geometry.misread_costmaps(section)
     for section in whole_sections(sections):
         yield from costmap_geometry.not_inflated(section)

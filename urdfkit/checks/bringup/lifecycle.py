@@ -7,7 +7,7 @@ by default; slam_toolbox since Jazzy: its nodes are lifecycle nodes.
 import re
 
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.lint.rules import Context, Finding, Findings
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.given_parameters import given_parameter
@@ -49,14 +49,12 @@ def not_activated(context: Context) -> Findings:
                 node.at,
                 f"'{name}' stays unconfigured: no lifecycle manager has it in {_NAMES}",
                 f"add it to {_NAMES} of the lifecycle manager",
-                severity=Severity.WARNING,
             )
     if not is_part and (missing := sorted(names.difference(nodes))):
         yield Finding(
             managers[0].at,
             f"the lifecycle manager waits for {few(missing, _MAX_NAMED)}, which nothing starts",
             f"start them, or remove them from {_NAMES}",
-            severity=Severity.WARNING,
         )
 
 
@@ -72,7 +70,6 @@ def not_started(context: Context) -> Findings:
                 f"the nodes stay unconfigured: {_AUTOSTART} of the lifecycle manager is false"
                 f"{is_default}",
                 f"set {_AUTOSTART}: true",
-                severity=Severity.WARNING,
             )
 
 
@@ -95,5 +92,4 @@ def inactive_mapping(context: Context) -> Findings:
                 f"'{node.executable}' of Jazzy and later is a lifecycle node, which nothing "
                 "activates: it publishes no map",
                 "include online_async_launch.py of slam_toolbox, or add it to a lifecycle manager",
-                severity=Severity.WARNING,
             )

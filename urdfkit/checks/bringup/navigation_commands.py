@@ -15,7 +15,7 @@ from urdfkit.checks.bringup.unread_commands import (
 )
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
@@ -55,13 +55,13 @@ def mixed_stamps(sections: list[NodeParameters]) -> Findings:
         if isinstance(value, Value):
             message = f"'{node.name}': {_STAMPED} is {value.text}, unlike that of '{other}'"
             help = f"write {_STAMPED}: {text}"
-            yield Finding(value.span, message, help, severity=Severity.WARNING)
+            yield Finding(value.span, message, help)
     for node, text in given if not plain else ():
         if not text and _STAMPED not in node.values:
             message = f"'{node.name}' lacks {_STAMPED}: true, which '{other}' has; it is false "
             help = f"add {_STAMPED}: true"
             message += "by default up to Jazzy"
-            yield Finding(node.at, message, help, severity=Severity.WARNING)
+            yield Finding(node.at, message, help)
 
 
 def _text(node: NodeParameters, key: str, default: str = "") -> str:

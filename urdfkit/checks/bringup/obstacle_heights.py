@@ -10,12 +10,12 @@ from collections.abc import Iterator
 
 from urdfkit.checks.bringup.published_robots import published_robots
 from urdfkit.core.record import Record
-from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.views import frame_of, planar_scan
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Node, Value, mapping
+from urdfkit.text.located_yaml import Value, mapping, scalar, words
 
 _MAX, _MIN = "max_obstacle_height", "min_obstacle_height"
 _SCAN = "LaserScan"
@@ -53,29 +53,26 @@ def discarded_scans(context: Context, sections: list[NodeParameters]) -> Finding
                 f"{bound.height:g}, and {sensor.who} scans at a height of {height:.3g} m",
                 f"write {'more' if is_max else 'less'} than {height:.3g}",
                 related=(Related(sensor.at.span, sensor.who),),
-                severity=Severity.WARNING,
             )
 
 
 def _bounds(node: NodeParameters) -> Iterator[_Bound]:
     """The bounds of scans that may exclude a lidar."""
     for layer in map(mapping, node.values.values()):
-        listed = layer.get("observation_sources")
-        for name in listed.text.split() if isinstance(listed, Value) else ():
-            source = mapping(layer.get(name))
-            kind = source.get("data_type")
-            if isinstance(kind, Value) and kind.text == _SCAN:
-                yield from _low_maximum(source.get(_MAX), name)
-                yield from _low_maximum(layer.get(_MAX), name)
-                least = source.get(_MIN)
-                height = number(least.text) if isinstance(least, Value) else None
-                if isinstance(least, Value) and height:
+        for name in words(layer, "observation_sources"):
+            source, kind = mapping(layer, name), scalar(layer, name, "data_type")
+            if kind and kind.text == _SCAN:
+                yield from _low_maximum(scalar(source, _MAX), name)
+                yield from _low_maximum(scalar(layer, _MAX), name)
+                least = scalar(source, _MIN)
+                height = number(least.text) if least else None
+                if least and height:
                     yield _Bound(least, _MIN, height, name)
 
 
-def _low_maximum(value: Node, source: str) -> Iterator[_Bound]:
-    height = number(value.text) if isinstance(value, Value) else None
-    if isinstance(value, Value) and height is not None and height < _HIGH:
+def _low_maximum(value: Value | None, source: str) -> Iterator[_Bound]:
+    height = number(value.text) if value else None
+    if value and height is not None and height < _HIGH:
         yield _Bound(value, _MAX, height, source)
 
 

@@ -7,7 +7,7 @@ cra-ros-pkg/robot_localization, humble to rolling.
 import re
 
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, is_typo, nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.lint.rules import Context, Finding, Findings
 from urdfkit.ros.launch.known_parameters import CONFIGURATION, GivenValue, given_values
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Value, entries
@@ -26,7 +26,6 @@ def misspelt(node: NodeParameters) -> Findings:
                 given.at.span,
                 f"'{node.name}': unknown parameter '{given.at}'; did you mean '{suggested}'?",
                 f"write {suggested}",
-                severity=Severity.WARNING,
             )
 
 
@@ -36,7 +35,7 @@ def with_commas(node: NodeParameters) -> Findings:
         if re.fullmatch(r"\w+,\w+", key):
             message = f"'{node.name}': the name of the parameter '{key}' contains a comma"
             help = f"write {key.replace(',', '.')}"
-            yield Finding(key.span, message, help, severity=Severity.WARNING)
+            yield Finding(key.span, message, help)
 
 
 def _meant(given: GivenValue) -> str | None:
@@ -65,7 +64,7 @@ def without_inputs(context: Context) -> Findings:
         given = node.parameters.every if is_filter and node.is_ros_2 else None
         if given is not None and node.is_sure and not any(map(_INPUT.fullmatch, given)):
             message = f"'{node.title}' has no inputs: it gets no odom0, imu0 or the like"
-            yield Finding(node.at, message, "load its parameter file", severity=Severity.WARNING)
+            yield Finding(node.at, message, "load its parameter file")
 
 
 def unread_inputs(node: NodeParameters) -> Findings:
@@ -82,5 +81,4 @@ def unread_inputs(node: NodeParameters) -> Findings:
             f"'{node.name}': nothing of {name} is read: {name}_config is not given"
             f"{did_you_mean(f'{name}_config', others)}",
             f"add {name}_config with 15 booleans",
-            severity=Severity.WARNING,
         )

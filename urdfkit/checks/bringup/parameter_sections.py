@@ -77,7 +77,6 @@ def _of_other_name(section: NodeParameters, node: StartedProgram, name: str, hel
         f"parameters of '{section.name}' are not read: the node is '{name}'",
         help,
         related=(Related(node.span, "the node that loads the file"),),
-        severity=Severity.WARNING,
     )
 
 
@@ -143,7 +142,6 @@ def unread_plugins(node: NodeParameters) -> Findings:
                     f"'{node.name}': the parameters of '{name}' are not read: {key} has "
                     f"'{default}'",
                     f"write {default}, or write {name} in {key}",
-                    severity=Severity.WARNING,
                 )
 
 

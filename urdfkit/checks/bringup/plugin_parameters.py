@@ -12,8 +12,9 @@ import os
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.known_parameters import plugin_class
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalar, scalars
 
 _TREES = ("default_nav_to_pose_bt_xml", "default_nav_through_poses_bt_xml")
 _BEHAVIORS, _TREE = "behavior_plugins", b"bt_xml"
@@ -34,9 +35,8 @@ def unloadable_plugins(node: NodeParameters) -> Findings:
     """Names without parameters, and plugins without a parameter that they require."""
     yield from _names_without_section(node)
     for name, section in node.values.items():
-        plugin = mapping(section).get("plugin")
-        if isinstance(plugin, Value) and isinstance(name, Key):
-            yield from _incomplete(node, name, plugin, mapping(section))
+        if isinstance(name, Key) and (kind := plugin_class(section)):
+            yield from _incomplete(node, name, kind, mapping(section))
     yield from _relative_trees(node)
     yield from _swapped_frames(node)
 
@@ -81,10 +81,7 @@ def _names_without_section(node: NodeParameters) -> Findings:
                 )
 
 
-def _incomplete(
-    node: NodeParameters, name: Key, plugin: Value, section: dict[str, Node]
-) -> Findings:
-    kind = plugin.text.replace("/", "::")
+def _incomplete(node: NodeParameters, name: Key, kind: str, section: dict[str, Node]) -> Findings:
     for parameter in data("node_parameters")["required_of_plugins"].get(kind, "").split():
         if not any(key == parameter or key.startswith(f"{parameter}.") for key in section):
             message = f"'{node.name}' stops: {kind} requires {parameter}, which '{name}' lacks"
@@ -106,10 +103,10 @@ def _with_suffix(critics: list[str]) -> set[str]:
 def _relative_trees(node: NodeParameters) -> Findings:
     """Behaviour trees without a directory, which the navigator does not find."""
     for key in _TREES if node.name == "bt_navigator" else ():
-        value = node.values.get(key)
-        text = value.text if isinstance(value, Value) else ""
+        value = scalar(node.values, key)
+        text = value.text if value else ""
         is_file = text.endswith(".xml") and "$" not in text
-        if isinstance(value, Value) and is_file and not os.path.isabs(text):
+        if value and is_file and not os.path.isabs(text):
             yield Finding(
                 value.span,
                 f"'{node.name}' does not find '{text}': {key} is not the full path of a file",
@@ -120,8 +117,8 @@ def _relative_trees(node: NodeParameters) -> Findings:
 
 def _swapped_frames(node: NodeParameters) -> Findings:
     for key, wrong in _SWAPPED.items() if node.name in _LOCALIZING else ():
-        value = node.values.get(key)
-        if isinstance(value, Value) and value.text.strip("/") == wrong:
+        value = scalar(node.values, key)
+        if value and value.text.strip("/") == wrong:
             right = "odom" if wrong == "map" else "map"
             yield Finding(
                 value.span,

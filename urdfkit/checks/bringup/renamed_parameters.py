@@ -93,7 +93,7 @@ def _renamed_node(node: NodeParameters, names: set[str]) -> Findings:
     name, since = data("node_parameters")["renamed_nodes"].get(node.name, ("", ""))
     if name and name not in names:
         message = f"parameters of '{node.name}' are not read: the node of {since} and later is "
-        yield Finding(node.at, f"{message}'{name}'", f"write {name}", severity=Severity.WARNING)
+        yield Finding(node.at, f"{message}'{name}'", f"write {name}")
 
 
 def _own_libraries(node: NodeParameters) -> Findings:
@@ -115,7 +115,7 @@ def _unstamped(node: NodeParameters) -> Findings:
     if node.name == _MUX and _STAMPED not in node.values and "topics" in node.values:
         message = f"'{_MUX}' of Jazzy and later stops: parameter '{_STAMPED}' is not given"
         help = f"add {_STAMPED}: true, or false for Twist"
-        yield Finding(node.at, message, help, severity=Severity.WARNING)
+        yield Finding(node.at, message, help)
 
 
 def _listed_points(node: NodeParameters) -> Findings:
@@ -133,4 +133,4 @@ def _listed_points(node: NodeParameters) -> Findings:
 
 
 def _finding(at: Key | Value, message: str, help: str) -> Finding:
-    return Finding(at.span, message, help, severity=Severity.WARNING)
+    return Finding(at.span, message, help)

@@ -8,7 +8,7 @@ import os
 from collections.abc import Iterator
 
 from urdfkit.core.suggest import TYPO, is_typo, nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import FileUse
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
@@ -175,10 +175,9 @@ def meshes_without_uri(context: Context) -> Findings:
                 f"{mesh.who} is not found by RViz, which reads only package:// and file://",
                 f"write package://{package[0]}/{relative}",
                 related=(Related(description.frame.call.span, "the robot is started here"),),
-                severity=Severity.WARNING,
             )
 
 
 def _finding(at: Span, message: str, help: str, file: FileUse) -> Finding:
     note = Related(file.span, "the file is named here")
-    return Finding(at, message, help, related=(note,), severity=Severity.WARNING)
+    return Finding(at, message, help, related=(note,))

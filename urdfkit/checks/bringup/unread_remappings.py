@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from urdfkit.checks.bringup.defined_controllers import defined_controllers, robots_of_workspace
 from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import (
@@ -61,7 +61,6 @@ def unread_remappings(context: Context) -> Findings:
                     f"remapping of '{name}' has no effect: controllers run in the controller "
                     f"manager, not in '{node.executable}'",
                     _HELP,
-                    severity=Severity.WARNING,
                 )
 
 
@@ -106,7 +105,6 @@ def unstamped_commands(context: Context) -> Findings:
                 "TwistStamped on 'cmd_vel'",
                 f"remap /{name}/cmd_vel, and publish TwistStamped; up to Iron, or set "
                 f"{_STAMPED}: false",
-                severity=Severity.WARNING,
             )
 
 
@@ -124,7 +122,6 @@ def reversed_remappings(context: Context) -> Findings:
                     f"remapping of '{old}' has no effect: the topic of '{node.executable}' is "
                     f"'{new}'",
                     f"write it the other way round: from {new} to {old}",
-                    severity=Severity.WARNING,
                 )
 
 
@@ -150,7 +147,6 @@ def unknown_topics(context: Context) -> Findings:
                 f"remapping of '{old}' has no effect: '{node.executable}' has the topics "
                 f"{few(sorted(own), _MAX_NAMED)}",
                 f"remap {suggested}",
-                severity=Severity.WARNING,
             )
 
 
@@ -171,7 +167,6 @@ def read_own_output(context: Context) -> Findings:
                         f"{_FILTERED} is remapped to it",
                         f"remap {_FILTERED} to another topic",
                         related=(Related(node.span, "the remapping is here"),),
-                        severity=Severity.WARNING,
                     )
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Node, Value, mapping
+from urdfkit.text.located_yaml import Key, Node, scalar
 
 #: The node of a costmap has the name of the costmap.
 _COSTMAP = "_costmap"
@@ -49,17 +49,22 @@ def _in_section(
 ) -> Iterator[GivenValue]:
     siblings = frozenset(section)
     for key, value in section.items():
-        plugin = mapping(value).get("plugin")
         if isinstance(value, dict):
-            name = plugin.text.replace("/", "::") if isinstance(plugin, Value) else ""
             # The parameters of an unknown class are not known, but those of a section are: the
             # position of initial_pose, an observation source, a critic.
-            if plugin is not None:
+            if "plugin" in value:
+                name = plugin_class(value)
                 yield from _in_section(value, _types("plugins", name), "", name)
             else:
                 yield from _in_section(value, known, f"{prefix}{key}.", owner)
         elif isinstance(key, Key) and known and key != "plugin":
             yield GivenValue(f"{prefix}{key}", key, value, known, siblings, owner)
+
+
+def plugin_class(section: Node) -> str:
+    """The class of a plugin as Jazzy and later write it, ``package::Class``; empty if unknown."""
+    plugin = scalar(section, "plugin")
+    return plugin.text.replace("/", "::") if plugin else ""
 
 
 def _of_node(node: NodeParameters) -> dict[str, str]:
