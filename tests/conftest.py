@@ -226,8 +226,11 @@ SAMPLED = {
     "tests/mesh/test_warnings.py": 8,
     "tests/mesh/writers/test_collada.py::test_the_parts": 4,
     "tests/output/bundle/test_bundle.py::test_robots_of_the_corpus": 40,
+    "tests/output/conversion/test_mjcf.py::test_robots_of_the_corpus": 20,
     "tests/output/conversion/test_own_dynamics.py::test_a_robot_with_too_many": 0,
+    "tests/output/conversion/test_sdf.py::test_robots_of_the_corpus": 20,
     "tests/output/conversion/test_sdf.py::test_pieces_of_robots": 3,
+    "tests/output/conversion/test_usd.py::test_robots_of_the_corpus": 20,
     "tests/output/report/test_browser.py::test_the_width": 0,
     "tests/output/report/test_browser.py": 2,
     "tests/output/report/test_html.py::test_the_same_robot": 0,
@@ -274,6 +277,9 @@ SAMPLED = {
 SAMPLED_ROBOTS = 10
 #: The same of those with 0, for ``--sample``.
 SAMPLED_RARELY = 12
+#: The same in another way of a file with 0: one of three tests, in one of so many runs. A browser,
+#: or the built pages, are made once for the tests of a file.
+SAMPLED_FILES = 4
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -328,7 +334,13 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         name = item.nodeid.partition("[")[0]
         number = seen[name] + crc32(name.encode()) + (sample or 0)  # other robots for other tests
         seen[name] += 1
-        every = _one_of(item, name) or (0 if sample is None else SAMPLED_RARELY)
+        every = _one_of(item, name)
+        if not every and sample is not None:
+            file = name.partition("::")[0]
+            every = SAMPLED_RARELY
+            if file in SAMPLED:
+                every, number = _rarely(file, seen[file], sample)
+            seen[file] += 1
         (left_out if not every or number % every else kept).append(item)
     items[:] = kept
     config.hook.pytest_deselected(items=left_out)
@@ -338,6 +350,13 @@ def pytest_collection_finish() -> None:
     """A check of several robots collects garbage: thousands of tests are none."""
     gc.collect()
     gc.freeze()
+
+
+def _rarely(file: str, place: int, sample: int) -> tuple[int, int]:
+    """Of how many tests of a file one is run, and the number of the one at this place."""
+    turn, rest = divmod(crc32(file.encode()) + sample, SAMPLED_FILES)
+    every = SAMPLED_RARELY // SAMPLED_FILES
+    return (every, place + turn) if rest == 0 else (0, 0)
 
 
 @cache
@@ -412,11 +431,13 @@ def small_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
 def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """A missing package is looked for in the directories above: here, in those of all other tests.
 
-    They would answer for one another, and the search would take longer with every test.
+    They would answer for one another, and the search would take longer with every test; likewise
+    with every directory next to the checkout.
     """
     base = tmp_path_factory.getbasetemp()
     with pytest.MonkeyPatch.context() as patch:
-        shared = search_root._SYSTEM_DIRECTORIES.union(map(str, (base, *base.parents)))
+        above = map(str, (base, *base.parents, *ROOT.parents))
+        shared = search_root._SYSTEM_DIRECTORIES.union(above)
         patch.setattr(search_root, "_SYSTEM_DIRECTORIES", shared)
         patch.setenv("TMPDIR", str(base))  # the same for processes
         yield
