@@ -23,7 +23,7 @@ from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import is_expression
-from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalar, scalars
 from urdfkit.text.source import Source, Span
 
 MANAGER = "controller_manager"
@@ -242,8 +242,8 @@ def _of_ros1(root: Node) -> Iterator[Controller]:
     while stack:
         name, node, above = stack.pop()
         node = mapping(node)
-        kind = node.get("type")
-        if isinstance(kind, Value) and "/" in kind.text:
+        kind = scalar(node, "type")
+        if kind and "/" in kind.text:
             at = name.span if isinstance(name, Key) else kind.span
             section = Section({}, {}, at)
             section.add(node)

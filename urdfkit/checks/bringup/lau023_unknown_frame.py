@@ -60,7 +60,7 @@ from urdfkit.ros.launch.frames import (
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import node_parameters
-from urdfkit.text.located_yaml import Value, entries
+from urdfkit.text.located_yaml import Value, entries, scalar
 from urdfkit.workspace.program_strings import strings_in_programs
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -265,10 +265,10 @@ def _wrong_filter_frames(context: Context) -> Findings:
     for file in context.launch.parameters:
         source = context.resolver.readable(file.path)
         for node in node_parameters(source) if source else ():
-            world, base = node.values.get("world_frame"), node.values.get("base_link_frame")
+            world, base = scalar(node.values, "world_frame"), scalar(node.values, "base_link_frame")
             others = [node.values.get(key) for key in ("odom_frame", "map_frame")]
             names = [frame.text for frame in others if isinstance(frame, Value)]
-            if not isinstance(base, Value) or len(names) < len(others):
+            if base is None or len(names) < len(others):
                 continue
             odom = node.values["odom_frame"]
             if isinstance(odom, Value) and odom.text in (base.text, names[1]):
@@ -279,7 +279,7 @@ def _wrong_filter_frames(context: Context) -> Findings:
                     "three different frames",
                     "write odom_frame: odom, map_frame: map and the robot's link",
                 )
-            elif isinstance(world, Value) and world.text not in names:
+            elif world and world.text not in names:
                 yield Finding(
                     world.span,
                     f"world_frame '{world.text}' is neither odom_frame '{names[0]}' nor "

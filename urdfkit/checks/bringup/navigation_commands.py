@@ -20,7 +20,7 @@ from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
 from urdfkit.ros.node_parameters import NodeParameters, node_parameters
-from urdfkit.text.located_yaml import Value
+from urdfkit.text.located_yaml import Value, scalar
 from urdfkit.text.source import Span
 from urdfkit.workspace.resolve import Resolver
 
@@ -65,8 +65,8 @@ def mixed_stamps(sections: list[NodeParameters]) -> Findings:
 
 
 def _text(node: NodeParameters, key: str, default: str = "") -> str:
-    value = node.values.get(key)
-    return value.text if isinstance(value, Value) else default
+    value = scalar(node.values, key)
+    return value.text if value else default
 
 
 def mistyped_navigation(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
@@ -76,15 +76,15 @@ def mistyped_navigation(context: Context, started: tuple[StartedProgram, ...]) -
     places: set[Span] = set()
     for output in (output for launch in launches for output in _outputs(launch, context.resolver)):
         reader, section = expected.get(output.topic), output.section
-        switch = section.values.get(_STAMPED)
+        switch = scalar(section.values, _STAMPED)
         is_stamped = _text(section, _STAMPED, "false").lower()
         if reader is None or is_stamped not in ("true", "false"):
             continue
         message = "TwistStamped" if is_stamped == "true" else "Twist"
-        at = switch.span if isinstance(switch, Value) else section.at
+        at = switch.span if switch else section.at
         if message != reader.message and at not in places:
             places.add(at)
-            until = "" if isinstance(switch, Value) else " up to Jazzy"
+            until = "" if switch else " up to Jazzy"
             yield Finding(
                 at,
                 f"'{section.name}'{until} publishes {message} on '{output.topic}', where "
@@ -127,9 +127,9 @@ def unpublished_commands(context: Context) -> Findings:
         return
     published = [topic for topic in _published(smoothers, programs) if topic]
     for section in _sections(context.launch, context.resolver):
-        value = section.values.get(_IN)
-        name = resolve_name(value.text, "") if isinstance(value, Value) else ""
-        if section.name == _MONITOR and isinstance(value, Value) and name not in published:
+        value = scalar(section.values, _IN)
+        name = resolve_name(value.text, "") if value else ""
+        if section.name == _MONITOR and value and name not in published:
             other = nearest(name, published[:1], 0) or published[0]
             yield Finding(
                 value.span,

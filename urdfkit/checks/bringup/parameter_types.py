@@ -11,7 +11,7 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import CONFIGURATION, given_values
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
-from urdfkit.text.located_yaml import Key, Node, Value, entries, mapping, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, entries, mapping, scalar, scalars
 
 _SIZES = ("width", "height")
 _SIM_TIME = "use_sim_time"
@@ -52,8 +52,8 @@ def _wrong_type(node: NodeParameters, name: str, value: Node, expected: str | No
 def wrong_sizes(node: NodeParameters) -> Findings:
     """Doubles for the sizes of a costmap, which are integers in m."""
     for key in _SIZES if node.name.endswith("_costmap") else ():
-        value = node.values.get(key)
-        if isinstance(value, Value) and re.fullmatch(r"[-+]?\d+\.\d*", value.text):
+        value = scalar(node.values, key)
+        if value and re.fullmatch(r"[-+]?\d+\.\d*", value.text):
             message = f"'{node.name}' stops: {key} is declared as an integer, not {value.text}"
             yield Finding(value.span, message, f"write {round(float(value.text))}")
 
@@ -73,8 +73,8 @@ def wrong_configurations(node: NodeParameters) -> Findings:
 
 def outdated_motion_model(node: NodeParameters) -> Findings:
     """A motion model of AMCL with its name in ROS 1 and Foxy."""
-    model = node.values.get("robot_model_type")
-    if not isinstance(model, Value) or node.name != "amcl":
+    model = scalar(node.values, "robot_model_type")
+    if model is None or node.name != "amcl":
         return
     if name := data("nodes")["motion_models"].get(model.text):
         yield Finding(

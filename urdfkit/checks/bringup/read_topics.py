@@ -18,7 +18,7 @@ from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.rviz import topic_of
 from urdfkit.ros.launch.spawned_controllers import topic_name
 from urdfkit.ros.node_parameters import node_parameters
-from urdfkit.text.located_yaml import Node, Value, mapping
+from urdfkit.text.located_yaml import Node, Value, scalar
 from urdfkit.text.source import Span
 
 GRID, FILTER_INFO = "OccupancyGrid", "CostmapFilterInfo"
@@ -69,8 +69,8 @@ def _read_by_nodes(context: Context) -> Iterator[ReadTopic]:
                 if isinstance(value, dict):
                     yield from _read_by_layer(value, node.name)
                     yield from _read_by_filter(value, node.name)
-                    map_topic = value.get("map_topic")
-                    if isinstance(map_topic, Value) and map_topic.text:
+                    map_topic = scalar(value, "map_topic")
+                    if map_topic and map_topic.text:
                         yield ReadTopic(map_topic.text, map_topic.span, GRID, node.name)
                 match = _INPUT.fullmatch(key) if f"{key}_config" in node.values else None
                 message = _MESSAGES[match[1]] if match else inputs.get(f"{node.name}/{key}")
@@ -123,8 +123,8 @@ def _holds(condition: str, program: StartedProgram, context: Context) -> bool:
 
 def _read_by_filter(section: dict[str, Node], who: str) -> Iterator[ReadTopic]:
     """The topic from which a filter of a costmap learns of its mask."""
-    topic = section.get(INFO_TOPIC)
-    if isinstance(topic, Value) and "plugin" in section:
+    topic = scalar(section, INFO_TOPIC)
+    if topic and "plugin" in section:
         # A relative name is in the namespace of the costmap up to Jazzy.
         others = (f"{who}/{topic.text}",)
         yield ReadTopic(topic.text, topic.span, FILTER_INFO, who, others, is_of_workspace=True)
@@ -132,8 +132,8 @@ def _read_by_filter(section: dict[str, Node], who: str) -> Iterator[ReadTopic]:
 
 def _read_by_layer(layer: dict[str, Node], who: str, key: str = "data_type") -> Iterator[ReadTopic]:
     for source in layer.values() if "observation_sources" in layer else ():
-        topic, message = mapping(source).get("topic"), mapping(source).get(key)
-        if isinstance(topic, Value) and isinstance(message, Value):
+        topic, message = scalar(source, "topic"), scalar(source, key)
+        if topic and message:
             kind = _MONITORED.get(message.text, message.text)
             yield ReadTopic(topic.text, topic.span, kind, who)
 

@@ -14,7 +14,7 @@ from urdfkit.ros.launch.contents import FileUse
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import DISPLAYS, displays, tools, topic_of
 from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
-from urdfkit.text.located_yaml import Node, Value, mapping
+from urdfkit.text.located_yaml import Node, Value, scalar
 from urdfkit.text.source import Span
 
 _PLUGINS, _POLICY = "rviz_default_plugins", "Reliability Policy"
@@ -35,8 +35,8 @@ def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], s
         seen.add(file.path)
         source = context.resolver.readable(file.path)
         for display in displays(source) if source else ():
-            kind = display.get("Class")
-            if isinstance(kind, Value):
+            kind = scalar(display, "Class")
+            if kind:
                 yield file, display, kind.text
 
 
@@ -69,10 +69,10 @@ def volatile_maps(context: Context) -> Findings:
     if not any(node.executable == "map_server" for node in programs):
         return
     for file, display, name in read_by_rviz(context):
-        durability = mapping(display, "Topic").get("Durability Policy")
+        durability = scalar(display, "Topic", "Durability Policy")
         topic = topic_of(display)
         is_map = name.endswith("/Map") and topic is not None and topic.text.strip("/") == "map"
-        if is_map and isinstance(durability, Value) and durability.text == "Volatile":
+        if is_map and durability and durability.text == "Volatile":
             message = "Map of RViz misses a map that was published before it started"
             yield _finding(durability.span, message, "write Transient Local", file)
 
@@ -88,9 +88,9 @@ def incompatible_reliability(context: Context) -> Findings:
             if name and (topic := topic_name(name, node)):
                 published.setdefault(topic, node.span)
     for file, display, kind in read_by_rviz(context) if published else ():
-        policy, topic_of_display = mapping(display, "Topic").get(_POLICY), topic_of(display)
+        policy, topic_of_display = scalar(display, "Topic", _POLICY), topic_of(display)
         at = published.get(resolve_name(topic_of_display.text, "")) if topic_of_display else None
-        if at and isinstance(policy, Value) and policy.text == "Reliable":
+        if at and policy and policy.text == "Reliable":
             message = f"{kind.rpartition('/')[2]} of RViz gets no messages: they are best effort"
             note = Related(at, "the publisher is started here")
             finding = _finding(policy.span, message, "write Best Effort", file)
@@ -106,8 +106,8 @@ def unread_goals(context: Context) -> Findings:
     for file in context.launch.files:
         source = context.resolver.readable(file.path) if file.path.endswith(".rviz") else None
         for tool in tools(source) if source else ():
-            kind, topic = tool.get("Class"), topic_of(tool)
-            if not isinstance(kind, Value) or topic is None:
+            kind, topic = scalar(tool, "Class"), topic_of(tool)
+            if kind is None or topic is None:
                 continue
             class_name, name = kind.text.rpartition("/")[2], topic.text.strip("/")
             right = _READ_BY_NAV2.get(class_name, name)
@@ -126,8 +126,8 @@ def unpublished_models(context: Context, published: dict[str, Span]) -> Findings
         return
     for file, display, name in read_by_rviz(context):
         topic = topic_of(display, "Description Topic")
-        source = display.get("Description Source")
-        is_topic = not isinstance(source, Value) or source.text == "Topic"
+        source = scalar(display, "Description Source")
+        is_topic = source is None or source.text == "Topic"
         if topic is None or not name.endswith("/RobotModel") or not is_topic:
             continue
         read = f"/{topic.text.strip('/')}"

@@ -14,7 +14,7 @@ from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
 from urdfkit.ros.node_parameters import node_parameters
-from urdfkit.text.located_yaml import Value
+from urdfkit.text.located_yaml import scalar
 
 _FILTER, _SWITCH, _OF_DRIVE = "robot_localization", "publish_tf", "enable_odom_tf"
 _FILTERS = ("ekf_node", "ukf_node")
@@ -44,13 +44,13 @@ def unpublished_odometry(context: Context) -> Findings:
     drives = [drive for drive in known if drive and DRIVE.fullmatch(drive.type.rpartition("/")[2])]
     switches = [switch for drive in drives for switch in drive.section.values(_OF_DRIVE)]
     is_off = bool(drives) and all(known) and len(switches) >= len(drives)
-    if is_bridged or not is_off or any(switch.text.lower() != "false" for switch in switches):
+    if is_bridged or not is_off or any(switch.boolean is not False for switch in switches):
         return
     for path in filters[0].parameters.files:
         source = context.resolver.readable(path)
         for node in node_parameters(source) if source else ():
-            value = node.values.get(_SWITCH)
-            if isinstance(value, Value) and value.text.lower() == "false":
+            value = scalar(node.values, _SWITCH)
+            if value and value.boolean is False:
                 yield Finding(
                     value.span,
                     f"nothing publishes the transform from odometry to the robot: {_SWITCH} of "

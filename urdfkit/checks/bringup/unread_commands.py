@@ -36,7 +36,7 @@ from urdfkit.ros.launch.spawned_controllers import (
     topic_name,
 )
 from urdfkit.ros.node_parameters import node_parameters
-from urdfkit.text.located_yaml import Value, mapping
+from urdfkit.text.located_yaml import Value, mapping, scalar
 from urdfkit.text.source import Span
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -235,8 +235,8 @@ def _read_by_mux(node: StartedProgram, context: Context) -> Iterator[Reader]:
     for source in filter(None, map(context.resolver.readable, node.parameters.files)):
         for section in node_parameters(source):
             for entry in mapping(section.values.get("topics")).values():
-                topic = mapping(entry).get("topic")
-                if isinstance(topic, Value):
+                topic = scalar(entry, "topic")
+                if topic:
                     name = resolve_name(topic.text, node.namespace)
                     yield Reader(name, message, topic.span, is_mux=True)
 

@@ -76,7 +76,7 @@ def without_gains(controller: Controller, own: Section) -> Iterator[_Problem]:
     if controller.type != _TRAJECTORY or commands not in (["effort"], ["velocity"]):
         return
     (command,) = commands
-    is_open = any(value.text.lower() == "true" for value in own.values("open_loop_control"))
+    is_open = any(value.boolean for value in own.values("open_loop_control"))
     if any(name.startswith("gains") for name in own.places) or (is_open and command == "velocity"):
         return
     message = f"command interface {command} requires gains, which are 0 by default"

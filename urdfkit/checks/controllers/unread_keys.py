@@ -6,7 +6,7 @@ from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.ros.catalog.controllers import parameters_of
 from urdfkit.ros.controllers import MANAGER, Section
 from urdfkit.ros.node_parameters import PARAMETERS
-from urdfkit.text.located_yaml import Key, Node, Value, mapping
+from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalar
 from urdfkit.text.source import Span
 
 
@@ -54,8 +54,8 @@ def _is_parameters(key: str) -> bool:
 
 def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
     """A ``type`` without a controller, because of its indentation, or a misspelt ``type``."""
-    kind = manager.get("type")
-    if isinstance(kind, Value) and "/" in kind.text:
+    kind = scalar(manager, "type")
+    if kind and "/" in kind.text:
         message = "type without a controller: it is not indented below a name"
         yield kind.span, message, "indent it below the name of its controller"
     for name, node in manager.items():
@@ -86,8 +86,8 @@ def _below_manager(
     A controller that also has them in its own section works: those of ROS 1 were left over.
     """
     for name, node in manager.items():
-        kind = mapping(node).get("type")
-        known = parameters_of(kind.text, 2) if isinstance(kind, Value) else None
+        kind = scalar(node, "type")
+        known = parameters_of(kind.text, 2) if kind else None
         own = mapping(sections.get(name), PARAMETERS)
         for key in mapping(node) if known else ():
             is_own = known is not None and (known.type_of(key) or key in known.required)

@@ -46,7 +46,7 @@ from urdfkit.ros.launch.known_packages import last_release
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.launch.worlds import GZ, StartedWorld, worlds
 from urdfkit.ros.node_parameters import node_parameters
-from urdfkit.text.located_yaml import Value, load, mapping
+from urdfkit.text.located_yaml import Value, load, mapping, scalar
 from urdfkit.text.source import Span
 from urdfkit.workspace.gitignore import is_ignored
 from urdfkit.workspace.install_rules import InstallRules, is_built
@@ -135,8 +135,8 @@ def _in_parameters(context: Context) -> Findings:
         source = context.resolver.readable(file.path)
         for node in node_parameters(source) if source else ():
             for key in (_OF_SLAM, _OF_SERVER):
-                value = node.values.get(key)
-                if not isinstance(value, Value):
+                value = scalar(node.values, key)
+                if value is None:
                     continue
                 if key == _OF_SLAM and value.text.endswith(_OF_MAPS):
                     yield _with_suffix(value.text, value.span)

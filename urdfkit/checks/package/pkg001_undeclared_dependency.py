@@ -169,11 +169,11 @@ def _solvers(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
     source = context.resolver.readable(os.path.join(directory, _KINEMATICS)) if started else None
     if source is None:
         return
-    from urdfkit.text.located_yaml import Value, load, mapping  # for launch files of MoveIt
+    from urdfkit.text.located_yaml import load, mapping, scalar  # for launch files of MoveIt
 
     for entry in mapping(load(source)).values():
-        solver = mapping(entry).get("kinematics_solver")
-        if isinstance(solver, Value) and comes_with_ros(name := solver.text.partition("/")[0]):
+        solver = scalar(entry, "kinematics_solver")
+        if solver and comes_with_ros(name := solver.text.partition("/")[0]):
             yield name, started[0].span
 
 

@@ -23,7 +23,7 @@ from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_variant import names_of_other_robots
 from urdfkit.ros.ros_control import ROS1
-from urdfkit.text.located_yaml import Value
+from urdfkit.text.located_yaml import scalar
 
 #: The plugins of IKFast are named after the robot.
 _OF_ROBOTS = "IKFast"
@@ -88,9 +88,9 @@ def _projections(context: Context, srdf: Srdf) -> Findings:
     """Joints of a projection that the robot does not have: OMPL has no projection then."""
     known = srdf.known("joint")
     for entry in group_entries(srdf, context.resolver):
-        value = entry.values.get("projection_evaluator")
-        match = _PROJECTION.fullmatch(value.text) if isinstance(value, Value) else None
-        if entry.name not in srdf.known("group") or match is None or not isinstance(value, Value):
+        value = scalar(entry.values, "projection_evaluator")
+        match = _PROJECTION.fullmatch(value.text) if value else None
+        if entry.name not in srdf.known("group") or match is None or value is None:
             continue
         for name in (part.strip() for part in match.group(1).split(",")):
             if known and name not in known:
@@ -104,8 +104,8 @@ def _solvers(context: Context, srdf: Srdf) -> Findings:
     """Misspelt solvers; other unknown solvers are assumed to be in the workspace."""
     solvers: list[str] = data("moveit")["solvers"]
     for entry in group_entries(srdf, context.resolver):
-        solver = entry.values.get("kinematics_solver")
-        if entry.name not in srdf.known("group") or not isinstance(solver, Value):
+        solver = scalar(entry.values, "kinematics_solver")
+        if entry.name not in srdf.known("group") or solver is None:
             continue
         if solver.text in solvers or _OF_ROBOTS in solver.text:
             continue

@@ -22,7 +22,7 @@ from urdfkit.ros.moveit.config import (
     servo_values,
 )
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalar, scalars
 from urdfkit.workspace.launch_files import launch_files
 from urdfkit.workspace.manifest import manifest_of
 
@@ -116,8 +116,8 @@ def _rviz_groups(context: Context, srdf: Srdf) -> Findings:
     for path in context.resolver.directories.files_below(directory, _MAX_DIRECTORIES):
         source = context.resolver.readable(path) if path.endswith(".rviz") else None
         for display in displays(source) if source and known else ():
-            group = mapping(display, "Planning Request").get("Planning Group")
-            if isinstance(group, Value) and group.text and group.text not in known:
+            group = scalar(display, "Planning Request", "Planning Group")
+            if group and group.text and group.text not in known:
                 message = f"RViz: unknown planning group '{group.text}'"
                 message += did_you_mean(group.text, known)
                 help = f"write one of {few(sorted(known), 4)}"
@@ -134,8 +134,8 @@ def _sensors(context: Context, srdf: Srdf) -> Findings:
         yield Finding(listed.span, message, help)
     manifest = manifest_of(context.resolver, srdf.path)
     for item in listed if isinstance(listed, list) and manifest and manifest.ros == 2 else ():
-        written = mapping(item).get("sensor_plugin")
-        if isinstance(written, Value):
+        written = scalar(item, "sensor_plugin")
+        if written:
             message = (
                 "sensors contains settings, but MoveIt 2 reads names of sections: launch stops"
             )
@@ -197,8 +197,8 @@ def _has_lists(root: dict[str, Node]) -> bool:
 def _planners_of_groups(context: Context, srdf: Srdf) -> Findings:
     """A single planner where a group has a list: move_group stops at the type."""
     for entry in group_entries(srdf, context.resolver):
-        value = entry.values.get("planner_configs")
-        if isinstance(value, Value) and value.text:
+        value = scalar(entry.values, "planner_configs")
+        if value and value.text:
             message = f"planner_configs of group '{entry.name}' is not a list"
             yield Finding(value.span, message, f"write [{value.text}]")
 

@@ -25,7 +25,7 @@ from urdfkit.ros.moveit.config import group_entries
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.parameter_types import type_of
-from urdfkit.text.located_yaml import Value
+from urdfkit.text.located_yaml import Value, scalar
 from urdfkit.workspace.manifest import manifest_of
 
 BAD = named_xml("bad", arm_xml("fixed"))
@@ -101,8 +101,8 @@ def _unsolvable(context: Context, srdf: Srdf) -> Findings:
     """Groups that are not a chain, with a solver that requires one."""
     for_chains = tuple(data("moveit")["for_chains"])
     for entry in group_entries(srdf, context.resolver):
-        solver = entry.values.get("kinematics_solver")
-        if not isinstance(solver, Value) or not solver.text.startswith(for_chains):
+        solver = scalar(entry.values, "kinematics_solver")
+        if solver is None or not solver.text.startswith(for_chains):
             continue
         group = srdf.groups_by_name.get(entry.name)
         if group and (joints := _branch(context, srdf.links_of(entry.name))):

@@ -202,7 +202,7 @@ def _commanded(controller: Controller) -> set[str]:
 
 def _is_partial(controller: Controller) -> bool:
     allowed = controller.section.values("allow_partial_joints_goal")
-    return any(value.text.lower() == "true" for value in allowed)
+    return any(value.boolean for value in allowed)
 
 
 def _has_unknown_joints(controller: Controller) -> bool:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from urdfkit.text.located_yaml import Node, Value, load, mapping
+from urdfkit.text.located_yaml import Node, Value, load, mapping, scalar
 from urdfkit.text.source import Source
 
 #: The displays of rviz_default_plugins, Humble to Rolling.
@@ -26,8 +26,8 @@ def displays(source: Source) -> Iterator[dict[str, Node]]:
     stack: list[Node] = list(listed) if isinstance(listed, list) else []
     while stack:
         display = mapping(stack.pop())
-        enabled = display.get("Enabled")
-        if isinstance(enabled, Value) and enabled.text.lower() != "true":
+        enabled = scalar(display, "Enabled")
+        if enabled and enabled.text.lower() != "true":
             continue
         yield display
         inner = display.get("Displays")
