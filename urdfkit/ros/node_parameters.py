@@ -5,11 +5,12 @@ Source: ``rcl_yaml_param_parser`` of ros2/rcl.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.text.located_yaml import Key, Node, load, mapping
 from urdfkit.text.source import Source, Span
+from urdfkit.workspace.resolve import Resolver
 
 #: The key below which the parameters of a node are.
 PARAMETERS = "ros__parameters"
@@ -29,6 +30,12 @@ class NodeParameters(Record):
         """The parts of its namespace, and its name; without ``*`` and ``**``, which are any."""
         parts = f"{self.namespace}/{self.name}".split("/")
         return tuple(part for part in parts if part not in ("", "*", "**"))
+
+
+def nodes_in_files(paths: Iterable[str], resolver: Resolver) -> Iterator[NodeParameters]:
+    """The nodes of parameter files, each file once; of those that are readable."""
+    for source in filter(None, map(resolver.readable, dict.fromkeys(paths))):
+        yield from node_parameters(source)
 
 
 def node_parameters(source: Source) -> Iterator[NodeParameters]:

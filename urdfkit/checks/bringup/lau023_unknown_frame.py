@@ -59,7 +59,7 @@ from urdfkit.ros.launch.frames import (
 )
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import static_transform
-from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.ros.node_parameters import node_parameters, nodes_in_files
 from urdfkit.text.located_yaml import Value, entries, scalar
 from urdfkit.workspace.program_strings import strings_in_programs
 from urdfkit.workspace.ros_packages import comes_with_ros
@@ -262,27 +262,26 @@ def _unpublished_odometry(context: Context) -> Findings:
 
 def _wrong_filter_frames(context: Context) -> Findings:
     """Invalid combinations of the frames of robot_localization."""
-    for file in context.launch.parameters:
-        source = context.resolver.readable(file.path)
-        for node in node_parameters(source) if source else ():
-            world, base = scalar(node.values, "world_frame"), scalar(node.values, "base_link_frame")
-            others = [node.values.get(key) for key in ("odom_frame", "map_frame")]
-            names = [frame.text for frame in others if isinstance(frame, Value)]
-            if base is None or len(names) < len(others):
-                continue
-            odom = node.values["odom_frame"]
-            if isinstance(odom, Value) and odom.text in (base.text, names[1]):
-                key = "base_link_frame" if odom.text == base.text else "map_frame"
-                yield Finding(
-                    odom.span,
-                    f"odom_frame and {key} are both '{odom.text}': robot_localization requires "
-                    "three different frames",
-                    "write odom_frame: odom, map_frame: map and the robot's link",
-                )
-            elif world and world.text not in names:
-                yield Finding(
-                    world.span,
-                    f"world_frame '{world.text}' is neither odom_frame '{names[0]}' nor "
-                    f"map_frame '{names[1]}'",
-                    f"write {names[0]}, or {names[1]} for the filter that uses GPS",
-                )
+    paths = (file.path for file in context.launch.parameters)
+    for node in nodes_in_files(paths, context.resolver):
+        world, base = scalar(node.values, "world_frame"), scalar(node.values, "base_link_frame")
+        others = [node.values.get(key) for key in ("odom_frame", "map_frame")]
+        names = [frame.text for frame in others if isinstance(frame, Value)]
+        if base is None or len(names) < len(others):
+            continue
+        odom = node.values["odom_frame"]
+        if isinstance(odom, Value) and odom.text in (base.text, names[1]):
+            key = "base_link_frame" if odom.text == base.text else "map_frame"
+            yield Finding(
+                odom.span,
+                f"odom_frame and {key} are both '{odom.text}': robot_localization requires "
+                "three different frames",
+                "write odom_frame: odom, map_frame: map and the robot's link",
+            )
+        elif world and world.text not in names:
+            yield Finding(
+                world.span,
+                f"world_frame '{world.text}' is neither odom_frame '{names[0]}' nor "
+                f"map_frame '{names[1]}'",
+                f"write {names[0]}, or {names[1]} for the filter that uses GPS",
+            )

@@ -19,7 +19,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
-from urdfkit.ros.node_parameters import NodeParameters, node_parameters
+from urdfkit.ros.node_parameters import NodeParameters, nodes_in_files
 from urdfkit.text.located_yaml import Value, scalar
 from urdfkit.text.source import Span
 from urdfkit.workspace.resolve import Resolver
@@ -108,9 +108,7 @@ def _outputs(launch: Launch, resolver: Resolver) -> Iterator[_Output]:
 
 
 def _sections(launch: Launch, resolver: Resolver) -> Iterator[NodeParameters]:
-    paths = dict.fromkeys(file.path for file in launch.parameters if file.exists)
-    for source in filter(None, map(resolver.readable, paths)):
-        yield from node_parameters(source)
+    return nodes_in_files((file.path for file in launch.parameters if file.exists), resolver)
 
 
 def unpublished_commands(context: Context) -> Findings:

@@ -17,7 +17,7 @@ from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.rviz import topic_of
 from urdfkit.ros.launch.spawned_controllers import topic_name
-from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Node, Value, scalar
 from urdfkit.text.source import Span
 
@@ -60,22 +60,21 @@ def read_topics(context: Context) -> Iterator[ReadTopic]:
 def _read_by_nodes(context: Context) -> Iterator[ReadTopic]:
     """Topics in parameter files."""
     inputs: dict[str, str] = data("nodes")["inputs"]
-    for file in context.launch.parameters:
-        source = context.resolver.readable(file.path)
-        for node in node_parameters(source) if source else ():
-            if node.name == _MONITOR:
-                yield from _read_by_layer(node.values, node.name, "type")
-            for key, value in node.values.items():
-                if isinstance(value, dict):
-                    yield from _read_by_layer(value, node.name)
-                    yield from _read_by_filter(value, node.name)
-                    map_topic = scalar(value, "map_topic")
-                    if map_topic and map_topic.text:
-                        yield ReadTopic(map_topic.text, map_topic.span, GRID, node.name)
-                match = _INPUT.fullmatch(key) if f"{key}_config" in node.values else None
-                message = _MESSAGES[match[1]] if match else inputs.get(f"{node.name}/{key}")
-                if message and isinstance(value, Value):
-                    yield ReadTopic(value.text, value.span, message, node.name)
+    paths = (file.path for file in context.launch.parameters)
+    for node in nodes_in_files(paths, context.resolver):
+        if node.name == _MONITOR:
+            yield from _read_by_layer(node.values, node.name, "type")
+        for key, value in node.values.items():
+            if isinstance(value, dict):
+                yield from _read_by_layer(value, node.name)
+                yield from _read_by_filter(value, node.name)
+                map_topic = scalar(value, "map_topic")
+                if map_topic and map_topic.text:
+                    yield ReadTopic(map_topic.text, map_topic.span, GRID, node.name)
+            match = _INPUT.fullmatch(key) if f"{key}_config" in node.values else None
+            message = _MESSAGES[match[1]] if match else inputs.get(f"{node.name}/{key}")
+            if message and isinstance(value, Value):
+                yield ReadTopic(value.text, value.span, message, node.name)
 
 
 def _read_by_defaults(context: Context) -> Iterator[ReadTopic]:

@@ -13,7 +13,7 @@ from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
-from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import scalar
 
 _FILTER, _SWITCH, _OF_DRIVE = "robot_localization", "publish_tf", "enable_odom_tf"
@@ -46,15 +46,13 @@ def unpublished_odometry(context: Context) -> Findings:
     is_off = bool(drives) and all(known) and len(switches) >= len(drives)
     if is_bridged or not is_off or any(switch.boolean is not False for switch in switches):
         return
-    for path in filters[0].parameters.files:
-        source = context.resolver.readable(path)
-        for node in node_parameters(source) if source else ():
-            value = scalar(node.values, _SWITCH)
-            if value and value.boolean is False:
-                yield Finding(
-                    value.span,
-                    f"nothing publishes the transform from odometry to the robot: {_SWITCH} of "
-                    f"'{node.name}' and {_OF_DRIVE} of '{drives[0].name}' are false",
-                    f"write {_SWITCH}: true",
-                    related=(Related(switches[0].span, "the other one"),),
-                )
+    for node in nodes_in_files(filters[0].parameters.files, context.resolver):
+        value = scalar(node.values, _SWITCH)
+        if value and value.boolean is False:
+            yield Finding(
+                value.span,
+                f"nothing publishes the transform from odometry to the robot: {_SWITCH} of "
+                f"'{node.name}' and {_OF_DRIVE} of '{drives[0].name}' are false",
+                f"write {_SWITCH}: true",
+                related=(Related(switches[0].span, "the other one"),),
+            )

@@ -35,7 +35,7 @@ from urdfkit.ros.launch.spawned_controllers import (
     spawned_controllers,
     topic_name,
 )
-from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Value, mapping, scalar
 from urdfkit.text.source import Span
 from urdfkit.workspace.ros_packages import comes_with_ros
@@ -110,22 +110,21 @@ def _unread_outputs(
     programs = [node for launch in launches for node in launch.programs]
     if any(node.package in _SMOOTHERS and node.is_remapped for node in programs):
         return
-    for file in context.launch.parameters:
-        source = context.resolver.readable(file.path)
-        for node in node_parameters(source) if source else ():
-            value = node.values.get(_OUT) if node.name == _MONITOR and not node.namespace else None
-            if not isinstance(value, Value) or not re.fullmatch(r"[\w/]+", value.text):
-                continue
-            topic = resolve_name(value.text, "")
-            if topic not in {*read, *_SMOOTHED} and not _is_named(topic, launches, context, 1):
-                other = nearest(topic, readers, 0) or next(iter(readers))
-                yield Finding(
-                    value.span,
-                    f"'{_MONITOR}' publishes '{topic}', which nothing reads; velocity commands "
-                    f"are read on '{other}'",
-                    f"write {other.strip('/')}",
-                    related=(Related(readers[other], "the reader"),),
-                )
+    paths = (file.path for file in context.launch.parameters)
+    for node in nodes_in_files(paths, context.resolver):
+        value = node.values.get(_OUT) if node.name == _MONITOR and not node.namespace else None
+        if not isinstance(value, Value) or not re.fullmatch(r"[\w/]+", value.text):
+            continue
+        topic = resolve_name(value.text, "")
+        if topic not in {*read, *_SMOOTHED} and not _is_named(topic, launches, context, 1):
+            other = nearest(topic, readers, 0) or next(iter(readers))
+            yield Finding(
+                value.span,
+                f"'{_MONITOR}' publishes '{topic}', which nothing reads; velocity commands "
+                f"are read on '{other}'",
+                f"write {other.strip('/')}",
+                related=(Related(readers[other], "the reader"),),
+            )
 
 
 def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
@@ -232,13 +231,12 @@ def _read_by_mux(node: StartedProgram, context: Context) -> Iterator[Reader]:
     if node.package != _MUX or is_stamped.lower() not in ("true", "false"):
         return
     message = _TWIST_STAMPED if is_stamped.lower() == "true" else _TWIST
-    for source in filter(None, map(context.resolver.readable, node.parameters.files)):
-        for section in node_parameters(source):
-            for entry in mapping(section.values.get("topics")).values():
-                topic = scalar(entry, "topic")
-                if topic:
-                    name = resolve_name(topic.text, node.namespace)
-                    yield Reader(name, message, topic.span, is_mux=True)
+    for section in nodes_in_files(node.parameters.files, context.resolver):
+        for entry in mapping(section.values.get("topics")).values():
+            topic = scalar(entry, "topic")
+            if topic:
+                name = resolve_name(topic.text, node.namespace)
+                yield Reader(name, message, topic.span, is_mux=True)
 
 
 def _is_named(topic: str, launches: Iterable[Launch], context: Context, own: int = 0) -> bool:

@@ -22,7 +22,7 @@ from urdfkit.ros.launch.spawned_controllers import (
     spawns_controllers,
     topic_name,
 )
-from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.document import Element
 from urdfkit.text.located_yaml import Value
@@ -154,9 +154,8 @@ def read_own_output(context: Context) -> Findings:
     """A filter of robot_localization whose output is renamed to one of its inputs."""
     for node in context.launch.started:
         output = topic_name(_FILTERED, node) if node.package == "robot_localization" else None
-        sources = map(context.resolver.readable, node.parameters.files if output else ())
-        sections = (node for source in sources if source for node in node_parameters(source))
-        for section in sections:
+        files = node.parameters.files if output else ()
+        for section in nodes_in_files(files, context.resolver):
             for key, value in section.values.items() if section.name in (node.name, "**") else ():
                 if not _ODOMETRY.fullmatch(key) or not isinstance(value, Value):
                     continue

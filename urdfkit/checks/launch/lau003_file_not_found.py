@@ -45,7 +45,7 @@ from urdfkit.ros.launch.contents import MAP, POSE_GRAPH, FileUse
 from urdfkit.ros.launch.known_packages import last_release
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.launch.worlds import GZ, StartedWorld, worlds
-from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Value, load, mapping, scalar
 from urdfkit.text.source import Span
 from urdfkit.workspace.gitignore import is_ignored
@@ -131,17 +131,16 @@ def _with_suffix(path: str, span: Span) -> Finding:
 
 def _in_parameters(context: Context) -> Findings:
     """Maps in parameter files, whose paths are often those of another computer."""
-    for file in context.launch.parameters:
-        source = context.resolver.readable(file.path)
-        for node in node_parameters(source) if source else ():
-            for key in (_OF_SLAM, _OF_SERVER):
-                value = scalar(node.values, key)
-                if value is None:
-                    continue
-                if key == _OF_SLAM and value.text.endswith(_OF_MAPS):
-                    yield _with_suffix(value.text, value.span)
-                elif key == _OF_SERVER and value.text.endswith(_IMAGES):
-                    yield _image_as_map(value.text, value.span)
+    paths = (file.path for file in context.launch.parameters)
+    for node in nodes_in_files(paths, context.resolver):
+        for key in (_OF_SLAM, _OF_SERVER):
+            value = scalar(node.values, key)
+            if value is None:
+                continue
+            if key == _OF_SLAM and value.text.endswith(_OF_MAPS):
+                yield _with_suffix(value.text, value.span)
+            elif key == _OF_SERVER and value.text.endswith(_IMAGES):
+                yield _image_as_map(value.text, value.span)
 
 
 def _image_as_map(path: str, span: Span) -> Finding:
