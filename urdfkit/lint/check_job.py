@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.targets import Targets
 
 #: In the default of an argument: a path, which chooses no part of a robot.
-_PATH = re.compile(r"/|\$\(find ")
+_PATH = r"/|\$\(find "
 
 
 def reader(options: Options, resolver: Resolver) -> Callable[[Job], Context]:
@@ -125,7 +125,7 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
     from urdfkit.ros.launch.robot_arguments import known_at_run_time
 
     own = open_names if "" in job.unknown else open_names.intersection(job.unknown)
-    own = {name for name in own if xacro and not _PATH.search(xacro.defaults[name])}
+    own = {name for name in own if xacro and not re.search(_PATH, xacro.defaults[name])}
     unknown = known_at_run_time(job.path, open_names, context.resolver)
     names = sorted({*own, *unknown, *job.replaced})
     if not names:

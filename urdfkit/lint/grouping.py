@@ -17,7 +17,7 @@ MAX_NOTES = 20
 #: Rules whose findings in several files have one cause: a missing package.
 _ACROSS_FILES = frozenset(("XAC011",))
 #: What a message is about, such as ``link 'arm'``.
-_SUBJECT = re.compile(r"[a-z][\w -]* '[^']+'(?=: )")
+_SUBJECT = r"[a-z][\w -]* '[^']+'(?=: )"
 
 
 def grouped(diagnostics: Sequence[Diagnostic], *, brief: bool = False) -> tuple[Diagnostic, ...]:
@@ -65,7 +65,7 @@ def _note(other: Diagnostic, first: Diagnostic, *, brief: bool) -> Related:
     message, help = other.message, other.help if other.help != first.help else ""
     if other.code in _ACROSS_FILES:
         message, help = without_search(message), ""
-    elif brief and (subject := _SUBJECT.match(message)):
+    elif brief and (subject := re.match(_SUBJECT, message)):
         message = subject[0]
     return Related(other.span, f"{message}: {help}" if help else message)
 

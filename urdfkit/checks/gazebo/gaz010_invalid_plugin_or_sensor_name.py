@@ -30,7 +30,7 @@ Sources:
 
 import re
 
-from urdfkit.core.repeats import repeated
+from urdfkit.core.grouping import repeated
 from urdfkit.core.suggest import is_typo
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml

@@ -44,7 +44,7 @@ FIXED = GOOD = BAD.replace("colision", "collision")
 _INSTEAD = {"joint_properties": "write <dynamics> instead, which has the same attributes"}
 
 #: The first element of a file.
-_ROOT = re.compile(rb"<([A-Za-z][\w:.-]*)(?=[^<>]*>)")
+_ROOT = rb"<([A-Za-z][\w:.-]*)(?=[^<>]*>)"
 
 #: Number of elements with the same tag in the same wrong place that a finding lists.
 _MAX_NAMED = 5
@@ -147,7 +147,8 @@ def _misplaced(elements: list[Element]) -> Findings:
     for first, *others in by_place.values():
         assert first.parent is not None
         source = first.tag_at.source
-        root = _ROOT.search(without_comments(source.data)) if first.parent.tag == "robot" else None
+        is_child = first.parent.tag == "robot"
+        root = re.search(_ROOT, without_comments(source.data)) if is_child else None
         if root and root[1] in (b"link", b"joint"):
             if source.path not in rootless:
                 rootless.add(source.path)

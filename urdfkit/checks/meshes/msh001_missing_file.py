@@ -73,7 +73,7 @@ _DRIVE = re.compile(r"(?:file:/*)?[A-Za-z]:[\\/]")
 #: Number of parent directories to search for relative paths: description/urdf/parts.
 _MAX_LEVELS = 3
 #: Installation directories of ROS packages: `/opt/ros/humble`, `/opt/pal/ferrum`.
-_INSTALLATION = re.compile(r"/+(opt/[^/]+/[^/]+|usr/(local/)?share/[^/]+)/")
+_INSTALLATION = r"/+(opt/[^/]+/[^/]+|usr/(local/)?share/[^/]+)/"
 #: A variable that ``configure_file`` of CMake replaces.
 _VARIABLE = re.compile(r"@[A-Za-z_]\w*@")
 #: Schemes that some programs download, and urdfkit does not.
@@ -177,7 +177,7 @@ def _unknown_scheme(mesh: MeshReference, scheme: str, rest: str) -> Finding:
 def _of_installation(mesh: MeshReference) -> Finding | None:
     """Finding about a file of an installation that does not exist on this computer; else None."""
     located = mesh.located
-    match = _INSTALLATION.match(located.tried[0]) if located.scheme == "absolute" else None
+    match = re.match(_INSTALLATION, located.tried[0]) if located.scheme == "absolute" else None
     if match is None or disk.is_directory(match[0]):
         return None
     directory = match[0].rstrip("/")

@@ -20,7 +20,7 @@ Sources:
 
 from collections.abc import Iterable
 
-from urdfkit.core.repeats import repeated
+from urdfkit.core.grouping import repeated
 from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.link import Material

@@ -15,8 +15,8 @@ Sources:
 
 from __future__ import annotations
 
+from urdfkit.core.grouping import repeated
 from urdfkit.core.record import Record
-from urdfkit.core.repeats import repeated
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml

@@ -13,7 +13,7 @@ Sources:
 
 import re
 
-from urdfkit.core.repeats import repeated
+from urdfkit.core.grouping import repeated
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml

@@ -17,7 +17,7 @@ Sources:
 from collections.abc import Iterable
 
 from urdfkit.checks.srdf.namesakes import launched_namesakes
-from urdfkit.core.repeats import repeated
+from urdfkit.core.grouping import repeated
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.samples import SHOULDER

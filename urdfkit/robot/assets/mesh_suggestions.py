@@ -23,7 +23,7 @@ MAX_COMPARED = 250_000
 #: With this many equal parent directories, one of several files with the same name is certain.
 MIN_COMMON_DIRECTORIES = 2
 #: The package and the path below it in the path of an installed file.
-_INSTALLED = re.compile(r"/share/([^/]+)/(.+)$")
+_INSTALLED = r"/share/([^/]+)/(.+)$"
 
 
 class Suggestion(Record):
@@ -93,7 +93,7 @@ class MeshSuggestions:
 
     def _installed(self, located: ResolvedReference) -> Suggestion | None:
         """The file of a package at an absolute path of its installation on another computer."""
-        if located.scheme != "absolute" or not (match := _INSTALLED.search(located.reference)):
+        if located.scheme != "absolute" or not (match := re.search(_INSTALLED, located.reference)):
             return None
         reference = f"package://{match[1]}/{match[2]}"
         path = self._files.resolver.locate(reference, self._files.top).path

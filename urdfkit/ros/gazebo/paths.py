@@ -28,7 +28,7 @@ _VARIABLES = (
     b"SDF_PATH",
 )
 #: Calls in Python or a shell that replace the scheme of meshes, or make their paths absolute.
-_REPLACES = re.compile(rb"""\b(?:replace|sub)\(\s*\w?["']package:|\bsed\b[^\n]{0,200}package:""")
+_REPLACES = rb"""\b(?:replace|sub)\(\s*\w?["']package:|\bsed\b[^\n]{0,200}package:"""
 #: Suffixes of files that can set the path: shell and build files, hooks, instructions.
 _TEXTS = (
     ".launch", ".py", ".xml", ".yaml", ".yml", ".sh", ".bash", ".zsh", ".dsv", ".in", ".env",
@@ -53,7 +53,7 @@ def survey(root: str, directories: Directories) -> ResourcePaths:
     starter = None
     for path in files[:MAX_FILES]:
         data = read_head(path, MAX_BYTES)
-        if any(word in data for word in _VARIABLES) or _REPLACES.search(data):
+        if any(word in data for word in _VARIABLES) or re.search(_REPLACES, data):
             return ResourcePaths(starter, True)
         is_starter = any(word in data for word in _STARTERS) and b"$(find " not in data  # ROS 1
         if starter is None and _is_launch(path) and is_starter:

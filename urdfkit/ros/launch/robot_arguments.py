@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 #: A launch file that loads YAML, or includes one that does, contains one of these words.
 _LOADING = re.compile(rb"(?i)yaml|yml|include|moveit")
 #: In a configuration of MoveIt Pro, the package whose configuration it extends.
-_BASE = re.compile(rb"(?m)^based_on_package:\s*['\"]?([\w-]+)")
+_BASE = rb"(?m)^based_on_package:\s*['\"]?([\w-]+)"
 
 
 class RobotArguments(Record):
@@ -138,7 +138,8 @@ def is_in_moveit_pro(robot: str, argument: str, resolver: Resolver) -> bool:
     if given.search(config.data):
         return True
     try:
-        base = resolver.package(next(iter(_BASE.findall(config.data)), b"").decode(), config.path)
+        match = re.search(_BASE, config.data)
+        base = resolver.package(match[1].decode() if match else "", config.path)
     except PackageNotFound:
         return False
     config = _moveit_pro_config(base, resolver)
