@@ -347,3 +347,16 @@ def test_the_files_that_an_argument_may_name(tmp_path: Path) -> None:
     add_file(tmp_path / "r.xacro", xacro('<xacro:include filename="sensors/astra.urdf"/>').encode())
     (found,) = check(tmp_path / "r.xacro", select=["XAC001"]).diagnostics
     assert found.help == naming("d435.urdf.xacro", "lidar.urdf")
+
+
+@pytest.mark.parametrize("world", ["default", "hall"])
+def test_a_model_that_gz_sim_starts(tmp_path: Path, world: str) -> None:
+    """A heightmap on which a quadruped walks: gz sim loads a model into the world `default`."""
+    add_file(tmp_path / "worlds" / "hall.sdf", b'<sdf version="1.9"><model name="hill"/></sdf>')
+    topic = f"/world/{world}/pose/info@geometry_msgs/msg/PoseArray@gz.msgs.Pose_V"
+    bridge = f'Node(package="ros_gz_bridge", executable="parameter_bridge", arguments=["{topic}"])'
+    found = of_world(tmp_path, "WLD002", launch=f"{INCLUDE}{bridge}\n")
+    assert len(found) == (world != "default")
+    classic = INCLUDE.replace("ros_gz_sim", "gazebo_ros").replace("gz_sim", "gazebo")
+    classic = classic.replace('"gz_args": ["-r ", share', '"world": [share')
+    assert len(of_world(tmp_path, "WLD002", launch=classic)) == 1

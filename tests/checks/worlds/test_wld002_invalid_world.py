@@ -125,7 +125,7 @@ def test_files_that_are_not_worlds(tmp_path: Path) -> None:
     reported = one(tmp_path, "<model>")
     assert reported.message == naming("hall.sdf", "<model>", "before", "</world>")
     assert reported.span.source.path == str(path)
-    path.write_text("<sdf><model name='m'/></sdf>")
+    path.write_text("<sdf><light name='l'/></sdf>")
     (none,) = messages(tmp_path, CODE)
     assert none == naming("hall.sdf", "<world>", "<sdf>")
     path.write_text(f"<% n = 3 %>{WORLD.format('')}")

@@ -8,7 +8,13 @@ from collections.abc import Iterator
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Location, Related
-from urdfkit.ros.gazebo.worlds import World, default_systems, read_world, shipped_worlds
+from urdfkit.ros.gazebo.worlds import (
+    World,
+    default_systems,
+    holds_model,
+    read_world,
+    shipped_worlds,
+)
 from urdfkit.ros.launch.worlds import GZ, StartedWorld, world_file, worlds
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Span
@@ -18,7 +24,7 @@ class OpenedWorld(Record):
     """A world that is started, and the contents of its file."""
 
     started: StartedWorld
-    path: str  # of the file; empty for a world that is part of Gazebo
+    path: str  # of the file; empty for a world that is part of Gazebo, or is made for a model
     name: str  # of the world
     world: World | None  # None if the world is part of Gazebo, or if the file contains no world
     systems: frozenset[str]  # of a world that is part of gz sim
@@ -65,5 +71,7 @@ def _opened(started: StartedWorld, context: Context) -> OpenedWorld | None:
         world, problems = read_world(path, context.resolver)
     except UnreadableFile:
         return None
+    if world is None and started.generation == GZ and holds_model(path, context.resolver):
+        return OpenedWorld(started, "", "default", None, default_systems())
     name = world.name if world is not None else os.path.basename(path)
     return OpenedWorld(started, path, name, world, frozenset(), tuple(problems))

@@ -1,6 +1,7 @@
 """Gazebo cannot load the world that a launch file starts, or a part of it.
 
-- The file is not well-formed, or contains no `<world>`: Gazebo starts without a world (error).
+- The file is not well-formed, or contains no `<world>`: Gazebo starts without a world (error). gz
+  sim loads a model into the world `default`.
 - The `<world>` has no name, or its `<max_step_size>` is not greater than 0 (error). A value has
   another type than in SDF, such as a `<pose>` of three numbers (error), or a number has a unit
   (warning). A model, a link or a light has no name, or an unknown type (error).

@@ -114,6 +114,15 @@ def read_world(path: str, resolver: Resolver) -> tuple[World | None, list[Proble
     return (World(world, source) if world is not None else None), problems
 
 
+def holds_model(path: str, resolver: Resolver) -> bool:
+    """True for a file with a model and no world, which gz sim 7 and later load into ``default``.
+
+    Source: gz-sim, Server.cc, gazebosim/gz-sim#1775.
+    """
+    document, _ = read_xml(resolver.read(path))
+    return document is not None and document.root.child("model") is not None
+
+
 def shipped_worlds() -> dict[str, tuple[str, frozenset[str]]]:
     """Name and systems of the worlds of gz sim, by file."""
     worlds = {}
