@@ -50,6 +50,11 @@ TALKER = "{'console_scripts': ['talker = arm.talker:main']}"
         ),
         (BUILT + INSTALL.replace("lib/", "bin)\n") + INSTALL, "talker", None),
         (BUILT + INSTALL.replace("lib/${PROJECT_NAME}", "${BIN}"), "talker", None),
+        (
+            BUILT.replace("talker", "talker_node", 1) + INSTALL.replace("talker", "talker_node"),
+            "talker",
+            Absence(False, ("talker_node",)),
+        ),
         ('rclcpp_components_register_node(a PLUGIN "b" EXECUTABLE c)\n', "c", None),
     ],
 )

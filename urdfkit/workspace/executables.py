@@ -37,6 +37,10 @@ class EntryPoint(Record):
     length: int
 
 
+#: Files of C++, whose names are not those of executables.
+_SOURCE_FILE = re.compile(r"[^\s\"();]+\.(?:c|cc|cpp|cxx|h|hpp)(?![\w.])")
+
+
 class Absence(Record):
     """An executable that the build of a package does not install."""
 
@@ -68,7 +72,8 @@ def _of_cmake(text: str, package: str, name: str) -> Absence | None:
         is_installed = "${" in installed or name in re.split(r"[\s\"]+", installed)
         return None if is_installed else Absence(True, tuple(others))
     stem = re.escape(name.removesuffix(".py"))
-    is_named = re.search(rf"(?<![\w-]){stem}(?![\w-])", text.replace(package, " ", 1))
+    rest = _SOURCE_FILE.sub(" ", text.replace(package, " ", 1))
+    is_named = re.search(rf"(?<![\w-]){stem}(?![\w-])", rest)
     return None if is_named or ("${" in text and not others) else Absence(False, tuple(others))
 
 

@@ -724,3 +724,22 @@ def test_nothing_publishes_odometry(
     assert [one.help for one in found if "odometry" in one.message] == [
         "write publish_tf: true"
     ] * count
+
+
+@pytest.mark.parametrize(
+    ("real", "given", "count"),
+    [
+        ("acme/Driver", "", 1),
+        ("mock_components/GenericSystem", "", 1),
+        ("acme/MujocoSystem", "", 0),
+        ("acme/Driver", ", {'use_sim_time': False}", 0),
+    ],
+)
+def test_simulation_time_of_a_robot(tmp_path: Path, real: str, given: str, count: int) -> None:
+    robot = f"Command(['xacro {tmp_path}/r.xacro'])"
+    text = STATE.format(f", parameters=[{{'robot_description': {robot}}}]")
+    text += MANAGER.format(tmp_path, "").replace("c.yaml'", f"c.yaml'{given}")
+    stated = "controller_manager: {ros__parameters: {use_sim_time: true}}\n"
+    files = {"r.xacro": SWITCHED.format(GZ, real), "c.yaml": stated}
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    assert sum("controllers wait with use_sim_time" in one.message for one in found) == count

@@ -303,6 +303,11 @@ def test_commands_without_feedback_need_no_gains(tmp_path: Path) -> None:
             "traction_wheels_radius is 0.0, must be > 0",
         ),
         (
+            "ackermann_steering_controller/AckermannSteeringController",
+            "{wheelbase: 1.0, front_wheels_names: [left_joint], front_wheel_track: 1.0}",
+            "required parameters are missing: traction_wheels_radius or rear_wheels_radius or f",
+        ),
+        (
             "pid_controller/PidController",
             "gains: {left_joint: {antiwindup_strategy: clamp}}",
             "gains.left_joint.antiwindup_strategy has 'clamp'",

@@ -371,3 +371,19 @@ def test_a_node_that_reads_the_keyboard(
     text = f"Node(package='{package}', executable='{package}'{more})\n"
     found = reported(tmp_path, "LAU010", "a.launch.py", text)
     assert ["reads the keyboard" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("default", "choices", "help"),
+    [
+        ("'True'", "['true', 'false']", "write 'true'"),
+        ("'x'", "['true', 'false']", "add 'x' to choices"),
+        ("'true'", "['true', 'false']", ""),
+        ("'true'", "['TRUE', other]", ""),
+        ("LaunchConfiguration('b')", "['true']", ""),
+    ],
+)
+def test_a_default_that_is_no_choice(tmp_path: Path, default: str, choices: str, help: str) -> None:
+    text = f"DeclareLaunchArgument('a', default_value={default}, choices={choices})\n"
+    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert [one.help.startswith(help) for one in found] == [True] * bool(help)

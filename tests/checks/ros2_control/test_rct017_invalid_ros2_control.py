@@ -5,6 +5,7 @@ import pytest
 from tests.controls import CLASSIC, GZ, NEXT, ROBOT, control, driven, plugin, transmission
 from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
+from urdfkit import Severity
 from urdfkit.robot.samples import xacro_xml
 
 GPIO = '<gpio name="lamp"><param name="p">1</param><command_interface name="on"/></gpio>'
@@ -266,3 +267,33 @@ def test_an_empty_name_from_an_argument() -> None:
     assert messages("RCT017", block.format("")) == ["<ros2_control> has no name"]
     text = xacro_xml('<xacro:arg name="model" default=""/>', block.format("$(arg model)"))
     assert reported("RCT017", text.encode(), "robot.xacro") == []
+
+
+@pytest.mark.parametrize(
+    ("attribute", "severity"),
+    [
+        ('data_typ="double"', Severity.WARNING),
+        ('tf_prefix="a"', Severity.WARNING),
+        ('initial_value="0.0"', Severity.INFO),
+    ],
+)
+def test_an_attribute_that_is_not_read(attribute: str, severity: Severity) -> None:
+    text = control(f'<joint name="swing"><state_interface name="position" {attribute}/></joint>')
+    (found,) = reported("RCT017", ROBOT + text)
+    assert found.severity is severity
+    assert attribute.partition("=")[0] in found.message
+
+
+@pytest.mark.parametrize(
+    ("hardware", "name", "count"),
+    [
+        ("mock_components/GenericSystem", "calculate_dynamic", 1),
+        ("mock_components/GenericSystem", "calculate_dynamics", 0),
+        ("mock_components/GenericSystem", "robot_ip", 0),
+        ("acme/Driver", "calculate_dynamic", 0),
+    ],
+)
+def test_parameters_of_mock_hardware(hardware: str, name: str, count: int) -> None:
+    text = control(driven("swing"), plugin=hardware)
+    text = text.replace("</hardware>", f'<param name="{name}">true</param></hardware>')
+    assert len(reported("RCT017", ROBOT + text)) == count

@@ -6,7 +6,8 @@
 - A filter or a planner uses the wall clock, while Gazebo and other nodes use simulation time
   (`use_sim_time`): its transforms are years newer than the data. An info for
   robot_state_publisher, which keeps the stamps of the joint states.
-- Nodes use `use_sim_time`, but no bridge forwards Gazebo's `/clock`: their time stays zero.
+- Nodes use `use_sim_time`, but no bridge forwards Gazebo's `/clock`: their time stays zero. Or the
+  controller manager of a robot that is not simulated uses it.
 - `ros2_control_node` has no parameter file, so the types of the controllers are unknown.
 - Controllers are spawned in a gz sim that is started without `-r`: the simulation is paused, and
   no controller becomes active. An info without controllers.
@@ -111,6 +112,7 @@ def check(context: Context) -> Findings:
     yield from mismatched_names.untyped_controllers(programs)
     yield from simulation.wall_clock_nodes(context, programs)
     yield from simulation.missing_clock(context, programs)
+    yield from simulation.stopped_controllers(context, programs)
     yield from simulation.paused(context, programs)
     yield from simulation.unloaded_hardware(context, programs)
     yield from simulation.hardware_without_simulator(context, programs)

@@ -22,6 +22,7 @@ from urdfkit.workspace.resolve import Resolver
 _CLOCK = "clock"
 _SIM_TIME = "use_sim_time"
 _PUBLISHER = "robot_state_publisher"
+_MANAGER = "ros2_control_node"
 #: Launch files of ROS that start Gazebo and no bridge.
 _GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign_gazebo.launch.py")
 #: Hardware that only Gazebo's plugin loads.
@@ -54,6 +55,34 @@ def missing_clock(context: Context, programs: tuple[StartedProgram, ...]) -> Fin
         f"'{waiting.executable}' waits with {_SIM_TIME} for /clock, which nothing publishes",
         "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock",
     )
+
+
+def stopped_controllers(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
+    """A controller manager of a robot, or of mock hardware, with the time of a simulation."""
+    names = [f"{node.package}/{node.executable}" for node in programs]
+    is_simulated = any(name == "/" or _SIMULATED.search(name) for name in names)
+    if is_simulated or any(map(model_spawner, programs)) or context.launch.unread:
+        return
+    robots = [robot.model for _, robot in context.described_robots]
+    hardware = [component for model in robots for component in components(model)]
+    is_real = all(one.hardware in _MOCK or not _may_be_simulated(one) for one in hardware)
+    if not hardware or not is_real or is_included(context.source.path, context.resolver):
+        return
+    for node in programs:
+        if node.executable != _MANAGER or _SIM_TIME in node.parameters.values:
+            continue
+        for path in node.parameters.files:
+            source = context.resolver.readable(path)
+            for section in node_parameters(source) if source else ():
+                value = section.values.get(_SIM_TIME)
+                is_own = section.path in ((node.name or "controller_manager",), ("**",))
+                if is_own and isinstance(value, Value) and value.text.lower() == "true":
+                    yield Finding(
+                        Location(value.span, node.frame),
+                        f"controllers wait with {_SIM_TIME} for /clock, which nothing publishes",
+                        f"write {_SIM_TIME}: false; Gazebo's plugin sets it itself",
+                        related=(Related(node.span, "the controller manager"),),
+                    )
 
 
 def _bridges_of_gz(programs: tuple[StartedProgram, ...]) -> list[StartedProgram] | None:
@@ -156,7 +185,7 @@ def _names_simulator(robot: Context) -> bool:
 
 def hardware_without_simulator(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Hardware of Gazebo in ros2_control_node, without Gazebo."""
-    managers = [node for node in programs if node.executable == "ros2_control_node"]
+    managers = [node for node in programs if node.executable == _MANAGER]
     if not managers or any(map(model_spawner, programs)):
         return
     for description in context.launch.descriptions:

@@ -203,10 +203,14 @@ def _missing(
         return
     known = parameters_of(controller.type, controller.ros)
     required = known.required if known else ()
-    absent = [name for name in required if name not in own.places]
+    absent = [name for name in required if own.places.keys().isdisjoint(name.split("|"))]
     declared = parameters(controller.type) if controller.type in controller_types() else ()
     missing = [
-        name for name in absent if name not in declared or not nearest(name, own.places, CLOSE_TYPO)
+        name.replace("|", " or ")
+        for name in absent
+        if not any(
+            one in declared and nearest(one, own.places, CLOSE_TYPO) for one in name.split("|")
+        )
     ]
     message = f"required parameters are missing: {', '.join(missing)}"
     if missing and own.at:
@@ -215,7 +219,11 @@ def _missing(
             help = f"use {group}, which reads joints, or name one joint"
         yield own.at, message, help
     elif missing:  # no parameters at all: they may be in another file, or under another name
-        unowned = [n for n, section in others.items() if section.places.keys() >= set(required)]
+        unowned = [
+            name
+            for name, section in others.items()
+            if not any(section.places.keys().isdisjoint(one.split("|")) for one in required)
+        ]
         if len(unowned) == 1 and (at := others[unowned[0]].at):
             message += f"; '{unowned[0]}' has them, but is not a controller"
             yield at, message, f"rename '{unowned[0]}' to '{controller.name}', or the reverse"

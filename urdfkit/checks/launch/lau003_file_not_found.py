@@ -9,6 +9,8 @@ file stops the launch, and Gazebo does not start without its world. Also reporte
   A package of ROS 1, or one that Jazzy does not have if a file is for Jazzy.
 - A Nav2 map whose image is missing, or whose image is given instead of its YAML file. slam_toolbox
   adds `.posegraph` to the name of a map itself.
+- In Python, a file that a function of the launch file reads from a package, such as
+  `load_yaml("arm", "config/limits.yaml")`.
 - In Python, a path relative to the directory in which launch is started.
 - `xacro.py`, and the `state_publisher` of `robot_state_publisher`, which were removed in Noetic
   (info in a launch file of ROS 1).

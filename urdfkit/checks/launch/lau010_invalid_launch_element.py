@@ -20,6 +20,7 @@
   `arguments`, a string as a condition, a single node as the `actions` of a timer, a list among the
   actions, a launch description source of another format than the file, the document of
   `xacro.process_file` without `.toxml()`.
+- A `default_value` is not one of the `choices` (error).
 - A class has no such argument (error), as in `DeclareLaunchArgument("a", default="b")`: "unexpected
   keyword argument". Or a required one is missing, or is given without its name, as in
   `LogInfo("text")`. A name is not defined or imported (error; a

@@ -9,9 +9,10 @@ The parser of ros2_control throws an exception and the controller manager does n
 - the type is missing or is not `system`, `actuator` or `sensor` (case-sensitive), or an `actuator`
   has more than one joint.
 
-Warnings are unknown elements in a joint, sensor or GPIO, which are ignored; an interface whose name
-is misspelt, or that the simulator does not offer; a misspelt `initial_value`, or one outside of a
-state interface; values of `min`, `max` and `initial_value` that are not numbers; a misspelt
+Warnings are unknown elements in a joint, sensor or GPIO, which are ignored, as are unknown
+attributes (an info, unless misspelt); a misspelt parameter of mock hardware; an interface whose
+name is misspelt, or that the simulator does not offer; a misspelt `initial_value`, or one outside
+of a state interface; values of `min`, `max` and `initial_value` that are not numbers; a misspelt
 `data_type`; and an `is_async` that is neither true nor false. Other names of interfaces are valid:
 hardware and controller define them. `<ec_module>` is read by the EtherCAT driver. The
 `<hardwareInterface>` of a transmission of ROS 1 is checked in the same way.
@@ -31,7 +32,7 @@ from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.robot.values import number
-from urdfkit.ros.catalog.ros_control import component_types, grammar
+from urdfkit.ros.catalog.ros_control import component_types, grammar, mock_parameters
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import Component, components
 from urdfkit.text.document import Element
@@ -49,6 +50,7 @@ _KNOWN = (
     "fake_components", "gazebo_ros2_control", "gz_ros2_control", "ign_ros2_control",
     "mock_components",
 )  # fmt: skip
+_MOCK = ("mock_components/", "fake_components/")
 #: The usual types of interfaces.
 _DATA_TYPES = ("double", "bool")
 
@@ -96,6 +98,7 @@ def _elements(block: Element) -> Findings:
         known = tags[element.tag].children
         name = element.get("name")
         who = f"{element.tag} '{name}'" if name else f"<{element.tag}>"
+        yield from _attributes(element, who, tags[element.tag].attributes)
         for child in element.children:
             if child.tag not in known and _PREFIX not in child.tag:
                 message = f"{who} in <ros2_control>: unknown element <{child.tag}>"
@@ -108,6 +111,26 @@ def _elements(block: Element) -> Findings:
                 )
         if element.tag != "transmission":  # which has other joints and actuators
             stack += [child for child in reversed(element.children) if child.tag in tags]
+
+
+def _attributes(element: Element, who: str, known: tuple[str, ...]) -> Findings:
+    """Attributes that the parser does not read: an info, unless they seem to matter."""
+    for attribute in element.attributes.values():
+        name = attribute.name
+        if name in known or _PREFIX in name:
+            continue
+        is_prefix = "prefix" in name
+        matters = is_prefix or nearest(name, known, CLOSE_TYPO)
+        yield Finding(
+            attribute,
+            f"{who} in <ros2_control>: unknown attribute '{name}' (ignored)"
+            + did_you_mean(name, known),
+            "remove it; a prefix is part of the name"
+            if is_prefix
+            else "fix its name, or remove it",
+            group_key=f"{element.tag} {name}",
+            severity=Severity.WARNING if matters else Severity.INFO,
+        )
 
 
 def _named(block: Element) -> Iterator[Element]:
@@ -148,6 +171,7 @@ def _invalid_values(component: Component) -> Findings:
     if is_async is not None and not _is_boolean(is_async.value):
         message = f"{component.called}: is_async is '{is_async.value}', which is read as false"
         yield Finding(is_async, message, "write true or false", severity=Severity.WARNING)
+    yield from _mock_parameters(component)
     is_known = component.hardware.partition("/")[0] in _KNOWN
     for part in component.parts:
         for element in part.at.all("param") if is_known else ():
@@ -162,6 +186,22 @@ def _invalid_values(component: Component) -> Findings:
             yield from _data_type(who, interface.at)
             for element in interface.at.all("param"):
                 yield from _parameter(who, element)
+
+
+def _mock_parameters(component: Component) -> Findings:
+    """Misspelt parameters of mock hardware; the others may be those of the real one."""
+    block = component.plugin.parent if component.plugin else None
+    if block is None or not component.hardware.startswith(_MOCK):
+        return
+    known = mock_parameters()
+    for element in block.all("param"):
+        name = element.attributes.get("name")
+        suggested = nearest(name.value, known, CLOSE_TYPO) if name else ""
+        if name and suggested and name.value not in known:
+            message = f"unknown parameter '{name.value}' of mock hardware; did you mean "
+            message += f"'{suggested}'?"
+            fix = fix_value(name, suggested)
+            yield Finding(name, message, f"write {suggested}", fix, severity=Severity.WARNING)
 
 
 def _size(kind: str, who: str, interface: Element) -> Findings:

@@ -15,7 +15,8 @@ _ROLES = ("required", "positive", "not_negative", "not_positive", "values", "unt
 class ControllerParameters(Record):
     """The parameters of one class of controller."""
 
-    required: tuple[str, ...] = ()  # names of required parameters
+    #: Names of required parameters; of several with ``|`` between them, one is required.
+    required: tuple[str, ...] = ()
     positive: tuple[str, ...] = ()  # names of numbers that must be above 0
     #: ``bool``, ``int``, ``double``, ``string`` or ``..._array`` by name, if all versions agree;
     #: ``*`` is the name of a joint. Empty for ROS 1, which converts types.

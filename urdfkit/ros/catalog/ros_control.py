@@ -57,6 +57,11 @@ def words(subject: str, kind: str) -> list[str]:
     return list(data("ros_control")[subject][kind])
 
 
+def mock_parameters() -> list[str]:
+    """The parameters of mock hardware, also former ones."""
+    return str(data("ros_control")["mock"]).split()
+
+
 def component_types() -> list[str]:
     return list(data("ros_control")["types"])
 

@@ -28,6 +28,7 @@ from urdfkit.ros.launch.python_descriptions import (
 )
 from urdfkit.ros.launch.python_expressions import wrong_expressions
 from urdfkit.ros.launch.python_file import PythonLaunchFile
+from urdfkit.ros.launch.python_loads import loading_functions, record_loaded
 from urdfkit.ros.launch.python_names import wrong_names
 from urdfkit.ros.launch.python_nodes import start_components, start_node
 from urdfkit.ros.launch.python_order import declared_late
@@ -89,6 +90,8 @@ class _PythonReader(PythonLaunchFile):
             "parse": partial(parse, self),
             "process_file": partial(process_file, self),
         }
+        loading = dict.fromkeys(loading_functions(self.tree), partial(record_loaded, self))
+        handles = {**loading, **handles}
         for call in self.calls:
             if handle := handles.get(called(call)):
                 handle(call)

@@ -56,6 +56,7 @@ def wrong_arguments(call: ast.Call, values: Values) -> Iterator[Problem]:
         yield from _process(call, values)
     elif name == "DeclareLaunchArgument":
         yield from _text(argument(call, 1, "default_value"), "default_value", values)
+        yield from _choice(call, values)
     elif name == "IncludeLaunchDescription":
         yield from _passed(argument(call, 1, "launch_arguments"), values)
     elif name in _CONDITIONS:
@@ -111,6 +112,21 @@ def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
             message = f"{name} does not read '{path.rpartition('/')[2]}'"
             yield rejected(call.func, message, f"write {matching_source}", values)
     yield from missing_slash(values.items(node), values)
+
+
+def _choice(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """A default that is none of the choices: launch stops at it."""
+    node = argument(call, 1, "default_value")
+    default = string(values.resolved(node))
+    listed = argument(call, None, "choices")
+    choices = [string(values.resolved(item)) for item in values.items(listed)] if listed else []
+    if node is None or default is None or not choices or None in choices or default in choices:
+        return
+    known = [choice for choice in choices if choice is not None]
+    same = next((choice for choice in known if choice.lower() == default.lower()), None)
+    help = f"write '{same}'" if same else f"add '{default}' to choices, or write one of them"
+    message = f"default_value '{default}' is not one of the choices: {', '.join(known)}"
+    yield Problem("LAU010", values.span(node), message, help, severity=Severity.ERROR)
 
 
 def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
