@@ -10,6 +10,7 @@ from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
+from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
@@ -27,35 +28,41 @@ def not_activated(context: Context) -> Findings:
     launch = context.launch
     programs = launch.programs
     managers = [node for node in programs if node.package == _MANAGER]
-    listed = [node.parameters.lists.get(_NAMES) for node in managers]
     is_whole = not launch.unread and all(node.is_sure for node in programs)
     if not managers or not is_whole or b"omposable" in context.source.data:
         return
     is_part = is_included(context.source.path, context.resolver)
     others = launches_of_workspace(context.source.path, context.resolver) if is_part else ()
-    elsewhere = (node for launch in others for node in launch.programs)
-    listed += [node.parameters.lists.get(_NAMES) for node in elsewhere if node.package == _MANAGER]
-    if any(names is None or None in names for names in listed):
-        return
-    names = {name for listed_names in listed for name in listed_names or () if name}
+    names = _managed(launch, *others)
     nodes = {node.title: node for node in programs}
-    executables = data("nodes")["lifecycle"].split()
-    managed = {name: node for name, node in nodes.items() if node.executable in executables}
-    if names.isdisjoint(nodes):
+    if None in names or names.isdisjoint(nodes):
         return
-    for name, node in managed.items():
-        if name not in names and node.package.startswith("nav2_"):
+    executables = data("nodes")["lifecycle"].split()
+    for name, node in nodes.items():
+        is_of_nav2 = node.package.startswith("nav2_") and node.executable in executables
+        if is_of_nav2 and name not in names:
             yield Finding(
                 node.at,
                 f"'{name}' stays unconfigured: no lifecycle manager has it in {_NAMES}",
                 f"add it to {_NAMES} of the lifecycle manager",
             )
-    if not is_part and (missing := sorted(names.difference(nodes))):
+    if not is_part and (missing := sorted(name for name in names if name and name not in nodes)):
         yield Finding(
             managers[0].at,
             f"the lifecycle manager waits for {few(missing, _MAX_NAMED)}, which nothing starts",
             f"start them, or remove them from {_NAMES}",
         )
+
+
+def _managed(*launches: Launch) -> set[str | None]:
+    """The names in the lists of lifecycle managers; None among them if one is unknown."""
+    return {
+        name
+        for launch in launches
+        for node in launch.programs
+        if node.package == _MANAGER
+        for name in node.parameters.lists.get(_NAMES, (None,))
+    }
 
 
 def not_started(context: Context) -> Findings:
@@ -78,13 +85,7 @@ def inactive_mapping(context: Context) -> Findings:
     nodes = [node for node in context.launch.started if node.package == _SLAM and node.is_sure]
     if not nodes or not is_for_jazzy(context.source.path, context.resolver):
         return
-    managed = {
-        name
-        for launch in launches_of_workspace(context.source.path, context.resolver)
-        for node in launch.programs
-        if node.package == _MANAGER
-        for name in node.parameters.lists.get(_NAMES, (None,))
-    }
+    managed = _managed(*launches_of_workspace(context.source.path, context.resolver))
     for node in nodes if not _TRANSITIONS.search(context.source.data) else ():
         if managed.isdisjoint((None, node.name or _SLAM)):
             yield Finding(

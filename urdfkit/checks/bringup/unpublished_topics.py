@@ -30,7 +30,6 @@ from urdfkit.checks.bringup.unread_remappings import renamed_topics
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
-from urdfkit.ros.gazebo.topics import GazeboTopic
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import Launch, StartedProgram
@@ -64,61 +63,81 @@ def unpublished_inputs(context: Context) -> Findings:
     if not inputs or is_included(context.source.path, context.resolver):
         return
     of_workspace = launches_of_workspace(context.source.path, context.resolver)
-    filtered = {
-        topic_name(_OF_NAVSAT if node.executable == _NAVSAT else _FILTERED, node)
-        for launch in of_workspace
-        for node in launch.programs
-        if node.package == _FILTER
-    }
-    types = _bridged_types(context, of_workspace)
-    reported: set[str] = set()
-    sensors: list[GazeboTopic] | None = None
+    filtered = _outputs_of_filters(of_workspace)
     served: set[str] = set()  # nodes that get one of their topics
+    waiting: list[tuple[ReadTopic, dict[str, StartedProgram]]] = []
     for read in inputs:
         started = () if read.is_of_workspace else (context.launch,)
         published = _publishers(context, started, of_workspace, read.message)
-        name = "/" + read.topic.strip("/")
-        names = {name, *(f"/{topic.strip('/')}" for topic in read.others)}
-        if published is None or names & published.keys() or names & filtered:
-            served.update({read.who} if published else ())
-            continue
-        if None in filtered and read.message == _ODOMETRY:
-            continue
-        if sensors is None:
-            sensors = sensors_of_workspace(context, of_workspace)
+        names = _names(read)
+        if published and names & (published.keys() | filtered):
+            served.add(read.who)
+        elif published is not None and not names & filtered:
+            may_be_filtered = None in filtered and read.message == _ODOMETRY
+            waiting += [] if may_be_filtered else [(read, published)]
+    types = _bridged_types(context, of_workspace) if waiting else {}
+    sensors = sensors_of_workspace(context, of_workspace) if waiting else []
+    reported: set[str] = set()
+    for read, published in waiting:
+        name = _absolute(read.topic)
         sensor = None if name in types else unbridged_sensor(sensors, read, published)
         if sensor and sensor.who not in reported:
             yield unbridged(read, name, sensor)
             reported.add(sensor.who)
-        if not sensor and not published and read.switch and read.who in served:
+        elif published and not sensor:
+            if name in types and len(_names(read)) == 1:
+                yield _other_type(read, *types[name])
+            else:
+                yield _other_topic(read, published)
+        elif read.switch and read.who in served and not sensor:
             yield Finding(
                 read.at,
                 f"'{read.who}' waits for {read.message} messages on '{name}', which nothing "
                 "publishes",
                 f"set {read.switch}: false",
             )
-        if sensor or not published:
-            continue
-        if len(names) == 1 and name in types:
-            yield _other_type(read, name, *types[name])
-            continue
-        # A node that converts messages does not read its own.
-        others = [topic for topic, node in published.items() if node.at != read.at]
-        other = nearest(name, others or published, 0) or next(iter(published))
-        yield Finding(
-            read.at,
-            f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "
-            f"are on '{other}'",
-            f"{read.remedy}{other}",
-            related=(Related(published[other].span, "the publisher is started here"),),
-        )
 
 
-def _other_type(read: ReadTopic, name: str, message: str, at: Span) -> Finding:
+def _names(read: ReadTopic) -> set[str]:
+    """The topics of which a node reads one."""
+    return {_absolute(topic) for topic in (read.topic, *read.others)}
+
+
+def _absolute(topic: str) -> str:
+    return "/" + topic.strip("/")
+
+
+def _outputs_of_filters(launches: tuple[Launch, ...]) -> set[str | None]:
+    """The topics that robot_localization publishes; None among them if one is unknown."""
+    return {
+        topic_name(_OF_NAVSAT if node.executable == _NAVSAT else _FILTERED, node)
+        for launch in launches
+        for node in launch.programs
+        if node.package == _FILTER
+    }
+
+
+def _other_topic(read: ReadTopic, published: dict[str, StartedProgram]) -> Finding:
+    """A topic that nothing publishes, while such messages are on another one."""
+    name = _absolute(read.topic)
+    # A node that converts messages does not read its own.
+    others = [topic for topic, node in published.items() if node.at != read.at]
+    other = nearest(name, others or published, 0) or next(iter(published))
+    return Finding(
+        read.at,
+        f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "
+        f"are on '{other}'",
+        f"{read.remedy}{other}",
+        related=(Related(published[other].span, "the publisher is started here"),),
+    )
+
+
+def _other_type(read: ReadTopic, message: str, at: Span) -> Finding:
     """A topic that is published with another message."""
     return Finding(
         read.at,
-        f"'{read.who}' reads {read.message} from '{name}', where {message} is published",
+        f"'{read.who}' reads {read.message} from '{_absolute(read.topic)}', where {message} is "
+        "published",
         f"write {message} as its type, or name a topic of {read.message}",
         related=(Related(at, "it is published here"),),
     )
@@ -127,7 +146,7 @@ def _other_type(read: ReadTopic, name: str, message: str, at: Span) -> Finding:
 def _bridged_types(context: Context, launches: tuple[Launch, ...]) -> dict[str, tuple[str, Span]]:
     """The messages of the topics that bridges publish, and their places."""
     return {
-        "/" + topic.ros_topic.strip("/"): (topic.ros_type.rpartition("/")[2], topic.span)
+        _absolute(topic.ros_topic): (topic.ros_type.rpartition("/")[2], topic.span)
         for launch in launches
         for node in launch.programs
         for topic in bridged_topics(node, context.resolver)
@@ -224,7 +243,7 @@ def _published(
             yield name, node
         for topic in bridged_topics(node, context.resolver):
             if topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}"):
-                yield "/" + topic.ros_topic.strip("/"), node
+                yield _absolute(topic.ros_topic), node
     spawned = list(spawned_controllers(programs))
     defined = controllers_of_workspace(context) if spawned else {}
     renamed = renamed_topics(context) if spawned else {}

@@ -74,13 +74,7 @@ def unread_commands(context: Context) -> Findings:
         return
     launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
     programs = [node for launch in launches for node in launch.programs]
-    if not all(map(_is_whole, launches)) or not all(map(is_known_reader, programs)):
-        return
-    defined = controllers_of_workspace(context)
-    controllers = [defined.get(spawned.name) for spawned in spawned_controllers(programs)]
-    if not all(controller and controller.kind for controller in controllers):
-        return  # unknown controllers may read any topic
-    if not all(are_all_known(robot.model) for robot in robots_of_workspace(context)):
+    if not all(map(_is_whole, launches)) or _may_have_other_readers(programs, context):
         return
     all_readers = list(command_readers(context, programs))
     readers = {reader.topic: reader.at for reader in all_readers}
@@ -101,6 +95,17 @@ def unread_commands(context: Context) -> Findings:
                 f"remap {topic} to {other}",
                 related=(Related(readers[other], "the reader"),),
             )
+
+
+def _may_have_other_readers(programs: list[StartedProgram], context: Context) -> bool:
+    """True if a program, controller or plugin may read velocity commands on any topic."""
+    defined = controllers_of_workspace(context)
+    controllers = [defined.get(spawned.name) for spawned in spawned_controllers(programs)]
+    return (
+        not all(map(is_known_reader, programs))
+        or not all(controller and controller.kind for controller in controllers)
+        or not all(are_all_known(robot.model) for robot in robots_of_workspace(context))
+    )
 
 
 def _unread_outputs(
