@@ -23,7 +23,7 @@ def on_wheels(center: str, casters: str = "-0.15 0 0", more: str = "") -> str:
 
 def test_it_falls_forwards() -> None:
     (found,) = reported("DYN004", on_wheels("0.02 0 0.1"))
-    assert found.message == naming("forwards", "0.02 m", "outside", "left", "right")
+    assert found.message == naming("forwards", "0.02 m", "outside", "left", "right", "caster")
     assert len(found.related) == 3
 
 

@@ -1,6 +1,7 @@
 import pytest
 
 from tests.gazebos import BASE, WHEELS, wheel
+from tests.naming import naming
 from urdfkit.lint.context import Context
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.ros.gazebo.drives import Wheel, wheel_of, wrong_direction
@@ -37,7 +38,7 @@ def test_the_axis_points_to_the_left() -> None:
     left, right = wheels_of(WHEELS, "left", "right")
     assert wrong_direction(left, right) is None
     message, remedy = wrong_direction(right, left) or ("", "")
-    assert message.startswith("left joint 'right_joint' is 0.3 m to the right of 'left_joint'")
+    assert message == naming("left", "right_joint", "0.3 m", "right", "left_joint", "forwards")
     assert remedy == "swap the joints, or invert both axes"
 
 
@@ -53,8 +54,8 @@ def test_opposite_axes() -> None:
     left, right = wheels_of(robot, "left", "right")
     assert left.is_parallel(right)
     message, remedy = wrong_direction(left, right) or ("", "")
-    assert message.startswith("the axes of 'left_joint' and 'right_joint' are opposite")
-    assert remedy == "invert the <axis> of one of the joints"
+    assert message == naming("left_joint", "right_joint")
+    assert remedy == naming("invert", "<axis>")
 
 
 @pytest.mark.parametrize(("y", "axis"), [(0.149, "0 1 0"), (-0.15, "1 0 0"), (-0.15, "0 1 0.1")])
