@@ -59,7 +59,7 @@ from urdfkit.ros.launch.frames import (
 )
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import static_transform
-from urdfkit.ros.node_parameters import node_parameters, nodes_in_files
+from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Value, entries, scalar
 from urdfkit.workspace.program_strings import strings_in_programs
 from urdfkit.workspace.ros_packages import comes_with_ros
@@ -232,20 +232,17 @@ def _unpublished_odometry(context: Context) -> Findings:
     if not published or may_have_other_publishers(context):
         return
     named: list[Value] = []
-    paths = dict.fromkeys(file.path for launch in launches for file in launch.parameters)
+    paths = [file.path for launch in launches for file in launch.parameters]
     own = {file.path for file in context.launch.parameters}
-    for source in filter(None, map(context.resolver.readable, paths)):
-        for node in node_parameters(source):
-            frame = node.values.get(_ODOMETRY_OF.get(node.name, ""))
-            if isinstance(frame, Value) and source.path in own:
-                named.append(frame)
-            elif node.name not in _ODOMETRY_OF:
-                frames = (value for key, value in entries(node.values) if key in _ODOMETRY_KEYS)
-                published.update(
-                    frame.text.strip("/") for frame in frames if isinstance(frame, Value)
-                )
-    transforms = (transform for launch in launches for transform in static_transforms(launch))
-    published.update(transform.child.name for transform in transforms)
+    for node in nodes_in_files(paths, context.resolver):
+        frame = scalar(node.values, _ODOMETRY_OF.get(node.name, ""))
+        if frame and node.at.source.path in own:
+            named.append(frame)
+        elif node.name not in _ODOMETRY_OF:
+            frames = (value for key, value in entries(node.values) if key in _ODOMETRY_KEYS)
+            published.update(value.text.strip("/") for value in frames if isinstance(value, Value))
+    for launch in launches:
+        published.update(transform.child.name for transform in static_transforms(launch))
     unknown = [frame for frame in named if frame.text.strip("/") not in published]
     elsewhere = strings_in_programs(
         {frame.text for frame in unknown}, context.source.path, context.resolver

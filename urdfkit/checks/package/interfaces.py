@@ -60,7 +60,16 @@ def not_generated(directory: str) -> Findings:
         yield from _not_in_group(manifest, Span(build, call.start(), call.start(1)))
     if _OTHER.search(text) or any("$" in name for name in names):
         return
-    for path, span in takewhile(lambda word: word[0] not in _KEYWORDS, words):
+    yield from _missing_files(directory, words)
+    if "DEPENDENCIES" in names:
+        listed = words[names.index("DEPENDENCIES") + 1 :]
+        found = {match[1].decode() for match in _FOUND.finditer(text)}
+        yield from _not_found(listed, found)
+
+
+def _missing_files(directory: str, words: list[tuple[str, Span]]) -> Findings:
+    """Files of interfaces that do not exist."""
+    for path, span in _until_keyword(words):
         if path.endswith(_SUFFIXES) and is_missing(directory, path):
             folder = posixpath.dirname(path)
             files = disk.names(os.path.join(directory, folder))
@@ -68,14 +77,19 @@ def not_generated(directory: str) -> Findings:
             message = f"interface '{path}' does not exist: the build fails"
             help = f"write {match}" if match else f"create {path}, or remove it here"
             yield Finding(span, message, help)
-    found = {match[1].decode() for match in _FOUND.finditer(text)}
-    if "DEPENDENCIES" not in names or not all(map(_WITHOUT_OTHERS.fullmatch, found)):
-        return
-    listed = words[names.index("DEPENDENCIES") + 1 :]
-    for name, span in takewhile(lambda word: word[0] not in _KEYWORDS, listed):
+
+
+def _not_found(listed: list[tuple[str, Span]], found: set[str]) -> Findings:
+    """Packages on which the interfaces depend, and which CMakeLists.txt does not find."""
+    are_known = all(map(_WITHOUT_OTHERS.fullmatch, found))
+    for name, span in _until_keyword(listed) if are_known else ():
         if name not in found and name not in _BROUGHT:
             message = f"CMakeLists.txt does not find {name}, on which the interfaces depend"
             yield Finding(span, message, f"write find_package({name} REQUIRED) above")
+
+
+def _until_keyword(words: list[tuple[str, Span]]) -> Iterator[tuple[str, Span]]:
+    return takewhile(lambda word: word[0] not in _KEYWORDS, words)
 
 
 def _words(call: re.Match[bytes], build: Source) -> Iterator[tuple[str, Span]]:

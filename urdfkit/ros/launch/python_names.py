@@ -14,9 +14,11 @@ from urdfkit.text.python_source import nodes
 _ENTRY = "generate_launch_description"
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _CONDITIONAL = (ast.If, ast.IfExp, ast.BoolOp, ast.ExceptHandler)
-_OF_MODULES = frozenset(("__file__", "__name__", "__doc__", "__spec__", "__package__", "__path__"))
+_MODULE_ATTRIBUTES = frozenset(
+    ("__file__", "__name__", "__doc__", "__spec__", "__package__", "__path__")
+)
 #: Modules that launch files import under their own name.
-_MODULES = ("math", "os", "pathlib", "sys", "tempfile", "xacro", "yaml")
+_PLAIN_IMPORTS = ("math", "os", "pathlib", "sys", "tempfile", "xacro", "yaml")
 #: What makes names in a way that is not read.
 _DYNAMIC = ("exec", "globals", "locals", "NameError", "ImportError", "ModuleNotFoundError")
 
@@ -29,14 +31,14 @@ def wrong_names(tree: ast.Module, values: Values) -> Iterator[Problem]:
     bound = set(bound_names(tree))
     if "*" in bound or not _imports_launch(tree):
         return
-    known = bound | _OF_MODULES | set(dir(builtins))
+    known = bound | _MODULE_ATTRIBUTES | set(dir(builtins))
     suggester = Suggester(bound)
-    for node, is_sure in _run(tree):
+    for node, is_sure in _executed_nodes(tree):
         is_read = isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
         if isinstance(node, ast.Name) and is_read and node.id not in known:
             known.add(node.id)  # each name is reported once
             message = f"name '{node.id}' is not defined"
-            problem = _error(node, message, _definition(node.id, suggester), values)
+            problem = _error(node, message, _how_to_define(node.id, suggester), values)
             yield problem if is_sure else problem._replace(severity=Severity.WARNING)
 
 
@@ -48,11 +50,11 @@ def _imports_launch(tree: ast.Module) -> bool:
     )
 
 
-def _definition(name: str, suggester: Suggester) -> str:
+def _how_to_define(name: str, suggester: Suggester) -> str:
     """How to define a name: by an import, or the name that it stands for."""
-    if name in _MODULES:
+    if name in _PLAIN_IMPORTS:
         return f"write import {name}"
-    module = next(iter(_modules_of(name)), None)
+    module = next(iter(_modules_with(name)), None)
     if module:
         return f"write from {module} import {name}"
     suggested = suggester.suggested(name)
@@ -72,7 +74,7 @@ def _wrong_imports(tree: ast.Module, values: Values) -> Iterator[Problem]:
 def _right_import(module: str, name: str) -> str:
     """What to write instead of an import that fails; empty if it may not fail."""
     known = data("launch_python")["modules"].get(module, "").split()
-    modules = _modules_of(name)
+    modules = _modules_with(name)
     # Other modules also have what they import themselves.
     if modules and module not in modules and (known or nearest(module, modules, CLOSE_TYPO)):
         return f"write from {modules[0]} import {name}"
@@ -81,7 +83,7 @@ def _right_import(module: str, name: str) -> str:
     return f"write {suggested}" if suggested else ""
 
 
-def _modules_of(name: str) -> list[str]:
+def _modules_with(name: str) -> list[str]:
     modules: dict[str, str] = data("launch_python")["modules"]
     return [module for module, names in modules.items() if name in names.split()]
 
@@ -106,12 +108,12 @@ def bound_names(tree: ast.Module) -> Iterator[str]:
             yield "*"  # its patterns bind names
 
 
-def _run(tree: ast.Module) -> Iterator[tuple[ast.AST, bool]]:
+def _executed_nodes(tree: ast.Module) -> Iterator[tuple[ast.AST, bool]]:
     """The nodes of a file without annotations, and without functions that nothing calls.
 
     The second item is False for those that run only under a condition.
     """
-    called = _called(tree)
+    called = _reachable_names(tree)
     stack: list[tuple[ast.AST, bool]] = [(tree, True)]
     while stack:
         node, is_sure = stack.pop()
@@ -126,20 +128,21 @@ def _run(tree: ast.Module) -> Iterator[tuple[ast.AST, bool]]:
             stack += [(child, is_sure) for child in children if isinstance(child, ast.AST)]
 
 
-def _called(tree: ast.Module) -> set[str]:
-    """The names that the file outside of its functions names, and those of functions so named."""
+def _reachable_names(tree: ast.Module) -> set[str]:
+    """The names outside of functions, and those in functions with such names, and so on."""
     functions = by_key((node.name, node) for node in nodes(tree) if isinstance(node, _FUNCTIONS))
     called: set[str] = set()
-    waiting = [_ENTRY, *_names(tree)]
+    waiting = [_ENTRY, *_names_below(tree)]
     while waiting:
         name = waiting.pop()
         if name not in called:
             called.add(name)
-            waiting += [inner for function in functions.get(name, ()) for inner in _names(function)]
+            for function in functions.get(name, ()):
+                waiting += _names_below(function)
     return called
 
 
-def _names(node: ast.AST) -> Iterator[str]:
+def _names_below(node: ast.AST) -> Iterator[str]:
     """The names below a node, without those in functions below it."""
     stack = list(ast.iter_child_nodes(node))
     while stack:
