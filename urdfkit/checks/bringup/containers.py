@@ -4,10 +4,9 @@ Source: ``navigation_launch.py`` and ``bringup_launch.py`` of nav2_bringup, humb
 the latter starts the container.
 """
 
+from urdfkit.checks.bringup.workspace_launches import all_launches, is_included
 from urdfkit.lint.rules import Context, Finding, Findings
-from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.contents import Launch
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 
 _PACKAGE, _STARTING = "/nav2_bringup/launch/", "bringup_launch.py"
 _LOADING = ("navigation_launch.py", "localization_launch.py")
@@ -16,9 +15,9 @@ _SWITCH, _NAME, _DEFAULT = "use_composition", "container_name", "nav2_container"
 
 def missing_container(context: Context) -> Findings:
     """Launch files of Nav2 that wait for a container that they do not start."""
-    if is_included(context.source.path, context.resolver):
+    if is_included(context):
         return
-    launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
+    launches = all_launches(context)
     if any(map(_may_start_container, launches)) or b"omposableNodeContainer" in context.source.data:
         return
     for file in context.launch.includes:

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
+from urdfkit.checks.bringup.workspace_launches import workspace_launches
 from urdfkit.lint.rules import Context
 from urdfkit.ros.controllers import Controller, read
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 
 #: Most robots of a workspace that are expanded.
 _MAX_ROBOTS = 8
@@ -24,7 +24,7 @@ def defined_controllers(context: Context) -> dict[str, Controller]:
 def controllers_of_workspace(context: Context) -> dict[str, Controller]:
     """The controllers of all launch files of the workspace, by name."""
     controllers: dict[str, Controller] = {}
-    launches = launches_of_workspace(context.source.path, context.resolver)
+    launches = workspace_launches(context)
     paths = dict.fromkeys(file.path for launch in launches for file in launch.parameters)
     for source in filter(None, map(context.resolver.readable, paths)):
         controllers |= {controller.name: controller for controller in read(source)}
@@ -35,7 +35,7 @@ def controllers_of_workspace(context: Context) -> dict[str, Controller]:
 
 def robots_of_workspace(context: Context) -> Iterator[Context]:
     """The robots that launch files of the workspace describe; none if they are many."""
-    launches = launches_of_workspace(context.source.path, context.resolver)
+    launches = workspace_launches(context)
     descriptions = {
         (description.path, *sorted(description.arguments.items())): description
         for launch in launches

@@ -46,6 +46,7 @@ from urdfkit.checks.bringup.published_frames import (
     published_frames,
     static_transforms,
 )
+from urdfkit.checks.bringup.workspace_launches import all_launches, programs_of
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
@@ -57,7 +58,6 @@ from urdfkit.ros.launch.frames import (
     named_frames,
     sensor_frames,
 )
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Value, entries, scalar
@@ -226,8 +226,8 @@ def _unknown_parents(
 
 def _unpublished_odometry(context: Context) -> Findings:
     """Frames of odometry that localization or Nav2 names, but not the filters of the workspace."""
-    launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
-    programs = [node for launch in launches for node in launch.programs]
+    launches = all_launches(context)
+    programs = programs_of(launches)
     published = {transform.parent for transform in of_filters(programs, context)}
     if not published or may_have_other_publishers(context):
         return

@@ -6,14 +6,13 @@ by default; slam_toolbox since Jazzy: its nodes are lifecycle nodes.
 
 import re
 
+from urdfkit.checks.bringup.workspace_launches import is_included, workspace_launches
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.releases import is_for_jazzy
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 
 _MANAGER = "nav2_lifecycle_manager"
 _NAMES, _AUTOSTART = "node_names", "autostart"
@@ -31,8 +30,8 @@ def not_activated(context: Context) -> Findings:
     is_whole = not launch.unread and all(node.is_sure for node in programs)
     if not managers or not is_whole or b"omposable" in context.source.data:
         return
-    is_part = is_included(context.source.path, context.resolver)
-    others = launches_of_workspace(context.source.path, context.resolver) if is_part else ()
+    is_part = is_included(context)
+    others = workspace_launches(context) if is_part else ()
     names = _managed(launch, *others)
     nodes = {node.title: node for node in programs}
     if None in names or names.isdisjoint(nodes):
@@ -85,7 +84,7 @@ def inactive_mapping(context: Context) -> Findings:
     nodes = [node for node in context.launch.started if node.package == _SLAM and node.is_sure]
     if not nodes or not is_for_jazzy(context.source.path, context.resolver):
         return
-    managed = _managed(*launches_of_workspace(context.source.path, context.resolver))
+    managed = _managed(*workspace_launches(context))
     for node in nodes if not _TRANSITIONS.search(context.source.data) else ():
         if managed.isdisjoint((None, node.name or _SLAM)):
             yield Finding(

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 
 from urdfkit.checks.bringup.rviz_displays import unpublished_models
+from urdfkit.checks.bringup.workspace_launches import workspace_launches
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import (
     MANAGER,
     manager,
@@ -50,7 +50,7 @@ def unpublished_description(context: Context, programs: tuple[StartedProgram, ..
 
 def _publishers_elsewhere(context: Context) -> list[StartedProgram]:
     """The publishers of the other launch files, next to which a file for navigation runs."""
-    launches = launches_of_workspace(context.source.path, context.resolver)
+    launches = workspace_launches(context)
     if any(launch.has_scopes for launch in launches):
         return []
     return [node for launch in launches for node in launch.programs if node.package == _PUBLISHER]

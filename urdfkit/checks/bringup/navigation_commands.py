@@ -13,11 +13,11 @@ from urdfkit.checks.bringup.unread_commands import (
     command_sources,
     is_known_reader,
 )
+from urdfkit.checks.bringup.workspace_launches import programs_of, workspace_launches
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.launch.contents import Launch, StartedProgram
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
 from urdfkit.ros.node_parameters import NodeParameters, nodes_in_files
 from urdfkit.text.located_yaml import Value, scalar
@@ -72,7 +72,7 @@ def _text(node: NodeParameters, key: str, default: str = "") -> str:
 def mistyped_navigation(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Commands of Nav2 without stamps for a drive that reads them with stamps."""
     expected = {reader.topic: reader for reader in command_readers(context, started)}
-    launches = launches_of_workspace(context.source.path, context.resolver) if expected else ()
+    launches = workspace_launches(context) if expected else ()
     places: set[Span] = set()
     for output in (output for launch in launches for output in _outputs(launch, context.resolver)):
         reader, section = expected.get(output.topic), output.section
@@ -116,8 +116,8 @@ def unpublished_commands(context: Context) -> Findings:
     smoothers = [node for node in context.launch.programs if node.executable == _SMOOTHER]
     if not smoothers:
         return
-    launches = launches_of_workspace(context.source.path, context.resolver)
-    programs = [node for launch in launches for node in launch.programs]
+    launches = workspace_launches(context)
+    programs = programs_of(launches)
     is_whole = all(map(is_known_reader, programs)) and not any(
         launch.has_scopes for launch in launches
     )

@@ -4,11 +4,10 @@ import re
 from collections.abc import Iterator
 from itertools import chain
 
+from urdfkit.checks.bringup.workspace_launches import is_included, workspace_launches
 from urdfkit.lint.rules import Context
-from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -41,7 +40,7 @@ def published_frames(context: Context) -> frozenset[str]:
     if not launch.descriptions:
         if _includes_unavailable(context) or _starts_publisher(launch):
             return frozenset()  # an included file may start another robot
-        launches = launches_of_workspace(context.source.path, context.resolver)
+        launches = workspace_launches(context)
     links = links_of_robots(context, launches)
     prefix = _prefix(launches)
     is_rewritten = bool(prefix) and _REWRITTEN.search(context.source.data)
@@ -51,7 +50,7 @@ def published_frames(context: Context) -> frozenset[str]:
     transforms = list(chain.from_iterable(map(static_transforms, launches)))
     children = {transform.child.name for transform in transforms}
     above = {transform.parent.name for transform in transforms if transform.child.name in links}
-    is_viewer = _is_viewer(launch) and not is_included(context.source.path, context.resolver)
+    is_viewer = _is_viewer(launch) and not is_included(context)
     well_known = frozenset() if is_viewer else WELL_KNOWN
     if _has_map_alone(context) and all(transform.parent.name != _WORLD for transform in transforms):
         well_known -= {_WORLD}

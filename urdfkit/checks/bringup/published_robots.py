@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
+from urdfkit.checks.bringup.workspace_launches import workspace_launches
 from urdfkit.lint.rules import Context
 from urdfkit.ros.launch.contents import Launch, StartedProgram
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 
 PUBLISHER = "robot_state_publisher"
 #: Packages whose nodes need the transforms of a robot that is running.
@@ -25,7 +25,7 @@ def published_robots(context: Context) -> list[Context]:
     if not any(map(_is_publisher, context.launch.programs)):
         if not any(_NEEDING.fullmatch(node.package) for node in context.launch.programs):
             return []
-        launches = launches_of_workspace(context.source.path, context.resolver)
+        launches = workspace_launches(context)
     launches = tuple(
         launch_file for launch_file in launches if any(map(_is_publisher, launch_file.programs))
     )

@@ -7,11 +7,11 @@ Humble to Rolling; kobuki-base/kobuki_ros#51.
 import os
 from collections.abc import Iterator
 
+from urdfkit.checks.bringup.workspace_launches import all_launches, workspace_launches
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import FileUse
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.rviz import DISPLAYS, displays, tools, topic_of
 from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
 from urdfkit.text.located_yaml import Node, Value, scalar
@@ -82,7 +82,7 @@ def incompatible_reliability(context: Context) -> Findings:
     if has_other_topics(context):
         return
     published: dict[str, Span] = {}
-    for launch in (context.launch, *launches_of_workspace(context.source.path, context.resolver)):
+    for launch in all_launches(context):
         for node in launch.programs if not launch.has_scopes else ():
             name = data("nodes")["best_effort"].get(f"{node.package}/{node.executable}")
             if name and (topic := topic_name(name, node)):
@@ -144,7 +144,7 @@ def unpublished_models(context: Context, published: dict[str, Span]) -> Findings
 
 def _is_shown_elsewhere(context: Context, path: str, topic: str) -> bool:
     """True if another launch file publishes the topic for the same RViz configuration."""
-    for launch in launches_of_workspace(context.source.path, context.resolver):
+    for launch in workspace_launches(context):
         names = any(file.path == path for file in launch.files)
         for node in launch.programs if names else ():
             is_known = node.namespace is not None and not node.is_remapped and not launch.has_scopes

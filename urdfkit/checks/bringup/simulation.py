@@ -2,12 +2,12 @@
 
 import re
 
+from urdfkit.checks.bringup.workspace_launches import is_included
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.ros_control import simulated_hardware
-from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
@@ -66,7 +66,7 @@ def stopped_controllers(context: Context, programs: tuple[StartedProgram, ...]) 
     robots = [robot.model for _, robot in context.described_robots]
     hardware = [component for model in robots for component in components(model)]
     is_real = all(one.hardware in _MOCK or not _may_be_simulated(one) for one in hardware)
-    if not hardware or not is_real or is_included(context.source.path, context.resolver):
+    if not hardware or not is_real or is_included(context):
         return
     for node in programs:
         if node.executable != _MANAGER or _SIM_TIME in node.parameters.values:
@@ -215,7 +215,7 @@ def unpublished_joint_states(context: Context, programs: tuple[StartedProgram, .
     has_states = any(topic.ros_type.endswith("/JointState") for topic in bridged)
     if has_states or not all(map(_STATELESS.fullmatch, packages)):
         return
-    if is_included(context.source.path, context.resolver):
+    if is_included(context):
         return
     for description, robot in context.described_robots:
         systems = _systems(robot.model)

@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
 from urdfkit.checks.bringup.unread_commands import DRIVE, is_known_reader
+from urdfkit.checks.bringup.workspace_launches import all_launches, is_included, programs_of
 from urdfkit.lint.rules import Context, Finding, Findings, Related
-from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
 from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Value, scalar
@@ -25,10 +24,10 @@ _TRANSFORMS = "TFMessage"
 def unpublished_odometry(context: Context) -> Findings:
     """A filter and a drive, both of which leave the transform to the other one."""
     filters = [node for node in context.launch.programs if node.executable in _FILTERS]
-    if len(filters) != 1 or is_included(context.source.path, context.resolver):
+    if len(filters) != 1 or is_included(context):
         return
-    launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
-    programs = [node for launch in launches for node in launch.programs]
+    launches = all_launches(context)
+    programs = programs_of(launches)
     if not all(is_known_reader(node) and node.package != "tf2_ros" for node in programs):
         return
     others = [node for node in programs if node.executable in _FILTERS]

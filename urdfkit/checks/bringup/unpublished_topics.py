@@ -27,14 +27,13 @@ from urdfkit.checks.bringup.unbridged_sensors import (
     unbridged_sensor,
 )
 from urdfkit.checks.bringup.unread_remappings import renamed_topics
+from urdfkit.checks.bringup.workspace_launches import is_included, programs_of, workspace_launches
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers, topic_name
 from urdfkit.text.source import Span
 
@@ -60,9 +59,9 @@ _ODOMETRY, _IMU = "Odometry", "Imu"
 
 def unpublished_inputs(context: Context) -> Findings:
     inputs = [read for read in read_topics(context) if not read.topic.startswith(("$", "~"))]
-    if not inputs or is_included(context.source.path, context.resolver):
+    if not inputs or is_included(context):
         return
-    of_workspace = launches_of_workspace(context.source.path, context.resolver)
+    of_workspace = workspace_launches(context)
     filtered = _outputs_of_filters(of_workspace)
     served: set[str] = set()  # nodes that get one of their topics
     waiting: list[tuple[ReadTopic, dict[str, StartedProgram]]] = []
@@ -162,7 +161,7 @@ def _publishers(
     If this launch file starts no publisher of such messages, another may.
     """
     for launches in (started, of_workspace):
-        programs = [node for launch in launches for node in launch.programs]
+        programs = programs_of(launches)
         published = dict(_published(context, programs, message))
         if not all(map(_is_converter, published.values())) or launches is of_workspace:
             has_scopes = any(launch.has_scopes for launch in launches)

@@ -18,17 +18,21 @@ from urdfkit.checks.bringup.defined_controllers import (
     robots_of_workspace,
 )
 from urdfkit.checks.bringup.unread_remappings import renamed_topics
+from urdfkit.checks.bringup.workspace_launches import (
+    all_launches,
+    is_included,
+    programs_of,
+    workspace_launches,
+)
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.topics import are_all_known
-from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.bridges import FROM_GAZEBO, bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import (
     MANAGER,
     resolve_name,
@@ -70,10 +74,10 @@ class Reader(Record):
 def unread_commands(context: Context) -> Findings:
     """Nodes whose velocity commands nothing reads, and outputs of Nav2."""
     sources = list(command_sources(context.launch.programs))
-    if not sources or is_included(context.source.path, context.resolver):
+    if not sources or is_included(context):
         return
-    launches = (context.launch, *launches_of_workspace(context.source.path, context.resolver))
-    programs = [node for launch in launches for node in launch.programs]
+    launches = all_launches(context)
+    programs = programs_of(launches)
     if not all(map(_is_whole, launches)) or _may_have_other_readers(programs, context):
         return
     all_readers = list(command_readers(context, programs))
@@ -112,7 +116,7 @@ def _unread_outputs(
     context: Context, launches: Iterable[Launch], readers: dict[str, Span], read: set[str]
 ) -> Findings:
     """Outputs of the collision monitor of Nav2 that nothing reads."""
-    programs = [node for launch in launches for node in launch.programs]
+    programs = programs_of(launches)
     if any(node.package in _SMOOTHERS and node.is_remapped for node in programs):
         return
     paths = (file.path for file in context.launch.parameters)
@@ -164,8 +168,8 @@ def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) ->
 
 def _programs_of_workspace(context: Context) -> list[StartedProgram]:
     """The programs of all launch files; empty if others than the known ones may read commands."""
-    launches = launches_of_workspace(context.source.path, context.resolver)
-    programs = [node for launch in launches for node in launch.programs]
+    launches = workspace_launches(context)
+    programs = programs_of(launches)
     are_known = all(map(_is_whole, launches)) and all(map(is_known_reader, programs))
     return programs if are_known else []
 

@@ -1,0 +1,29 @@
+"""The launch files of the workspace, and their programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from urdfkit.lint.rules import Context
+from urdfkit.ros.launch import argument_checks
+from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+
+
+def workspace_launches(context: Context) -> tuple[Launch, ...]:
+    """The launch files of the workspace, in a large one not all of them."""
+    return launches_of_workspace(context.source.path, context.resolver)
+
+
+def all_launches(context: Context) -> tuple[Launch, ...]:
+    """The launch file itself first, and those of the workspace."""
+    return (context.launch, *workspace_launches(context))
+
+
+def programs_of(launches: Iterable[Launch]) -> list[StartedProgram]:
+    return [node for launch in launches for node in launch.programs]
+
+
+def is_included(context: Context) -> bool:
+    """True if another launch file includes this one."""
+    return argument_checks.is_included(context.source.path, context.resolver)
