@@ -40,7 +40,9 @@ ROBOT = BASE + child("body", "fixed") + child("mast", "fixed", parent="body")
 
 def test_two_parents() -> None:
     text = ROBOT + plugin(MOVE, "<robotBaseFrame>mast</robotBaseFrame>")
-    assert messages("RCT029", text) == [naming("p", MOVE, "robot_state_publisher")]
+    assert messages("RCT029", text) == [
+        naming("p", MOVE, "odom -> mast", "robot_state_publisher", "body -> mast")
+    ]
     assert [one.help for one in reported_of("RCT029", text)] == [naming("base", "above", "mast")]
     assert [text for _, text in places("RCT029", text)] == ["<robotBaseFrame>"]
 

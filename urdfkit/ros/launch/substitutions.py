@@ -167,6 +167,8 @@ def pieces(text: str) -> Iterator[tuple[bool, str]]:
 def unresolved(path: str, ros: int, resolver: Resolver) -> str | None:
     """The first substitution in a YAML file, or None."""
     source = resolver.readable(path)
-    text = source.data.decode("utf-8", "replace") if source else ""
-    match = re.search(_IN_FILES[ros], re.sub(r"(^|\s)#.*", "", text))
+    if source is None or b"$(" not in source.data:  # most files, which many nodes may load
+        return None
+    text = re.sub(r"(^|\s)#.*", "", source.data.decode("utf-8", "replace"))
+    match = re.search(_IN_FILES[ros], text)
     return match.group(0) if match else None
