@@ -278,3 +278,25 @@ TELEOP = "teleop_twist_joy_node: {{ros__parameters: {{scale_linear: {{x: {}}}}}}
 )
 def test_parameters_of_other_nodes(tmp_path: Path, yaml: str, count: int) -> None:
     assert len(messages("LAU025", tmp_path, yaml)) == count
+
+
+@pytest.mark.parametrize(
+    ("prefix", "namespace", "help"),
+    [
+        ("one", "one", "write one/"),
+        ("one", "/one", "write one/"),
+        ("one/", "one", ""),
+        ("one_", "one", ""),
+        ("one", "two", ""),
+        ("/", "", "remove it"),
+        ("/one", "one", "write one/"),
+        ("", "one", ""),
+    ],
+)
+def test_prefixes_of_frames(tmp_path: Path, prefix: str, namespace: str, help: str) -> None:
+    node = (
+        f'<node pkg="robot_state_publisher" exec="robot_state_publisher" namespace="{namespace}">'
+        f'<param name="frame_prefix" value="{prefix}"/></node>'
+    )
+    found = reported(tmp_path / "arm", "LAU025", "a.launch.xml", node)
+    assert [one.help for one in found if "frame_prefix" in one.message] == [help] * bool(help)

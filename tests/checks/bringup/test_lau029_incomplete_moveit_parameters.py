@@ -194,3 +194,21 @@ def test_files_that_move_group_does_not_get(tmp_path: Path, more: str, missing: 
     found = reported(tmp_path / "arm", "LAU029", "a.launch.py", text)
     words = [one.message.split()[3].rstrip(":") for one in found if "gets no" in one.message]
     assert words == missing
+
+
+@pytest.mark.parametrize(
+    ("parameters", "count"),
+    [
+        ('{"arm_servo": {"move_group_name": "arm"}}', 1),
+        ('{"move_group_name": "arm"}', 1),
+        ('{"moveit_servo": {"move_group_name": "arm"}}', 0),
+        ('{"moveit_servo": x}, y', 0),
+        ('{"robot_description": x}', 0),
+        ('{"arm_servo": x}', 0),
+    ],
+)
+def test_the_namespace_of_servo(tmp_path: Path, parameters: str, count: int) -> None:
+    text = 'from launch_ros.actions import Node\nNode(package="moveit_servo", '
+    text += f'executable="servo_node", parameters=[{parameters}])\n'
+    found = reported(tmp_path / "arm", "LAU029", "a.launch.py", text)
+    assert ["Servo reads its" in one.message for one in found] == [True] * count

@@ -404,3 +404,31 @@ def test_interfaces(tmp_path: Path, old: str, new: str, group: str, message: str
 def test_a_tag_of_a_later_format(tmp_path: Path) -> None:
     text = MANIFEST.replace('"3"', '"2"').replace("</package>", f"{GROUP}</package>")
     assert [one.help for one in reported(tmp_path, text)] == ['write format="3"']
+
+
+FINDS = "project(arm)\nfind_package(ament_cmake REQUIRED)\n{}\nament_package()\n"
+
+
+@pytest.mark.parametrize(
+    ("command", "depend", "count"),
+    [
+        ("find_package(arm_msgs REQUIRED)", "", 1),
+        ("find_package(arm_msgs REQUIRED)", "<depend>arm_msgs</depend>", 0),
+        ("find_package(arm_msgs REQUIRED)", "<depend>tools</depend>", 0),  # which depends on it
+        ("find_package(arm_msgs QUIET)", "", 0),
+        ("# find_package(arm_msgs REQUIRED)", "", 0),
+        ("find_package(other REQUIRED)", "", 0),
+    ],
+)
+def test_a_package_that_is_found_and_not_declared(
+    tmp_path: Path, command: str, depend: str, count: int
+) -> None:
+    robot = tmp_path / "arm"
+    manifest = MANIFEST.replace("<name>arm<", "<name>{}<")
+    for name, more in (("arm_msgs", ""), ("tools", "<depend>arm_msgs</depend>"), ("arm", "")):
+        (tmp_path / name).mkdir()
+        text = manifest.format(name).replace("</package>", f"{more}</package>")
+        (tmp_path / name / "package.xml").write_text(text)
+    (robot / "CMakeLists.txt").write_text(FINDS.format(command))
+    found = reported(robot, MANIFEST.replace("</package>", f"{depend}</package>"))
+    assert ["does not declare" in one.message for one in found] == [True] * count

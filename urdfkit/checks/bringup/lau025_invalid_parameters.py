@@ -19,6 +19,8 @@
 - A behaviour tree has no full path, or the default one calls a behaviour that is not in
   `behavior_plugins` (warnings). The frames of the map and of odometry are swapped
   (warning).
+- The `frame_prefix` of robot_state_publisher begins with a slash, or is the namespace without one
+  behind it (warnings).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
 - A map lacks a value or has an invalid one, at which map_server stops. Or it gets no map (warning).
   For `localization` slam_toolbox needs a `map_file_name` (info).
@@ -86,6 +88,7 @@ def check(context: Context) -> Findings:
         yield from parameter_values.missing(section)
     for own in files.values():
         yield from costmap_parameters.mixed_names(own)
+    yield from parameter_values.invalid_prefixes(context.launch.programs)
     yield from missing_behaviors(context, sections)
     yield from rejected_files(context)
     yield from invalid_maps(context)

@@ -11,6 +11,7 @@
   (warning). Or the builder cannot choose among several files of controllers.
 - move_group gets no SRDF, or not the kinematics.yaml or joint_limits.yaml that the launch file
   mentions (warning).
+- Servo does not get its parameters in `moveit_servo` (warning).
 
 Sources:
     MoveIt, MoveItConfigsBuilder: https://github.com/moveit/moveit2/blob/main/moveit_configs_utils/moveit_configs_utils/moveit_configs_builder.py

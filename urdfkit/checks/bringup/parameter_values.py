@@ -4,15 +4,19 @@ Sources: the nodes of ros-navigation/navigation2 and SteveMacenski/slam_toolbox,
 """
 
 import re
+from collections.abc import Iterable
 from math import inf
 
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.known_parameters import given_values, kind_of
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Node, Value, scalars
+
+_PREFIX = "frame_prefix"
 
 
 def missing(node: NodeParameters) -> Findings:
@@ -26,6 +30,21 @@ def missing(node: NodeParameters) -> Findings:
                 f"add {name}",
                 severity=Severity.WARNING,
             )
+
+
+def invalid_prefixes(programs: Iterable[StartedProgram]) -> Findings:
+    """Prefixes that make names of frames which tf2 or the reader does not know."""
+    for node in programs:
+        prefix = node.parameters.values.get(_PREFIX) or ""
+        if node.package != "robot_state_publisher" or "$" in prefix:
+            continue
+        if prefix.startswith("/"):
+            message = f"{_PREFIX} '{prefix}' begins with a slash, as no name of tf2 does"
+            help = "remove it" if prefix == "/" else f"write {prefix.strip('/')}/"
+            yield Finding(node.at, message, help, severity=Severity.WARNING)
+        elif prefix and prefix == (node.namespace or "").strip("/"):
+            message = f"{_PREFIX} '{prefix}' has no slash: the frames are called {prefix}base_link"
+            yield Finding(node.at, message, f"write {prefix}/", severity=Severity.WARNING)
 
 
 def invalid_values(node: NodeParameters) -> Findings:

@@ -11,6 +11,8 @@ from urdfkit.text.source import Source, Span
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.install_rules import InstallRules, build_file
 from urdfkit.workspace.installs import read_rules
+from urdfkit.workspace.manifest import depends_on
+from urdfkit.workspace.resolve import Resolver
 
 #: Of a build file.
 _MAX_BYTES = 1024 * 1024
@@ -140,6 +142,22 @@ def other_build_type(directory: str) -> Findings:
             f"build type {kind} needs a {needed}, and the package has a {other}",
             "write " + next(command for command, (file, _) in _BUILT_BY.items() if file == other),
         )
+
+
+def undeclared_packages(name: str, directory: str, resolver: Resolver) -> Findings:
+    """Packages of the workspace that CMake looks for, and that colcon need not build before."""
+    source = _build_file_of_ament(directory)
+    if source is None:
+        return
+    text = re.sub(rb"#[^\n]*", lambda comment: b" " * len(comment[0]), source.data)
+    known = resolver.packages.known(source.path)
+    for match in re.finditer(rb"(?m)^find_package\s*\(\s*([\w-]+)\s+REQUIRED", text):
+        other = match[1].decode()
+        if other in known and other != name and not depends_on(name, other, source.path, resolver):
+            message = f"CMakeLists.txt finds {other}, which package.xml does not declare: colcon "
+            message += "may build it later"
+            help = f"add <depend>{other}</depend> to package.xml"
+            yield Finding(Span(source, *match.span(1)), message, help, severity=Severity.WARNING)
 
 
 def not_registered(name: str, directory: str) -> Findings:

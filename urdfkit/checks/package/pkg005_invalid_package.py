@@ -16,6 +16,8 @@ resolve.
 - CMakeLists.txt generates messages, services or actions, also those of a package on which this one
   depends, and the build stops: a file does not exist, package.xml has no `<member_of_group>
   rosidl_interface_packages`, or a package of DEPENDENCIES is not found.
+- CMakeLists.txt finds a package of the workspace that package.xml does not declare, so that colcon
+  may build it later (warning).
 - The `<build_type>` needs another build file than the package has: colcon does not build it.
 - A package of ROS 2 depends on one that only ROS 1 has, such as rospy, or writes hyphens in the
   name of a ROS package (warning).
@@ -54,6 +56,7 @@ from urdfkit.checks.package.build_files import (
     not_registered,
     other_build_type,
     other_name,
+    undeclared_packages,
 )
 from urdfkit.checks.package.interfaces import not_generated, packages_with_interfaces
 from urdfkit.checks.package.samples import robot_of_package
@@ -109,6 +112,7 @@ def check(context: Context) -> Findings:
             from urdfkit.checks.package.python_executables import not_runnable  # for few robots
 
             yield from not_runnable(*home)
+        yield from undeclared_packages(*home, resolver)
         yield from not_generated(home[1])
         for directory in packages_with_interfaces(context):
             yield from not_generated(directory)

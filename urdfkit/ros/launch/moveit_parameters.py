@@ -26,6 +26,8 @@ _SETTINGS = {
     _KINEMATICS: (b"kinematics.yaml", "no planning group has a solver"),
     "robot_description_planning": (b"joint_limits.yaml", "no joint has a limit of acceleration"),
 }
+#: Where Servo looks for its parameters, and one that each configuration has.
+_SERVO, _GROUP = "moveit_servo", "move_group_name"
 #: Statements that change a dictionary after its creation.
 _CHANGES = re.compile(rb"\.update\(|\]\s*=[^=]|\|=")
 _LOADS = ("safe_load", "load", "full_load")
@@ -92,6 +94,21 @@ def missing_of_rviz(file: PythonLaunchFile, node: ast.Call) -> Iterator[Problem]
         message = f"RViz has {_SEMANTIC}, but not {_KINEMATICS}: its MotionPlanning has no markers"
         help = f"add {_KINEMATICS} to its parameters"
         yield Problem("LAU029", values.span(node), message, help, severity=Severity.WARNING)
+
+
+def missing_of_servo(file: PythonLaunchFile, node: ast.Call) -> Iterator[Problem]:
+    """A Servo whose parameters are in another namespace."""
+    parameters = argument(node, None, "parameters")
+    if _CHANGES.search(file.source.data) or parameters is None:
+        return
+    reader = _Reader(file)
+    items = [item for item in file.values.items(parameters) if item is not None]
+    names = {key.partition(".")[0] for item in items for key in reader.keys(item)}
+    inner = [key for item in items for key in reader.keys(item) if key.endswith(_GROUP)]
+    if _OPEN not in names and _SERVO not in names and inner:
+        message = f"Servo reads its parameters in {_SERVO}, which is not given"
+        help = f"write {_SERVO} in place of {inner[0].rpartition('.')[0] or 'the top level'}"
+        yield Problem("LAU029", file.values.span(node), message, help, severity=Severity.WARNING)
 
 
 class _Reader:

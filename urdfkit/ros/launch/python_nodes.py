@@ -12,7 +12,11 @@ from urdfkit.ros.launch.contents import (
     with_words,
 )
 from urdfkit.ros.launch.moveit_builder import is_configuration
-from urdfkit.ros.launch.moveit_parameters import missing_of_move_group, missing_of_rviz
+from urdfkit.ros.launch.moveit_parameters import (
+    missing_of_move_group,
+    missing_of_rviz,
+    missing_of_servo,
+)
 from urdfkit.ros.launch.python_descriptions import record_unexpanded
 from urdfkit.ros.launch.python_file import PythonLaunchFile
 from urdfkit.ros.launch.values import argument, called
@@ -57,6 +61,8 @@ def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
     file.collector.start(program)
     if program.executable == "move_group":
         file.collector.problems += missing_of_move_group(file, call)
+    elif program.package == "moveit_servo":
+        file.collector.problems += missing_of_servo(file, call)
     elif program.package == "rviz2":
         file.collector.problems += missing_of_rviz(file, call)
 

@@ -6,6 +6,7 @@ to rolling), ``load_controller`` of its ros2controlcli.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
@@ -28,6 +29,10 @@ _VALUED = frozenset(
 _LEFT_INACTIVE = ("--inactive", "--stopped", "--load-only", "load")
 #: Options that define the type of a controller.
 _DEFINING = frozenset(("-t", "--controller-type"))
+
+
+#: The value of an option that the spawner does not know.
+_NUMBER = re.compile(r"[\d.]+")
 
 
 class SpawnedController(Record):
@@ -72,7 +77,7 @@ def _controllers(program: StartedProgram) -> Iterator[Word]:
     for word, text in zip(words, texts, strict=True):
         if text == "--ros-args":
             return
-        if not is_value and word.text and not text.startswith("-"):
+        if not is_value and word.text and not text.startswith("-") and not _NUMBER.fullmatch(text):
             yield word
         is_value = has_value(text) and "=" not in (word.text or "")
 
