@@ -57,3 +57,18 @@ def test_slam_is_activated(tmp_path: Path, yaml: str, more: str, count: int) -> 
     files = {"a.yaml": yaml or "a: 1\n"}
     found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text + more, files)
     assert sum("which nothing activates" in one.message for one in found) == count
+
+
+def test_a_costmap_is_no_node_of_its_own(tmp_path: Path) -> None:
+    """Reported in an included launch file, too."""
+    text = MANAGER.format(", 'autostart': True").replace("'a'", "'amcl', 'local_costmap'")
+    text += "amcl = Node(package='nav2_amcl', executable='amcl', name='amcl')\n"
+    whole = (
+        "from ament_index_python.packages import get_package_share_directory\n"
+        "from launch.actions import IncludeLaunchDescription\n"
+        "whole = IncludeLaunchDescription("
+        "get_package_share_directory('arm') + '/launch/a.launch.py')\n"
+    )
+    files = {"launch/b.launch.py": whole}
+    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text, files)
+    assert ["waits for local_costmap" in one.message for one in found] == [True]

@@ -18,6 +18,8 @@ REALSENSE = 'package="realsense2_camera", executable="realsense2_camera_node"'
 JOY = 'package="joy", executable="joy_node"'
 EKF = 'package="robot_localization", executable="ekf_node"'
 MADGWICK = 'package="imu_filter_madgwick", executable="imu_filter_madgwick_node"'
+MERGER = 'package="dual_laser_merger", executable="dual_laser_merger_node"'
+VELODYNE = 'package="velodyne_pointcloud", executable="velodyne_transform_node"'
 
 
 def found(directory: Path, node: str, given: str, yaml: str = "") -> list[str]:
@@ -45,6 +47,10 @@ def found(directory: Path, node: str, given: str, yaml: str = "") -> list[str]:
         (EKF, '{"frequency": 30.0}', "has no inputs"),
         (REALSENSE, '{"decimation_filter,enable": True}', "contains a comma"),
         (MADGWICK, '{"_use_mag": False}', "did you mean 'use_mag'"),
+        (CAMERA, '{"camera_info_url": "/home/a/front.yaml"}', "which is no URL"),
+        (CAMERA, '{"camera_info_url": "file://home/a/front.yaml"}', "which is no URL"),
+        (MERGER, '{"merged_topic": "/scan"}', "it is 'merged_scan_topic'"),
+        (VELODYNE, '{"model": "VLP16"}', "'calibration' is not given"),
     ],
 )
 def test_in_the_launch_file(tmp_path: Path, node: str, given: str, words: str) -> None:
@@ -59,6 +65,10 @@ def test_in_the_launch_file(tmp_path: Path, node: str, given: str, words: str) -
         (CAMERA, '{"framerate": ParameterValue(30, value_type=float)}'),
         (CAMERA, '{"framerate": LaunchConfiguration("rate")}'),
         (CAMERA, '{"own": 30}'),
+        (CAMERA, '{"camera_info_url": "file:///home/a/front.yaml"}'),
+        (CAMERA, '{"camera_info_url": "package://arm/front.yaml"}'),
+        (VELODYNE, '{"calibration": "/a.yaml"}'),
+        (VELODYNE, "own()"),
         (REALSENSE, '{"pointcloud.enable": True, "enable_pointcloud": True}'),
         (REALSENSE, '{"align_depth": {"enable": True}}'),
         (JOY, '{"device_id": 1}'),
@@ -97,3 +107,66 @@ def test_the_type_that_all_nodes_know(tmp_path: Path, value: str, count: int) ->
     node = 'package="own", executable="own", name="own"'
     found_here = found(tmp_path, node, '"../a.yaml"', yaml)
     assert ["must be true or false" in one for one in found_here] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("node", "yaml", "words"),
+    [
+        ("slam_toolbox", "map_start_pose: [0.0, 0.0]", "has 2 numbers, must have 3"),
+        ("slam_toolbox", "map_start_pose: [0.0, 0.0, 0.0]", ""),
+        ("docking_server", "docks: [a]\n    a: {id: 1, pose: [0.0, 0.0, 0.0]}", "must be a string"),
+        ("docking_server", "docks: [a]\n    a: {id: '1', pose: [0.0, 0.0]}", "must have 3"),
+        ("docking_server", "docks: [a]\n    a: {id: '1', pose: [0.0, 0.0, 0.0]}", ""),
+        (
+            "laser",
+            "filter: {name: a, type: laser_filters/LaserScanRangeFilter}",
+            "filter1, filter2",
+        ),
+        ("laser", "filter1: {name: a, type: laser_filters/LaserScanRangeFilter}", ""),
+        (
+            "laser",
+            "filter2: {name: a, type: laser_filters/LaserScanRangeFilter}",
+            "filter1, filter2",
+        ),
+    ],
+)
+def test_of_nodes(tmp_path: Path, node: str, yaml: str, words: str) -> None:
+    text = f"{node}:\n  ros__parameters:\n    {yaml}\n"
+    program = f'package="own", executable="own", name="{node}"'
+    assert [words in one for one in found(tmp_path, program, '"../a.yaml"', text)] == [True] * bool(
+        words
+    )
+
+
+LAYER = """local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: [layer]
+      layer:
+        plugin: {}
+        observation_sources: a b
+        {}: 3.0
+        a: {{data_type: PointCloud2, {}: 3.0}}
+        b: {{data_type: PointCloud2{}}}
+"""
+STVL = "spatio_temporal_voxel_layer/SpatioTemporalVoxelLayer"
+
+
+@pytest.mark.parametrize(
+    ("plugin", "key", "of_second", "count"),
+    [
+        (STVL, "obstacle_range", "", 1),
+        (STVL, "obstacle_range", ", obstacle_range: 3.0", 0),
+        (STVL, "voxel_decay", "", 0),
+        ("nav2_costmap_2d::ObstacleLayer", "obstacle_max_range", "", 1),
+        ("nav2_costmap_2d::ObstacleLayer", "max_obstacle_height", "", 0),
+        ("own::Layer", "obstacle_range", "", 0),
+    ],
+)
+def test_parameters_of_sources(
+    tmp_path: Path, plugin: str, key: str, of_second: str, count: int
+) -> None:
+    yaml = LAYER.format(plugin, key, key, of_second)
+    program = 'package="own", executable="own", name="own"'
+    messages = found(tmp_path, program, '"../a.yaml"', yaml)
+    assert [f"reads {key} of each source" in one for one in messages] == [True] * count

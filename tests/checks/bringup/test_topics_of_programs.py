@@ -82,7 +82,19 @@ def test_behaviours_of_the_default_tree(
     text = NODE.format("nav2_behaviors", "behavior_server", ', parameters=["../a.yaml"]')
     yaml = BEHAVIORS.format(plugins, tree)
     found = messages(tmp_path, "LAU025", text, {"a.yaml": yaml})
-    assert ["waits for 'backup'" in one for one in found] == [True] * count
+    assert ["calls 'backup'" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("name", "count"), [("GridBased", 0), ("Custom", 1)])
+def test_planners_of_the_default_tree(tmp_path: Path, name: str, count: int) -> None:
+    yaml = (
+        f"planner_server:\n  ros__parameters:\n    planner_plugins: [{name}]\n"
+        f"    {name}: {{plugin: nav2_navfn_planner::NavfnPlanner}}\n"
+        "bt_navigator:\n  ros__parameters: {global_frame: map}\n"
+    )
+    text = NODE.format("nav2_planner", "planner_server", ', parameters=["../a.yaml"]')
+    found = messages(tmp_path, "LAU025", text, {"a.yaml": yaml})
+    assert ["calls 'GridBased'" in one for one in found] == [True] * count
 
 
 INCLUDE = """from ament_index_python.packages import get_package_share_directory

@@ -27,6 +27,19 @@ def test_filename_and_name_swapped() -> None:
     assert found.help == f'write filename="{POSES}" name="gz::sim::systems::PosePublisher"'
 
 
+@pytest.mark.parametrize(
+    ("file", "severity"),
+    [
+        ("libros_gz_sim_joint_state_publisher-system.so", Severity.WARNING),
+        ("libown_joints.so", Severity.INFO),
+    ],
+)
+def test_a_class_of_gz_sim(file: str, severity: Severity) -> None:
+    text = plugin(file, name="gz::sim::systems::JointStatePublisher")
+    (found,) = reported("GAZ011", BASE + text)
+    assert found.severity == severity
+
+
 def test_every_library_of_the_catalogue_is_known() -> None:
     found = reported("GAZ011", BASE + "".join(plugin(file) for file in plugins.files()))
     assert {one.severity for one in found} == {Severity.ERROR}, "the class only"

@@ -36,6 +36,21 @@ def test_a_default_that_names_no_joint() -> None:
     assert message == naming("p", DRIVE, "<rightJoint>", "right_joint")
 
 
+@pytest.mark.parametrize(
+    ("tags", "count"),
+    [
+        ("", 0),
+        ("<num_wheel_pairs>2</num_wheel_pairs>", 1),
+        ("<left_joint>left_joint</left_joint>", 1),
+        ("<num_wheel_pairs>$(arg pairs)</num_wheel_pairs>", 0),
+    ],
+)
+def test_pairs_of_wheels(tags: str, count: int) -> None:
+    joints = "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint>"
+    found = messages("GAZ017", WHEELS + plugin(DRIVE, joints + tags))
+    assert ["<num_wheel_pairs>" in one for one in found] == [True] * count
+
+
 def test_one_of_two() -> None:
     text = BASE + plugin("libgazebo_ros_ft_sensor.so", "<update_rate>1</update_rate>")
     assert messages("GAZ017", text) == [

@@ -40,6 +40,7 @@ def test_a_system_of_gz_in_classic(tmp_path: Path) -> None:
     [
         ("gz-sim-physcis-system", "gz::sim::systems::Physics", "unknown plugin library"),
         ("gz-sim-sensor-system", "gz::sim::systems::Sensors", "unknown plugin library"),
+        ("libros_gz_sim_imu-system.so", "gz::sim::systems::Imu", "unknown plugin library"),
         ("gz-sim-sensors-system", "gz::sim::systems::Sensor", "only gz::sim::systems::Sensors"),
         ("gz-sim-imu-system", "imu", "only gz::sim::systems::Imu"),
         ("ignition-gazebo-imu-system", "ignition::gazebo::systems::v6::Imu", ""),

@@ -11,7 +11,7 @@ from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import plugin_class
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Node, Value, scalar, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalar, scalars, words
 
 _PACKAGE = "nav2_costmap_2d"
 _KIND = r"(Layer|Filter)s?$"
@@ -90,6 +90,22 @@ def _sources(layer: dict[str, Node]) -> Findings:
                 f"add {name} with its topic and data_type, or fix the name",
                 severity=Severity.WARNING,
             )
+
+
+def of_sources(node: NodeParameters) -> Findings:
+    """What a layer of a costmap reads of its sources, but not of itself."""
+    for name, section in node.values.items():
+        layer = mapping(section)
+        names = words(layer, "observation_sources")
+        read = data("node_parameters")["of_sources"].get(plugin_class(layer), "").split()
+        for key, value in layer.items() if names else ():
+            lacking = [source for source in names if key not in mapping(layer.get(source))]
+            if key in read and lacking and isinstance(key, Key) and isinstance(value, Value):
+                yield Finding(
+                    key.span,
+                    f"'{node.name}' reads {key} of each source, not of '{name}'",
+                    f"move it into the section of {lacking[0]}",
+                )
 
 
 def _layer(layer: dict[str, Node]) -> Findings:

@@ -6,6 +6,7 @@ from urdfkit.checks.bringup.odometry import (
     OdometryTransform,
     of_bridges,
     of_cartographer,
+    of_classic_plugins,
     of_drives,
     of_estimators,
     of_filters,
@@ -83,11 +84,7 @@ def second_odometry(context: Context, programs: list[StartedProgram]) -> Finding
         other = filters.setdefault(estimator.parent, estimator)
         if other is not estimator:
             yield _twice(other, estimator, estimator.publisher, "set its publish_tf: false")
-    for _, robot in context.described_robots if filters else ():
-        for bridged in of_bridges(programs, context, robot):
-            if filter := filters.get(bridged.parent):
-                publisher = f"{bridged.publisher} through the bridge"
-                yield _twice(filter, bridged, publisher, "remove /tf from the bridge")
+    yield from _of_simulation(context, programs, filters) if filters else ()
     children = {transform.child: transform for transform in filters.values()}
     for slam in of_cartographer(programs, context):
         if filter := children.get(slam.child):
@@ -96,6 +93,21 @@ def second_odometry(context: Context, programs: list[StartedProgram]) -> Finding
     for drive in of_drives(programs, context) if filters else ():
         if filter := filters.get(drive.parent):
             yield _twice(filter, drive, drive.publisher, "write enable_odom_tf: false")
+
+
+def _of_simulation(
+    context: Context, programs: list[StartedProgram], filters: dict[str, OdometryTransform]
+) -> Findings:
+    """The transforms of plugins of Gazebo, next to those of filters."""
+    for _, robot in context.described_robots:
+        for bridged in of_bridges(programs, context, robot):
+            if filter := filters.get(bridged.parent):
+                publisher = f"{bridged.publisher} through the bridge"
+                yield _twice(filter, bridged, publisher, "remove /tf from the bridge")
+        for drive in of_classic_plugins(programs, robot):
+            if filter := filters.get(drive.parent):
+                help = "write <publish_odom_tf>false</publish_odom_tf>"
+                yield _twice(filter, drive, drive.publisher, help)
 
 
 def _twice(

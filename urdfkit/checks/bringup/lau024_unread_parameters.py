@@ -24,7 +24,7 @@ Sources:
 
 import os
 
-from urdfkit.checks.bringup import parameter_names, parameter_sections
+from urdfkit.checks.bringup import costmap_parameters, parameter_names, parameter_sections
 from urdfkit.checks.bringup.read_parameters import (
     parameter_files,
     parameters_of_started,
@@ -69,6 +69,8 @@ def check(context: Context) -> Findings:
         yield from parameter_sections.unread_plugins(section)
         yield from parameter_sections.misplaced(section)
         yield from parameter_sections.unlisted_filters(section)
+        yield from costmap_parameters.of_sources(section)
+        yield from parameter_sections.unnumbered_filters(section)
         yield from parameter_names.unread_inputs(section)
     yield from outdated(context, [*sections, *started])
     yield from parameter_names.without_inputs(context)

@@ -35,7 +35,7 @@ Sources:
 
 from urdfkit.checks.bringup import costmap_parameters, parameter_types, parameter_values
 from urdfkit.checks.bringup.invalid_maps import invalid_maps, missing_graphs, missing_maps
-from urdfkit.checks.bringup.plugin_parameters import missing_behaviors, unloadable_plugins
+from urdfkit.checks.bringup.plugin_parameters import missing_in_default_trees, unloadable_plugins
 from urdfkit.checks.bringup.read_parameters import (
     parameter_files,
     parameters_of_started,
@@ -89,7 +89,8 @@ def check(context: Context) -> Findings:
     for own in files.values():
         yield from costmap_parameters.mixed_names(own)
     yield from parameter_values.invalid_prefixes(context.launch.programs)
-    yield from missing_behaviors(context, sections)
+    yield from missing_in_default_trees(context, sections)
+    yield from parameter_values.missing_of_programs(context)
     yield from rejected_files(context)
     yield from invalid_maps(context)
     yield from missing_maps(context)

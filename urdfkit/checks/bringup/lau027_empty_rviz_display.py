@@ -7,6 +7,8 @@
 - The display of the map is volatile, and misses what map_server published before.
 - The tool for goals or for the initial pose has the topic of ROS 1 or a misspelt one, which Nav2
   does not read.
+- The frames of the robot have a `frame_prefix` that RobotModel does not have as `TF Prefix`, or
+  robot_state_publisher publishes them on `/robot1/tf`, while RViz reads `/tf`.
 
 Sources:
     RViz 2, display types: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/plugins_description.xml
@@ -20,6 +22,7 @@ from urdfkit.checks.bringup.rviz_displays import (
     unread_goals,
     volatile_maps,
 )
+from urdfkit.checks.bringup.rviz_frames import unprefixed_models, unread_transforms
 from urdfkit.lint.rules import Context, Findings, Need, Severity, rule
 
 NAME = "launch/view.launch.xml"
@@ -44,3 +47,5 @@ def check(context: Context) -> Findings:
     yield from volatile_maps(context)
     yield from incompatible_reliability(context)
     yield from unread_goals(context)
+    yield from unprefixed_models(context)
+    yield from unread_transforms(context)

@@ -5,8 +5,14 @@ by default; slam_toolbox since Jazzy: its nodes are lifecycle nodes.
 """
 
 import re
+from collections.abc import Iterable
 
-from urdfkit.checks.bringup.workspace_launches import is_included, workspace_launches
+from urdfkit.checks.bringup.unread_commands import is_part_of_ros
+from urdfkit.checks.bringup.workspace_launches import (
+    is_included,
+    programs_of,
+    workspace_launches,
+)
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings
 from urdfkit.ros.catalog import data
@@ -18,7 +24,7 @@ _MANAGER = "nav2_lifecycle_manager"
 _NAMES, _AUTOSTART = "node_names", "autostart"
 _SLAM = "slam_toolbox"
 #: What activates a lifecycle node in a launch file, or in a program.
-_TRANSITIONS = re.compile(rb"(?i)lifecycle|ChangeState|change_state")
+_TRANSITIONS = re.compile(rb"(?i)lifecycle(?!_manager)|ChangeState|change_state")
 _MAX_NAMED = 4
 
 
@@ -45,7 +51,10 @@ def not_activated(context: Context) -> Findings:
                 f"'{name}' stays unconfigured: no lifecycle manager has it in {_NAMES}",
                 f"add it to {_NAMES} of the lifecycle manager",
             )
-    if not is_part and (missing := sorted(name for name in names if name and name not in nodes)):
+    started = {*nodes, *(node.title for node in programs_of(others))}
+    own = (name for name in _managed(launch) if name and name not in started)
+    missing = sorted(own) if _are_known(others) else []
+    if missing:
         yield Finding(
             managers[0].at,
             f"the lifecycle manager waits for {few(missing, _MAX_NAMED)}, which nothing starts",
@@ -62,6 +71,11 @@ def _managed(*launches: Launch) -> set[str | None]:
         if node.package == _MANAGER
         for name in node.parameters.lists.get(_NAMES, (None,))
     }
+
+
+def _are_known(launches: Iterable[Launch]) -> bool:
+    """True if they include no launch files that are not known, except those of ROS."""
+    return all(is_part_of_ros(path) for launch in launches for path in launch.unread)
 
 
 def not_started(context: Context) -> Findings:

@@ -166,6 +166,20 @@ def of_bridges(
                     yield OdometryTransform(*frames, plugin.title, program.at, child)
 
 
+def of_classic_plugins(
+    programs: Iterable[StartedProgram], robot: Context
+) -> Iterator[OdometryTransform]:
+    """The transforms of the drives of Gazebo Classic of a robot that is spawned there."""
+    if not any(program.executable == "spawn_entity.py" for program in programs):
+        return
+    for use in robot.plugins:
+        is_of_ros_2 = use.plugin is not None and use.plugin.generation == "classic-ros2"
+        if is_of_ros_2 and use.value("publish_odom_tf").lower() in ("true", "1"):
+            parent, child = use.value("odometry_frame"), use.value("robot_base_frame")
+            at = Location(use.at.span)
+            yield OdometryTransform(parent.strip("/"), child.strip("/"), use.title, at)
+
+
 def _first_child(plugin: Element, tags: tuple[str, ...]) -> Element | None:
     return next((child for tag in tags if (child := plugin.child(tag)) is not None), None)
 

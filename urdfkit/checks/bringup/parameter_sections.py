@@ -9,7 +9,7 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Value, mapping, scalars
+from urdfkit.text.located_yaml import Key, Value, mapping, scalar, scalars
 
 #: Programs that start several nodes, or nodes of other names.
 _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node", "move_group")
@@ -173,4 +173,23 @@ def unlisted_filters(node: NodeParameters) -> Findings:
                 f"'{node.name}' does not load '{name}', which filters does not have",
                 f'write filters: ["{name}"]',
                 severity=Severity.INFO,
+            )
+
+
+def unnumbered_filters(node: NodeParameters) -> Findings:
+    """Filters of laser_filters that it does not load, as they have another name than filter1."""
+    filters = [
+        name
+        for name, section in node.values.items()
+        if (kind := scalar(section, "type")) and isinstance(name, Key)
+        if kind.text.startswith("laser_filters/")
+    ]
+    expected = [f"filter{number}" for number in range(1, len(filters) + 1)]
+    for name in filters:
+        if name not in expected:
+            free = next(other for other in expected if other not in filters)
+            yield Finding(
+                name.span,
+                f"'{node.name}' does not load '{name}': it looks for filter1, filter2 and so on",
+                f"write {free}",
             )

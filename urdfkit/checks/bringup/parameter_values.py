@@ -1,6 +1,7 @@
 """Parameters that a node lacks, and values that it rejects.
 
-Sources: the nodes of ros-navigation/navigation2 and SteveMacenski/slam_toolbox, humble to rolling.
+Sources: the nodes of ros-navigation/navigation2 and SteveMacenski/slam_toolbox, and
+``camera_info_manager.cpp``, humble to rolling.
 """
 
 import re
@@ -8,15 +9,18 @@ from collections.abc import Iterable
 from math import inf
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Finding, Findings, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.known_parameters import given_values, kind_of
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Node, Value, scalars
 
 _PREFIX = "frame_prefix"
+#: The place of the calibration of a camera, which camera_info_manager loads.
+_CALIBRATION = "camera_info_url"
 
 
 def missing(node: NodeParameters) -> Findings:
@@ -47,6 +51,21 @@ def invalid_prefixes(programs: Iterable[StartedProgram]) -> Findings:
             yield Finding(node.at, message, f"write {prefix}/", severity=Severity.WARNING)
 
 
+def missing_of_programs(context: Context) -> Findings:
+    """The same for programs whose nodes have any name."""
+    for program in context.launch.started:
+        name = f"{program.package}/{program.executable}"
+        required: dict[str, str] = data("node_parameters")["required"].get(name, {})
+        for parameter, since in required.items() if program.is_ros_2 else ():
+            if given_parameter(program, parameter, context.resolver) == "":
+                yield Finding(
+                    program.at,
+                    f"'{program.title}' of {since} stops: parameter '{parameter}' is not given",
+                    f"add {parameter}",
+                    severity=Severity.WARNING,
+                )
+
+
 def invalid_values(node: NodeParameters) -> Findings:
     """Modes that a node does not have, lists of another length, and footprints."""
     choices: dict[str, str] = data("node_parameters")["choices"]
@@ -61,12 +80,15 @@ def invalid_values(node: NodeParameters) -> Findings:
                 message = f"'{node.name}': unknown {given.at} '{value.text}'"
                 message += did_you_mean(value.text, modes)
                 yield Finding(value.span, message, f"write one of {', '.join(modes)}")
+        elif given.at == _CALIBRATION and isinstance(value, Value) and _is_path(value.text):
+            message = f"'{node.name}' does not load {given.at} '{value.text}', which is no URL"
+            path = value.text if value.text.startswith("/") else "/PATH"
+            yield Finding(value.span, message, f"write file://{path}, or package://PACKAGE/PATH")
         elif f"{given.owner}.{given.at}" in names and _is_device(value):
             message = f"'{node.name}': {given.at} is a name, not a path"
             yield Finding(given.at.span, message, f"write {names[f'{given.owner}.{given.at}']}")
         elif isinstance(value, list) and expected and len(value) not in expected:
-            message = f"'{node.name}' stops: {given.at} has {len(value)} numbers, must have "
-            message += f"{expected[0]}"
+            message = f"'{node.name}': {given.at} has {len(value)} numbers, must have {expected[0]}"
             yield Finding(given.at.span, message, "write one for x, y and the rotation")
         elif isinstance(value, Value) and (number(value.text) or 0.0) > most.get(given.at, inf):
             message = f"'{node.name}': {given.at} is {value.text}, must be at most "
@@ -74,6 +96,11 @@ def invalid_values(node: NodeParameters) -> Findings:
         elif given.at == "footprint" and isinstance(value, Value) and not _is_footprint(value.text):
             message = f"'{node.name}': the footprint is no list of three or more points"
             yield Finding(value.span, message, 'write "[[x, y], [x, y], [x, y]]"')
+
+
+def _is_path(text: str) -> bool:
+    """True for a place of a calibration without ``file:///`` or ``package://``."""
+    return "/" in text and not re.match(r"file:///|package://[^/]+/|flash://|.*[$<{]", text)
 
 
 def _is_device(value: Node) -> bool:

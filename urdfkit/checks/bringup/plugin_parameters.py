@@ -41,25 +41,26 @@ def unloadable_plugins(node: NodeParameters) -> Findings:
     yield from _swapped_frames(node)
 
 
-def missing_behaviors(context: Context, sections: list[NodeParameters]) -> Findings:
-    """Behaviours of the default trees of the navigator that no server offers."""
+def missing_in_default_trees(context: Context, sections: list[NodeParameters]) -> Findings:
+    """What the default trees of the navigator call and no server offers."""
     navigators = [node for node in sections if node.name == "bt_navigator"]
-    servers = [node for node in sections if _BEHAVIORS in node.values]
     is_default = all(node.values.keys().isdisjoint(_TREES) for node in navigators)
-    if len(navigators) != 1 or len(servers) != 1 or not is_default:
+    if len(navigators) != 1 or not is_default or _TREE in context.source.data:
         return
-    (server,) = servers
-    listed = scalars(server.values[_BEHAVIORS])
-    names = {value.text for value in listed}
-    missing = [name for name in data("nodes")["default_behaviors"].split() if name not in names]
-    if listed and missing and _TREE not in context.source.data:
-        yield Finding(
-            listed[0].span,
-            f"'bt_navigator' stops: its default behaviour tree waits for '{missing[0]}', which is "
-            f"not in {_BEHAVIORS}",
-            f"add {missing[0]}, or set {_TREES[0]} to a tree without it",
-            severity=Severity.WARNING,
-        )
+    called: dict[str, str] = data("nodes")["default_trees"]
+    for parameter, names in called.items():
+        servers = [node for node in sections if parameter in node.values]
+        listed = scalars(servers[0].values[parameter]) if len(servers) == 1 else []
+        missing = [name for name in names.split() if name not in {value.text for value in listed}]
+        if listed and missing:
+            stops = "stops" if parameter == _BEHAVIORS else "aborts its goals"
+            yield Finding(
+                listed[0].span,
+                f"'bt_navigator' {stops}: its default behaviour tree calls '{missing[0]}', which "
+                f"is not in {parameter}",
+                f"add {missing[0]}, or set {_TREES[0]} to a tree without it",
+                severity=Severity.WARNING,
+            )
 
 
 def _names_without_section(node: NodeParameters) -> Findings:

@@ -51,7 +51,11 @@ def _renamed(node: NodeParameters) -> Iterator[tuple[str, Finding]]:
     stack: list[tuple[str, dict[str, Node]]] = [("", node.values)]
     while stack and renamed:
         prefix, section = stack.pop()
-        stack += [(f"{prefix}{key}.", mapping(inner)) for key, inner in section.items()]
+        stack += [
+            (f"{prefix}{key}.", mapping(inner))
+            for key, inner in section.items()
+            if not _is_of_other_package(mapping(inner).get("plugin"))
+        ]
         for key, value in section.items():
             facts = renamed.get(f"{prefix}{key}") or renamed.get(key) or ("", "", "")
             name, since, default = facts
@@ -64,6 +68,11 @@ def _renamed(node: NodeParameters) -> Iterator[tuple[str, Finding]]:
                 )
                 help = f"write {name}: {_listed(value)}" if name == f"{key}s" else f"write {name}"
                 yield since, Finding(key.span, f"{message}'{name}'", help, severity=severity)
+
+
+def _is_of_other_package(plugin: Node | None) -> bool:
+    """True for a plugin that does not come with Nav2, whose parameters have names of their own."""
+    return isinstance(plugin, Value) and not plugin.text.startswith(("nav2_", "dwb_"))
 
 
 def _has(values: dict[str, Node], name: str) -> bool:

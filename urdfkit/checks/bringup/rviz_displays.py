@@ -11,9 +11,10 @@ from urdfkit.checks.bringup.workspace_launches import all_launches, workspace_la
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.contents import FileUse
+from urdfkit.ros.launch.contents import FileUse, StartedProgram
+from urdfkit.ros.launch.given_parameters import given_parameter, topic_of_program
 from urdfkit.ros.launch.rviz import DISPLAYS, displays, tools, topic_of
-from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
+from urdfkit.ros.launch.spawned_controllers import resolve_name
 from urdfkit.text.located_yaml import Node, Value, scalar
 from urdfkit.text.source import Span
 
@@ -84,8 +85,7 @@ def incompatible_reliability(context: Context) -> Findings:
     published: dict[str, Span] = {}
     for launch in all_launches(context):
         for node in launch.programs if not launch.has_scopes else ():
-            name = data("nodes")["best_effort"].get(f"{node.package}/{node.executable}")
-            if name and (topic := topic_name(name, node)):
+            for topic in _best_effort(node, context):
                 published.setdefault(topic, node.span)
     for file, display, kind in read_by_rviz(context) if published else ():
         policy, topic_of_display = scalar(display, "Topic", _POLICY), topic_of(display)
@@ -95,6 +95,18 @@ def incompatible_reliability(context: Context) -> Findings:
             note = Related(at, "the publisher is started here")
             finding = _finding(policy.span, message, "write Best Effort", file)
             yield finding._replace(related=(*finding.related, note))
+
+
+def _best_effort(program: StartedProgram, context: Context) -> Iterator[str]:
+    """The topics that a program certainly publishes without reliability."""
+    facts = data("nodes")["best_effort"].get(f"{program.package}/{program.executable}", "")
+    names = facts.split()
+    switches = [name[1:] for name in names if name.startswith("-")]
+    given = [given_parameter(program, switch, context.resolver) for switch in switches]
+    for name in names if all(text == "" for text in given) else ():
+        topic = topic_of_program(program, name, context.resolver)
+        if topic and not name.startswith("-"):
+            yield topic
 
 
 def unread_goals(context: Context) -> Findings:

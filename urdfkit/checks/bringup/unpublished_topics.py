@@ -21,6 +21,7 @@ from urdfkit.checks.bringup.read_topics import (
     read_topics,
     topic_parameter,
 )
+from urdfkit.checks.bringup.spawned_topics import SpawnedTopics, spawned_topics
 from urdfkit.checks.bringup.unbridged_sensors import (
     sensors_of_workspace,
     unbridged,
@@ -33,7 +34,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import Launch, StartedProgram
-from urdfkit.ros.launch.given_parameters import given_parameter
+from urdfkit.ros.launch.given_parameters import given_parameter, topic_of_program
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers, topic_name
 from urdfkit.text.source import Span
 
@@ -63,11 +64,12 @@ def unpublished_inputs(context: Context) -> Findings:
         return
     of_workspace = workspace_launches(context)
     filtered = _outputs_of_filters(of_workspace)
+    spawned = spawned_topics(context, (context.launch, *of_workspace))
     served: set[str] = set()  # nodes that get one of their topics
     waiting: list[tuple[ReadTopic, dict[str, StartedProgram]]] = []
     for read in inputs:
         started = () if read.is_of_workspace else (context.launch,)
-        published = _publishers(context, started, of_workspace, read.message)
+        published = _publishers(context, started, of_workspace, read.message, spawned)
         names = _names(read)
         if published and names & (published.keys() | filtered):
             served.add(read.who)
@@ -85,7 +87,7 @@ def unpublished_inputs(context: Context) -> Findings:
             reported.add(sensor.who)
         elif published and not sensor:
             if name in types and len(_names(read)) == 1:
-                yield _other_type(read, *types[name])
+                yield from _other_type(read, *types[name])
             else:
                 yield _other_topic(read, published)
         elif read.switch and read.who in served and not sensor:
@@ -131,15 +133,16 @@ def _other_topic(read: ReadTopic, published: dict[str, StartedProgram]) -> Findi
     )
 
 
-def _other_type(read: ReadTopic, message: str, at: Span) -> Finding:
+def _other_type(read: ReadTopic, message: str, at: Span) -> Findings:
     """A topic that is published with another message."""
-    return Finding(
-        read.at,
-        f"'{read.who}' reads {read.message} from '{_absolute(read.topic)}', where {message} is "
-        "published",
-        f"write {message} as its type, or name a topic of {read.message}",
-        related=(Related(at, "it is published here"),),
-    )
+    if message != read.message:
+        yield Finding(
+            read.at,
+            f"'{read.who}' reads {read.message} from '{_absolute(read.topic)}', where {message} is "
+            "published",
+            f"write {message} as its type, or name a topic of {read.message}",
+            related=(Related(at, "it is published here"),),
+        )
 
 
 def _bridged_types(context: Context, launches: tuple[Launch, ...]) -> dict[str, tuple[str, Span]]:
@@ -147,6 +150,7 @@ def _bridged_types(context: Context, launches: tuple[Launch, ...]) -> dict[str, 
     return {
         _absolute(topic.ros_topic): (topic.ros_type.rpartition("/")[2], topic.span)
         for launch in launches
+        if not _has_other_robot(launch, context)
         for node in launch.programs
         for topic in bridged_topics(node, context.resolver)
         if topic.direction != TO_GAZEBO and not node.is_remapped
@@ -154,7 +158,11 @@ def _bridged_types(context: Context, launches: tuple[Launch, ...]) -> dict[str, 
 
 
 def _publishers(
-    context: Context, started: tuple[Launch, ...], of_workspace: tuple[Launch, ...], message: str
+    context: Context,
+    started: tuple[Launch, ...],
+    of_workspace: tuple[Launch, ...],
+    message: str,
+    spawned: SpawnedTopics,
 ) -> dict[str, StartedProgram] | None:
     """The topics on which a message is published; None if a program may publish others.
 
@@ -162,12 +170,24 @@ def _publishers(
     """
     for launches in (started, of_workspace):
         programs = programs_of(launches)
-        published = dict(_published(context, programs, message))
+        published = dict(_published(context, programs, message, spawned))
         if not all(map(_is_converter, published.values())) or launches is of_workspace:
             has_scopes = any(launch.has_scopes for launch in launches)
-            is_known = not has_scopes and all(_is_known(node, message) for node in programs)
-            return published if is_known else None
+            is_known = not has_scopes and all(
+                node.span in spawned or _is_known(node, message) for node in programs
+            )
+            related = (launch for launch in of_workspace if not _has_other_robot(launch, context))
+            others = dict(_published(context, programs_of(related), message, spawned))
+            return published | others if is_known else None
     return None
+
+
+def _has_other_robot(launch: Launch, context: Context) -> bool:
+    """True if a launch file starts another robot than this one."""
+    own, others = (
+        {description.path for description in one.descriptions} for one in (context.launch, launch)
+    )
+    return bool(own and others) and own.isdisjoint(others)
 
 
 def _is_known(program: StartedProgram, message: str) -> bool:
@@ -205,12 +225,10 @@ def _is_converter(program: StartedProgram) -> bool:
 def _topics_of(program: StartedProgram, message: str, context: Context) -> Iterator[str]:
     """The topics on which a program in the catalogue publishes a message."""
     for name, messages in (_publications(program) or {}).items():
-        if message in messages.split() and name != "*":
-            parameter, _, default = name.partition("=")
-            given = given_parameter(program, parameter, context.resolver) if default else None
-            topic = topic_name((given or default) if default else name, program)
-            if topic and not (default and given is None):
-                yield topic
+        is_named = message in messages.split() and name != "*"
+        topic = topic_of_program(program, name, context.resolver) if is_named else None
+        if topic:
+            yield topic
 
 
 def _map_topic(program: StartedProgram, context: Context) -> str | None:
@@ -232,10 +250,13 @@ def _topic_of_map(program: StartedProgram, message: str, context: Context) -> st
 
 
 def _published(
-    context: Context, programs: list[StartedProgram], message: str
+    context: Context, programs: list[StartedProgram], message: str, spawned: SpawnedTopics
 ) -> Iterator[tuple[str, StartedProgram]]:
     """Topics on which a message is published, and their publishers."""
     for node in programs:
+        for of_robot in spawned.get(node.span, ()):
+            if of_robot.message == message:
+                yield of_robot.name, node
         if topic_of_map := _topic_of_map(node, message, context):
             yield topic_of_map, node
         for name in _topics_of(node, message, context):
@@ -243,10 +264,10 @@ def _published(
         for topic in bridged_topics(node, context.resolver):
             if topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}"):
                 yield _absolute(topic.ros_topic), node
-    spawned = list(spawned_controllers(programs))
-    defined = controllers_of_workspace(context) if spawned else {}
-    renamed = renamed_topics(context) if spawned else {}
-    for controller in spawned:
+    controllers = list(spawned_controllers(programs))
+    defined = controllers_of_workspace(context) if controllers else {}
+    renamed = renamed_topics(context) if controllers else {}
+    for controller in controllers:
         known = defined.get(controller.name)
         kind = known.type.rpartition("/")[2] if known else ""
         published, topic = data("nodes")["outputs"].get(kind, ("", ""))

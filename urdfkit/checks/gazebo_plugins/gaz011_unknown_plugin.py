@@ -3,8 +3,9 @@
 Gazebo does not find a library with exactly the name in `filename`, reports it among other messages
 of its start, and continues without the plugin: the robot does not drive, the sensor does not
 publish. A name similar to that of a known library is a warning, with a fix; a name with the same
-words as a system of gz-sim, such as `libgz_diff_drive.so` for `gz-sim-diff-drive-system`, is a
-warning without a fix. Any other name is assumed to be a vendor's library: an info.
+words as a system of gz-sim, such as `libgz_diff_drive.so` for `gz-sim-diff-drive-system`, or with
+the class of one, is a warning without a fix. Any other name is assumed to be a vendor's library: an
+info.
 
 In gz-sim the `name` of a plugin is the class in the library, not a free label as in Gazebo Classic.
 With another name Gazebo writes "library does not contain requested plugin" and continues without
@@ -27,6 +28,7 @@ from urdfkit.ros.catalog.plugins import (
     all_plugins,
     find,
     misspelt,
+    system_of_class,
     system_of_same_words,
 )
 from urdfkit.ros.gazebo.plugins import PluginUse
@@ -60,7 +62,9 @@ def check(context: Context) -> Findings:
             successor = _successor(suggested, context.targets.names)
             finding = _misspelt(use, successor or suggested)
             yield finding._replace(fix=None) if successor else finding
-        elif system := system_of_same_words(use.filename):
+        elif system := (
+            system_of_class(use.filename, use.name) or system_of_same_words(use.filename)
+        ):
             # Its class has another name as well, so that there is no fix.
             yield _misspelt(use, system)._replace(fix=None)
         elif use.filename not in reported:

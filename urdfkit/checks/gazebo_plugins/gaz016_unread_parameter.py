@@ -1,7 +1,7 @@
 """A plugin does not read a tag.
 
 Gazebo passes every tag to the plugin; tags that the plugin does not read have no effect and cause
-no message, and the plugin uses its default. There are three cases:
+no message, and the plugin uses its default. There are four cases:
 
 - The tag is misspelt: a warning, with the intended tag.
 - The same plugin reads the tag in another generation of Gazebo and ROS: a warning. The plugins of
@@ -9,6 +9,8 @@ no message, and the plugin uses its default. There are three cases:
   moved into a `<ros>` block.
 - The tag is left over from another plugin or version: an info. A few tags that the shipped examples
   contain without need, such as `alwaysOn`, are not reported.
+- A remapping of ROS 2 names a topic that the plugin does not have, such as `out:=scan`, where the
+  topic is `~/out`: a warning.
 
 Sources:
     gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
@@ -22,6 +24,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, S
 from urdfkit.robot.samples import robot_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.plugins import Plugin, renames
+from urdfkit.ros.gazebo.classic_topics import lost_remappings
 from urdfkit.ros.gazebo.parameters import UnreadParameter, unread
 from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
@@ -58,6 +61,16 @@ def check(context: Context) -> Findings:
     for (use, _), of_plugin in foreign.items():
         assert use.plugin is not None
         yield _of_other_generation(use, use.plugin, of_plugin)
+    for use in context.plugins:
+        for lost in lost_remappings(use):
+            yield Finding(
+                lost.item.at,
+                f"{use.title} has no topic '{lost.item.text.partition(':=')[0].strip()}': the "
+                "remapping has no effect",
+                f"write {lost.topic}:={lost.new}",
+                group_key=f"{use.filename} {lost.item.text}",
+                severity=Severity.WARNING,
+            )
 
 
 def _misspelt(use: PluginUse, item: PluginParameter, name: str) -> Finding:

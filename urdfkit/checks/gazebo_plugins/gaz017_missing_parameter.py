@@ -2,7 +2,8 @@
 
 Some tags have no default, or a default joint that this robot does not have: the plugin writes an
 error and stays idle, and some plugins stop the whole simulator. A tag with an argument of the xacro
-that is empty by default is not reported.
+that is empty by default is not reported. The same holds for drives with another number of wheels
+than that of `<num_wheel_pairs>`.
 
 Sources:
     gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
@@ -10,6 +11,7 @@ Sources:
     ros-simulation/gazebo_ros_pkgs#609: https://github.com/ros-simulation/gazebo_ros_pkgs/issues/609
 """
 
+from urdfkit.core.words import counted
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.plugins import Parameter, Plugin
@@ -17,6 +19,7 @@ from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.document import Attribute, Element
 
+_PAIRS = "num_wheel_pairs"
 BAD = robot_xml(
     solid_xml("arm"),
     gazebo_xml(plugin_xml("pose", "libgazebo_ros_p3d.so", "<topicName>arm_pose</topicName>")),
@@ -31,6 +34,8 @@ def check(context: Context) -> Findings:
         missing = [list(_missing(use, plugin, context)) for plugin in candidates]
         if use.plugin in candidates and all(missing) and not _is_of_another(use):
             yield from missing[candidates.index(use.plugin)]
+        elif use.plugin is not None and use.plugin.generation == "classic-ros2":
+            yield from _missing_wheels(use)
 
 
 def _missing(use: PluginUse, plugin: Plugin, context: Context) -> Findings:
@@ -49,6 +54,22 @@ def _missing(use: PluginUse, plugin: Plugin, context: Context) -> Findings:
     if plugin.any_of and filled.isdisjoint(plugin.any_of):
         choice = " or ".join(f"<{name}>" for name in plugin.any_of)
         yield Finding(use.at, f"{use.title}: {choice} is required", f"add {choice}")
+
+
+def _missing_wheels(use: PluginUse) -> Findings:
+    """Another number of wheels than that of the pairs."""
+    pairs = use.value(_PAIRS)
+    for tag in ("left_joint", "right_joint") if pairs.isdecimal() else ():
+        found = len(use.values(tag))
+        if found and found != max(int(pairs), 1):  # without any, it is not of ROS 2
+            given = use.values(_PAIRS)
+            yield Finding(
+                given[0].at if given else use.values(tag)[-1].at,
+                f"{use.title}: <{_PAIRS}> is {pairs}, but {counted(found, f'<{tag}>')} "
+                f"{'is' if found == 1 else 'are'} given: it writes an error and stays idle",
+                f"write <{_PAIRS}>{found}</{_PAIRS}>, or as many <{tag}>",
+            )
+            return
 
 
 def _is_of_argument(at: Element | Attribute) -> bool:

@@ -8,7 +8,7 @@ import re
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld
 from urdfkit.lint.rules import Finding, Findings, Severity
-from urdfkit.ros.catalog.plugins import TITLES, find, misspelt
+from urdfkit.ros.catalog.plugins import TITLES, find, misspelt, system_of_class
 from urdfkit.ros.gazebo.worlds import World
 from urdfkit.ros.launch.worlds import GZ
 from urdfkit.text.document import Element
@@ -51,7 +51,8 @@ def _plugins(opened: OpenedWorld, world: World) -> Findings:
         file = (at.value if at else "").strip()
         is_of_gz = _generations(plugin)
         title = f"plugin '{plugin.get('name') or ''}' ({file})"
-        if at is not None and not is_of_gz and (suggested := misspelt(file)):
+        suggested = misspelt(file) or system_of_class(file, plugin.get("name") or "")
+        if at is not None and not is_of_gz and suggested:
             message = f"{title}: unknown plugin library"
             help = f"did you mean '{suggested}'?"
             yield Finding(at, message, help)

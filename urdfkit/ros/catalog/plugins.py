@@ -154,6 +154,15 @@ def system_of_same_words(filename: str) -> str:
     return next((name for name in systems if kind and set(name.split("-")) - _FRAME == kind), "")
 
 
+def system_of_class(filename: str, name: str) -> str:
+    """The gz-sim system with a class, for an unknown library named like one of Gazebo; or empty."""
+    name = re.sub(r"::v\d+\b", "", name).replace("ignition::gazebo", "gz::sim")
+    is_alike = re.match(r"(ros_)?(gz|ign|ignition|gazebo)[-_]", _stem(filename))
+    known = (plugin for plugin in all_plugins() if name and plugin.class_name == name)
+    plugin = next(known, None) if is_alike else None
+    return plugin.files[0] if plugin else ""
+
+
 def _stem(filename: str) -> str:
     return filename.removeprefix("lib").removesuffix(".so")
 

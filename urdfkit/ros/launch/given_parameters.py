@@ -1,6 +1,7 @@
 """The parameters that a launch file gives to a node, itself or in parameter files."""
 
 from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.spawned_controllers import topic_name
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.located_yaml import Value
 from urdfkit.workspace.resolve import Resolver
@@ -27,3 +28,10 @@ def given_parameter(program: StartedProgram, name: str, resolver: Resolver) -> s
             for value in (parameters[name] for parameters in nodes)
         )
     return next(iter(values), "") if len(values) < 2 else None
+
+
+def topic_of_program(program: StartedProgram, name: str, resolver: Resolver) -> str | None:
+    """Full name of a topic in the catalogue, which may be PARAMETER=DEFAULT; None if unknown."""
+    parameter, _, default = name.partition("=")
+    given = given_parameter(program, parameter, resolver) if default else name
+    return None if given is None else topic_name(given or default, program)
