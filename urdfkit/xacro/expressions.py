@@ -3,7 +3,8 @@
 xacro evaluates Python, and its own filter can be bypassed (a nested lambda, string subscripts into
 ``vars(type)``, ``$(eval)``). Here an expression is parsed first, and only harmless kinds of nodes
 are allowed. Operations that may access other objects, or grow without limit, are rewritten to calls
-of the Sandbox, which checks the values at run time.
+of the Sandbox, which checks the values at run time. The names of these calls contain a space, so
+that no model can use them.
 """
 
 import ast
