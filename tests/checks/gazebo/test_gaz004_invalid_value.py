@@ -145,70 +145,67 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
         (
             "imu",
             "<update_rate>often</update_rate>",
-            "<update_rate> is 'often', not a number: gz-sim rejects the model",
+            naming("s", "<update_rate>", "often", "number", "rejects"),
         ),
         (
             "imu",
             "<update_rate>0,5</update_rate>",
-            "<update_rate> is '0,5', which Gazebo reads as 0",
+            naming("s", "<update_rate>", "0,5", "Gazebo", "0"),
         ),
         (
             "imu",
             "<always_on>yes</always_on>",
-            "<always_on> is 'yes', must be true or false: gz-sim rejects the model",
+            naming("s", "<always_on>", "yes", "true or false", "rejects"),
         ),
         (
             "imu",
             "<pose>0 0 1</pose>",
-            "<pose> is '0 0 1', not 6 numbers: gz-sim rejects the model",
+            naming("s", "<pose>", "0 0 1", "6", "rejects"),
         ),
         (
             "camera",
             "<camera><clip><near>near</near></clip></camera>",
-            "<near> is 'near', not a number: gz-sim rejects the model",
+            naming("s", "<near>", "near", "number", "rejects"),
         ),
         (
             "camera",
             "<camera><clip><far>50 cm</far></clip></camera>",
-            "<far> is '50 cm', which Gazebo reads as 50",
+            naming("s", "<far>", "50 cm", "Gazebo", "50"),
         ),
         (
             "camera",
             "<camera><horizontal_fov>1,2</horizontal_fov></camera>",
-            "<horizontal_fov> is '1,2', which Gazebo reads as 1",
+            naming("s", "<horizontal_fov>", "1,2", "Gazebo", "1"),
         ),
         (
             "camera",
             "<camera><save enabled='yes'><path>/tmp</path></save></camera>",
-            "attribute enabled is 'yes', must be true or false: gz-sim rejects the model",
+            naming("s", "enabled", "yes", "true or false", "rejects"),
         ),
         (
             "camera",
             CAMERA.format("1e3", "L8"),
-            "<width> is '1e3', which Gazebo reads as 1",
+            naming("s", "<width>", "1e3", "Gazebo", "1"),
         ),
         (
             "imu",
             "<imu><linear_acceleration><z><noise type='normal'/></z></linear_acceleration></imu>",
-            "attribute type is 'normal', must be gaussian or gaussian_quantized or none",
+            naming("s", "type", "normal", "gaussian", "gaussian_quantized", "none"),
         ),
         (
             "camera",
             CAMERA.format(0, "L8"),
-            "<width> is '0', must be >= 1",
+            naming("s", "<width>", "0", ">= 1"),
         ),
         (
             "camera",
             CAMERA.format(640, "r8g8b8"),
-            (
-                "<format> is 'r8g8b8', unknown to SDF: gz-sim rejects the model; "
-                "did you mean 'R8G8B8'?"
-            ),
+            naming("s", "<format>", "r8g8b8", "unknown", "rejects", "R8G8B8"),
         ),
         (
             "ray",
             "<ray><noise><type>normal</type></noise><range/></ray>",
-            "<type> is 'normal', must be gaussian or gaussian_quantized or none",
+            naming("s", "<type>", "normal", "gaussian", "gaussian_quantized", "none"),
         ),
         (
             "imu",
@@ -216,13 +213,13 @@ CAMERA = "<camera><image><width>{}</width><height>480</height><format>{}</format
                 "<imu><angular_velocity><x><noise type='gaussian'><stddev>-1</stddev></noise></x>"
                 "</angular_velocity></imu>"
             ),
-            "<stddev> is '-1', must be >= 0: gz-sim rejects the model",
+            naming("s", "<stddev>", "-1", ">= 0", "rejects"),
         ),
     ],
 )
 def test_what_sdf_rejects(type: str, inner: str, wanted: str) -> None:
     (finding,) = findings("GAZ004", type, inner)
-    assert finding.message == f"sensor 's': {wanted}"
+    assert finding.message == wanted
     assert finding.span.line == 10
 
 

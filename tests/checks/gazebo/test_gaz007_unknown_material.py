@@ -26,7 +26,7 @@ def test_the_nearest_is_written(wrong: str, right: str) -> None:
 )
 def test_nothing_is_near(name: str) -> None:
     (found,) = reported("GAZ007", BASE + block(f"<material>{name}</material>"))
-    said = f"unknown Gazebo material '{name}'" if name else "<material> is empty"
+    said = naming("unknown", "Gazebo", name) if name else "<material> is empty"
     assert (found.message, found.fix) == (said, None)
     assert "did you mean" not in found.help
 

@@ -13,7 +13,7 @@ from urdfkit import Diagnostic, check
 BAD = [
     (
         '<group name="g"><link name="amr"/></group>',
-        "unknown link 'amr'; did you mean 'arm'?",
+        naming("unknown", "amr", "arm"),
         "amr",
     ),
     (  # that one is in the group already
@@ -48,7 +48,7 @@ BAD = [
     ),
     (
         '<disable_collisions link1="base" link2="hnad" reason="Never"/>',
-        "unknown link 'hnad'; did you mean 'hand'?",
+        naming("unknown", "hnad", "hand"),
         "hnad",
     ),
 ]

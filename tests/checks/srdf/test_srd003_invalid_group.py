@@ -5,24 +5,25 @@ from pathlib import Path
 import pytest
 
 from tests.growth import executed_lines
+from tests.naming import naming
 from tests.srdfs import findings, message_of
 
 BAD = [
     (
         '<group name="g"><chain base_link="hand" tip_link="base"/></group>',
-        "group 'g': tip link 'base' is not a descendant of base link 'hand'",
+        naming("g", "base", "descendant", "hand"),
     ),
     (
         '<group name="g"/>',
-        "group 'g' is empty",
+        naming("g", "empty"),
     ),
     (
         '<group name="a"><group name="b"/></group><group name="b"><group name="a"/></group>',
-        "groups contain one another: a -> b -> a",
+        naming("groups", "a -> b -> a"),
     ),
     (
         '<group name="a"><group name="a"/></group>',
-        "groups contain one another: a -> a",
+        naming("groups", "a -> a"),
     ),
 ]
 GOOD = [

@@ -4,17 +4,18 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.srdfs import findings, message_of
 from urdfkit.text.diagnostic import Severity
 
 BAD = [
     (
         '<group_state name="s" group="g"><joint name="shoulder" value="1.1"/></group_state>',
-        "state 's': joint 'shoulder': 1.1 rad is outside its limits [-1, 1] rad",
+        naming("s", "shoulder", "1.1 rad", "outside", "[-1, 1] rad"),
     ),
     (
         '<group_state name="s" group="g"><joint name="wrist" value="0"/></group_state>',
-        "state 's': joint 'wrist' is fixed",
+        naming("s", "wrist", "fixed"),
     ),
 ]
 GOOD = [

@@ -51,7 +51,7 @@ def test_separate_links_are_accepted(tmp_path: Path) -> None:
 BAD = [
     (
         '<disable_collisions link1="base" link2="hand" reason="Adjacent"/>',
-        "links 'base' and 'hand' are not adjacent: no joint connects them",
+        naming("base", "hand", "adjacent"),
     ),
 ]
 GOOD = [

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.srdfs import findings, message_of
 from urdfkit.text.diagnostic import Severity
 
@@ -14,14 +15,14 @@ BAD = [
             '<link name="hand"/></group>'
             '<end_effector name="e" group="h" parent_link="arm" parent_group="a"/>'
         ),
-        "end effector 'e' and group 'a' share 'hand'",
+        naming("e", "a", "hand"),
     ),
     (
         (
             '<group name="h"><link name="hand"/></group>'
             '<end_effector name="e" group="h" parent_link="hand"/>'
         ),
-        "end effector 'e' is attached to 'hand', its own link",
+        naming("e", "hand", "own"),
     ),
 ]
 GOOD = [

@@ -4,17 +4,18 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.srdfs import findings, message_of
 from urdfkit import check
 
 BAD = [
     (
         '<virtual_joint name="v" type="hinge" parent_frame="w" child_link="base"/>',
-        "virtual joint 'v' has type 'hinge', which is not one of fixed, planar, floating",
+        naming("v", "hinge", "fixed", "planar", "floating"),
     ),
     (
         '<virtual_joint name="v" type="fixed" parent_frame="w" child_link="arm"/>',
-        "virtual joint 'v' is attached to 'arm', which is not the root link",
+        naming("v", "arm", "root"),
     ),
 ]
 GOOD = [
