@@ -192,6 +192,29 @@ def test_the_package_of_a_kinematics_solver(tmp_path: Path, solver: str, name: s
     )
 
 
+@pytest.mark.parametrize(
+    ("plugin", "declared", "name"),
+    [
+        ("chomp_interface/CHOMPPlanner", "", "moveit_planners_chomp"),
+        ("pilz_industrial_motion_planner/CommandPlanner", "", "pilz_industrial_motion_planner"),
+        ("chomp_interface/CHOMPPlanner", "<exec_depend>moveit_planners</exec_depend>", ""),
+        ("my_planner/Planner", "", ""),
+    ],
+)
+def test_the_package_of_a_planner(tmp_path: Path, plugin: str, declared: str, name: str) -> None:
+    kind = "<export><build_type>ament_cmake</build_type></export></package>"
+    declared += "<exec_depend>moveit_ros_move_group</exec_depend>"
+    (tmp_path / "package.xml").write_text(MANIFEST.replace("</package>", declared + kind))
+    (tmp_path / "config").mkdir()
+    text = f"planning_plugins:\n  - {plugin}\n"
+    (tmp_path / "config" / "ompl_planning.yaml").write_text(text)
+    (tmp_path / "a.launch.xml").write_text(launch(MOVE_GROUP))
+    found = check(tmp_path / "a.launch.xml", select=["PKG001"]).diagnostics
+    assert [one.help for one in found] == (
+        [naming(f"<exec_depend>{name}</exec_depend>", "package.xml")] if name else []
+    )
+
+
 def test_a_package_by_the_name_of_its_directory(tmp_path: Path) -> None:
     """A robot of Isaac Gym in the directory Pi, whose package is called pi."""
     (tmp_path / "Hand").mkdir()

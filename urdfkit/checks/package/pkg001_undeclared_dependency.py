@@ -3,10 +3,10 @@
 The file works only on machines where that package is installed. On other machines rosdep does not
 install it, colcon and catkin build in the wrong order, and `$(find ...)`, `package://` and the
 launch file fail with "package not found". In a launch file it is an info. In launch files of ROS 2,
-packages of the ROS distribution are reported, too: a smaller installation lacks `xacro` or
-`ros_gz_sim`. So are the control plugin of Gazebo and the controllers of its robots, with the
-plugins of their kinematics, if their own packages do not declare them either: "class
-diff_drive_controller/DiffDriveController does not exist".
+packages of the ROS distribution are reported, too: a smaller installation lacks `xacro`,
+`ros_gz_sim`, or MoveIt's solvers and planners. So are the control plugin of Gazebo and the
+controllers of its robots, with the plugins of their kinematics, if their own packages do not
+declare them either: "class diff_drive_controller/DiffDriveController does not exist".
 
 A package that is found only by the name of its directory has another name in its `package.xml`: ROS
 does not find it.
@@ -52,7 +52,13 @@ _SOLVER = "kinematics.plugin_name"
 #: A class whose package has another name than its type.
 _GRIPPER = "/GripperActionController"
 _MOVE_GROUP = "moveit_ros_move_group"
-_KINEMATICS = os.path.join("config", "kinematics.yaml")
+_KINEMATICS = "kinematics.yaml"
+#: Packages of the planners whose classes begin with another name.
+_PLANNERS = {
+    "chomp_interface": "moveit_planners_chomp",
+    "ompl_interface": "moveit_planners_ompl",
+    "stomp_moveit": "moveit_planners_stomp",
+}
 #: colcon and catkin reject cyclic dependencies of packages.
 _CYCLE = (
     "'{0}' depends on '{1}', so to declare it makes a cycle: move the file that is used to '{1}', "
@@ -164,17 +170,24 @@ def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
 
 
 def _solvers(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
-    """The packages of the kinematics solvers that a move_group of this launch file loads."""
+    """The packages of the solvers and planners that a move_group of this launch file loads."""
     started = [node for node in context.launch.programs if node.package == _MOVE_GROUP]
-    source = context.resolver.readable(os.path.join(directory, _KINEMATICS)) if started else None
-    if source is None:
+    if not started:
         return
-    from urdfkit.text.located_yaml import load, mapping, scalar  # for launch files of MoveIt
+    from urdfkit.ros.moveit.config import PIPELINES  # for launch files of MoveIt
+    from urdfkit.text.located_yaml import Node, Value, load, mapping, scalars
 
-    for entry in mapping(load(source)).values():
-        solver = scalar(entry, "kinematics_solver")
-        if solver and comes_with_ros(name := solver.text.partition("/")[0]):
-            yield name, started[0].span
+    def settings(file: str) -> dict[str, Node]:
+        source = context.resolver.readable(os.path.join(directory, "config", file))
+        return mapping(load(source)) if source else {}
+
+    solvers = [mapping(entry).get("kinematics_solver") for entry in settings(_KINEMATICS).values()]
+    packages = [solver.text.partition("/")[0] for solver in solvers if isinstance(solver, Value)]
+    for file in PIPELINES:
+        plugins = scalars(settings(file).get("planning_plugins"))
+        prefixes = (plugin.text.partition("/")[0] for plugin in plugins)
+        packages += [_PLANNERS.get(prefix, prefix) for prefix in prefixes]
+    yield from ((name, started[0].span) for name in packages if comes_with_ros(name))
 
 
 def _is_brought(name: str, declared: frozenset[str]) -> bool:
