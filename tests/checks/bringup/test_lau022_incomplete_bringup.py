@@ -743,3 +743,24 @@ def test_simulation_time_of_a_robot(tmp_path: Path, real: str, given: str, count
     files = {"r.xacro": SWITCHED.format(GZ, real), "c.yaml": stated}
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
     assert sum("controllers wait with use_sim_time" in one.message for one in found) == count
+
+
+@pytest.mark.parametrize(
+    ("parameters", "yaml", "more", "count"),
+    [
+        ("{'robot_description': x}, ", "use_stamped: true", "", 1),
+        ("{'robot_description': x}, ", "use: true", "", 0),
+        ("", "use_stamped: true", "", 0),
+        ("{'robot_description': x}, ", "use_stamped: true", "generate_rsp_launch(x)\n", 0),
+        ("{'robot_description': x}, ", "use_stamped: true", STATE.format(""), 0),
+        ("{'robot_description': x}, ", "use_stamped: true", NODE.format("mine", "a", ""), 0),
+    ],
+)
+def test_a_manager_without_a_robot(
+    tmp_path: Path, parameters: str, yaml: str, more: str, count: int
+) -> None:
+    """UTNuclearRoboticsPublic/netft_utils#18: since Jazzy the robot is no parameter."""
+    text = MANAGER.format(tmp_path, "").replace("parameters=[", f"parameters=[{parameters}")
+    files = {"c.yaml": f"controller_manager: {{ros__parameters: {{{yaml}}}}}\n"}
+    found = reported(tmp_path, "LAU022", "a.launch.py", text + more, files)
+    assert sum("waits for /robot_description" in one.message for one in found) == count

@@ -17,7 +17,8 @@
   gz_ros2_control/GazeboSimSystem does not exist".
 - No robot_state_publisher publishes on the topic of `create -topic`: "Waiting messages on topic
   [robot_description]", for ever.
-- `ros2_control_node` reads the robot from a topic that no robot_state_publisher publishes.
+- `ros2_control_node` reads the robot from a topic that no robot_state_publisher publishes. Since
+  Jazzy that is so even if it gets the robot as a parameter.
 - A spawner looks for the controller manager in another namespace, or under another name: "Could not
   contact service /controller_manager/list_controllers". A relative name is in the namespace of the
   spawner; in ROS 1 the manager is in the `<robotNamespace>` of gazebo_ros_control.
@@ -120,6 +121,7 @@ def check(context: Context) -> Findings:
         yield from missing_container(context)
         yield from mismatched_names.unpublished_description(context, programs)
         yield from mismatched_names.unread_description(programs)
+        yield from mismatched_names.missing_description(context, programs)
         yield from simulation.unpublished_joint_states(context, programs)
         yield from unpublished_inputs(context)
         yield from unread_commands(context)

@@ -5,7 +5,9 @@ from collections.abc import Iterator
 from urdfkit.checks.bringup.rviz_displays import unpublished_models
 from urdfkit.checks.bringup.workspace_launches import workspace_launches
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.launch.spawned_controllers import (
     MANAGER,
     manager,
@@ -18,9 +20,15 @@ from urdfkit.ros.launch.spawning import model_spawner, spawn_option
 from urdfkit.ros.ros_control import control_plugins, namespace_of
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
+from urdfkit.workspace.launch_files import launch_files
+from urdfkit.workspace.ros_packages import comes_with_ros
 
 _PUBLISHER = "robot_state_publisher"
 _DESCRIPTION = "robot_description"
+#: What launch files contain that start it, also by functions of MoveIt.
+_PUBLISHING = (_PUBLISHER, "generate_rsp_launch", "generate_demo_launch")
+#: A parameter of MoveIt, which may publish the robot, too.
+_PUBLISHES = b"publish_robot_description"
 #: Parameters of ros2_control_node other than those of controllers.
 _OF_NODE = frozenset((_DESCRIPTION, "use_sim_time", "update_rate"))
 
@@ -107,6 +115,29 @@ def unread_description(programs: tuple[StartedProgram, ...]) -> Findings:
                     f"remap {old} to {topics[0]}",
                     related=(Related(publishers[0].span, f"{_PUBLISHER} is started here"),),
                 )
+
+
+def missing_description(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
+    """A controller manager that gets the robot as a parameter only, which Jazzy does not read."""
+    path, resolver = context.source.path, context.resolver
+    managers = [node for node in programs if node.executable == "ros2_control_node"]
+    others = [node for node in programs if node not in managers]
+    is_known = all(
+        comes_with_ros(node.package) and _PUBLISHES not in node.span.source.data for node in others
+    )
+    if not managers or not is_known or context.launch.unread or is_included(path, resolver):
+        return
+    workspace = resolver.packages.workspace(path)
+    if any(any(launch_files(workspace, word, resolver)) for word in _PUBLISHING):
+        return
+    for node in managers:
+        if _DESCRIPTION in node.parameters.values and is_for_jazzy(path, resolver):
+            yield Finding(
+                node.at,
+                f"the controller manager waits for /{_DESCRIPTION}, which nothing publishes: since "
+                "Jazzy it is no parameter of it",
+                f"start {_PUBLISHER} with it",
+            )
 
 
 def untyped_controllers(programs: tuple[StartedProgram, ...]) -> Findings:

@@ -6,6 +6,8 @@
 - A misspelt class, or one with white space around it, is not found, and the controller manager
   starts without hardware. So is a class of a package in the workspace whose CMakeLists.txt exports
   others, or no plugin description. Classes that urdfkit does not know are assumed to exist.
+- `fake_components/GenericSystem` was removed after Humble (info; a warning if a parameter file is
+  for Jazzy or later).
 - A control plugin of a simulator loads only its own hardware and ignores any other, so that no
   controller can be activated: Gazebo Classic needs `gazebo_ros2_control/GazeboSystem`, Gazebo Sim
   `gz_ros2_control/GazeboSimSystem`.
@@ -25,6 +27,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, ru
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.ros_control import control_plugin_libraries, simulated_hardware
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
+from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.ros_control import Component, ControlPlugin, called, components, control_plugins
 from urdfkit.ros.targets import CLASSIC, GZ, Targets
 from urdfkit.text.document import Element
@@ -44,6 +47,7 @@ _CONDITIONAL = re.compile(
 )
 #: Hardware classes of ros2_control, and of a package that many simulators use.
 _COMMON = ("mock_components/GenericSystem", "topic_based_ros2_control/TopicBasedSystem")
+_FORMER = "fake_components/"
 _ADD_PLUGIN = "add <hardware><plugin>package/Class</plugin></hardware> to the block"
 
 
@@ -56,6 +60,7 @@ def check(context: Context) -> Findings:
         yield from _missing(component)
         yield from _misspelt(component)
         yield from _padded(component)
+        yield from _removed(component, context)
         yield from _not_exported(component, context)
         if plugins:
             yield from _other_simulator(component, plugins, context.targets)
@@ -102,6 +107,20 @@ def _misspelt(component: Component) -> Findings:
         fix = fix_value(component.plugin, suggested)
         message = f"{component.called}: unknown hardware '{name}'; did you mean '{suggested}'?"
         yield Finding(component.plugin, message, f"write {suggested}", fix)
+
+
+def _removed(component: Component, context: Context) -> Findings:
+    """The mock hardware under its name up to Humble."""
+    if component.plugin is None or not component.hardware.startswith(_FORMER):
+        return
+    is_later = is_for_jazzy(component.plugin.span.source.path, context.resolver)
+    yield Finding(
+        component.plugin,
+        f"{component.called}: Iron and later have no {component.hardware}",
+        f"write {_COMMON[0]}, which Humble has, too",
+        fix_value(component.plugin, _COMMON[0]),
+        severity=Severity.WARNING if is_later else Severity.INFO,
+    )
 
 
 def _not_exported(component: Component, context: Context) -> Findings:
