@@ -138,7 +138,9 @@ def _meant(path: str, description: RosDescription) -> tuple[str, str] | None:
         except PackageNotFound:
             continue
         relative = "/".join(parts[number + 1 :])
-        if disk.is_file(os.path.join(directory, relative)):
+        # A directory is not enough: a workspace with its install/ has one, too.
+        is_package = disk.is_file(os.path.join(directory, "package.xml"))
+        if is_package and disk.is_file(os.path.join(directory, relative)):
             return parts[number], relative
     return None
 

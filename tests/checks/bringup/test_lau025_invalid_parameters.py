@@ -18,6 +18,7 @@ from tests.checks.bringup.nav2 import (
     rows,
 )
 from tests.launched import reported
+from urdfkit import Severity
 
 
 @pytest.mark.parametrize(
@@ -300,3 +301,12 @@ def test_prefixes_of_frames(tmp_path: Path, prefix: str, namespace: str, help: s
     )
     found = reported(tmp_path / "arm", "LAU025", "a.launch.xml", node)
     assert [one.help for one in found if "frame_prefix" in one.message] == [help] * bool(help)
+
+
+def test_a_mode_that_slam_toolbox_does_not_have(tmp_path: Path) -> None:
+    """It maps in every mode but localization; the node does not stop."""
+    node = '<node pkg="slam_toolbox" exec="sync_slam_toolbox_node" name="slam_toolbox">'
+    node += '<param from="$(dirname)/../a.yaml"/></node>'
+    yaml = SLAM.format("mode: online_async")
+    (found,) = reported(tmp_path / "arm", "LAU025", "a.launch.xml", node, {"a.yaml": yaml})
+    assert found.severity is Severity.WARNING

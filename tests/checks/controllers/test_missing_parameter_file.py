@@ -72,6 +72,9 @@ def test_a_path_of_another_computer_means_a_file_of_this_workspace(
     """It is reported, and its controllers are checked all the same."""
     (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
     (tmp_path / "config").mkdir()
+    built = tmp_path / "install" / "arm" / "share" / "arm" / "config"  # in git by mistake
+    built.mkdir(parents=True)
+    (built / "c.yaml").touch()
     (tmp_path / "config" / "c.yaml").write_text(
         "controller_manager:\n  ros__parameters:\n    c: {type: a/B}\nc:\n  ros_parameters: {}\n"
     )

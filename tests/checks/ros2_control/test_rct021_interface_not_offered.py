@@ -18,7 +18,7 @@ from tests.controls import (
 )
 from tests.naming import naming
 from tests.reported import messages, places
-from urdfkit import Diagnostic, check
+from urdfkit import Diagnostic, Severity, check
 from urdfkit.lint.rule_examples import whole_robot
 
 OFFERED = control(driven("swing", "velocity", "velocity"), driven("slide"), plugin=GZ)
@@ -213,6 +213,25 @@ def test_states_that_are_offered_or_unknown(tmp_path: Path, text: str) -> None:
 
 
 MUTE = '<joint name="swing"><command_interface name="velocity"/></joint>'
+
+
+@pytest.mark.parametrize(
+    ("hardware", "interface", "severity"),
+    [
+        (GZ, "position_des", Severity.ERROR),
+        ("acme/Motors", "effort", Severity.WARNING),
+        ("acme/Motors", "velocty", Severity.WARNING),
+        ("acme/Motors", "position_des", Severity.INFO),
+    ],
+)
+def test_a_state_that_hardware_may_offer_unlisted(
+    tmp_path: Path, hardware: str, interface: str, severity: Severity
+) -> None:
+    """legged_ros2: its hardware exports the commanded position as a state, too."""
+    kind = "joint_state_broadcaster/JointStateBroadcaster"
+    text = controller("states", kind, joints="[swing]", interfaces=f"[position, {interface}]")
+    (found,) = reported(tmp_path, text, control(driven("swing"), plugin=hardware), "state")
+    assert found.severity is severity
 
 
 def test_a_joint_without_state() -> None:

@@ -79,7 +79,11 @@ def invalid_values(node: NodeParameters) -> Findings:
             if value.text and value.text[0].isalpha():
                 message = f"'{node.name}': unknown {given.at} '{value.text}'"
                 message += did_you_mean(value.text, modes)
-                yield Finding(value.span, message, f"write one of {', '.join(modes)}")
+                help = f"write one of {', '.join(modes)}"
+                # slam_toolbox compares its mode with "localization" only, and goes on.
+                goes_on = f"{given.owner}.{given.at}" == "slam_toolbox.mode"
+                severity = Severity.WARNING if goes_on else None
+                yield Finding(value.span, message, help, severity=severity)
         elif given.at == _CALIBRATION and isinstance(value, Value) and _is_path(value.text):
             message = f"'{node.name}' does not load {given.at} '{value.text}', which is no URL"
             path = value.text if value.text.startswith("/") else "/PATH"

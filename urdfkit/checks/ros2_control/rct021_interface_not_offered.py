@@ -13,7 +13,8 @@ starts only some of them. In ROS 1, Gazebo offers the `<hardwareInterface>` of t
 transmission.
 
 Simulators and mock hardware offer exactly the listed interfaces. Other hardware may offer more: a
-warning, or an info if the joint lists no interface of that kind.
+warning, or an info if the joint lists no interface of that kind, or if the interface has a name of
+its own, such as `position_des`.
 
 Sources:
     ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
@@ -25,6 +26,7 @@ Sources:
 
 from collections.abc import Collection
 
+from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.ros.catalog.ros_control import simulated_hardware, words
 from urdfkit.ros.claims import claims
@@ -57,6 +59,9 @@ _CLAIMED = ("max_effort_interface", "max_velocity_interface")
 
 #: Hardware that offers only the listed interfaces, as the hardware of simulators does.
 _MOCK = ("mock_components/GenericSystem", "fake_components/GenericSystem")
+
+#: The interfaces that hardware of all kinds has.
+_USUAL = frozenset(("position", "velocity", "acceleration", "effort"))
 
 #: The interfaces of joints, by the names of the joints.
 _Offered = dict[str, set[str]]
@@ -96,7 +101,7 @@ def _claimed_by_name(context: Context, free: Collection[str]) -> Findings:
                 f"'{joint}', which offers: {others}",
                 "remove the parameter, or add the <command_interface> to the joint",
                 related=(file.note,),
-                severity=_severity(available) if joint in free else None,
+                severity=_severity([interface], available) if joint in free else None,
             )
 
 
@@ -153,7 +158,7 @@ def _missing(
                 + (", ".join(sorted(available)) or "none"),
                 help,
                 related=(file.note,),
-                severity=_severity(available) if value.text in free else None,
+                severity=_severity(missing, available) if value.text in free else None,
             )
 
 
@@ -184,9 +189,16 @@ def _forgotten(
         )
 
 
-def _severity(listed: Collection[str]) -> Severity:
-    """Severity for a joint of hardware that may export unlisted interfaces."""
-    return Severity.WARNING if listed else Severity.INFO
+def _severity(missing: Collection[str], listed: Collection[str]) -> Severity:
+    """Severity for a joint of hardware that may export unlisted interfaces.
+
+    Who names an interface that no other hardware has knows the hardware, unless it is misspelt.
+    """
+    known = _USUAL | set(listed)
+    is_own = all(
+        "_" in name or (name not in known and not nearest(name, known, TYPO)) for name in missing
+    )
+    return Severity.WARNING if listed and not is_own else Severity.INFO
 
 
 def _may_offer_more(context: Context) -> frozenset[str]:
