@@ -132,8 +132,8 @@ def test_bad_is_found(code: str) -> None:
 
 
 def test_what_is_said_about_bad(code: str) -> None:
-    """If it is meant: python -m tests.update_wording."""
-    assert update_wording.wording(of_bad(code)) == update_wording.read()[code]
+    said = update_wording.wording(of_bad(code))
+    assert said == update_wording.read().get(code), "if it is meant: python -m tests.update_wording"
 
 
 def test_good_is_good(code: str) -> None:
