@@ -135,3 +135,30 @@ def test_controllers_that_nothing_starts(tmp_path: Path) -> None:
     text = HEAD_2 + LOAD_2 + SPAWN_2.format("'arm', 'broadcaster'")
     (found,) = reported(tmp_path, "LAU013", "a.launch.py", text, {"config/c.yaml": yaml})
     assert found.help == naming("states", "broadcaster")
+
+
+CHAINED = """controller_manager:
+  ros__parameters:
+    drive: {type: diff_drive_controller/DiffDriveController}
+    pid: {type: pid_controller/PidController}
+drive:
+  ros__parameters: {left_wheel_names: [%s/left], right_wheel_names: [right]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("prefix", "words", "message"),
+    [
+        ("pid", "'pid', 'drive'", ""),
+        ("pid", "'drive', 'pid'", "but 'pid' is activated later"),
+        ("pid", "'drive', 'pid', '--activate-as-group'", ""),
+        ("pid", "'drive', 'pid', option", ""),
+        ("pid", "'drive'", "'pid' is not started"),
+        ("pdi", "'pid', 'drive'", "there is no controller 'pdi'; did you mean 'pid'?"),
+    ],
+)
+def test_controllers_in_a_chain(tmp_path: Path, prefix: str, words: str, message: str) -> None:
+    text = HEAD_2 + LOAD_2 + SPAWN_2.format(words)
+    files = {"config/c.yaml": CHAINED % prefix}
+    found = reported(tmp_path / "arm", "LAU013", "a.launch.py", text, files)
+    assert [one.message.endswith(message) for one in found] == [True] * bool(message)

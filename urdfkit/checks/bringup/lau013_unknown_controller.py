@@ -2,7 +2,9 @@
 
 The spawner waits, or stops: "The 'type' param was not defined for 'arm_controler'". The name
 differs from the name in the YAML file, or the file does not define the controller. In ROS 2, the
-type must be in the section of the controller manager, not in the controller's own. The YAML files
+type must be in the section of the controller manager, not in the controller's own. A controller
+that commands another one, as in `pid/wheel_joint`, needs that one, which must be active before
+(warning). The YAML files
 of the package and of the packages that the launch file references are searched. If one of these
 packages is not found, only typos of known names are reported. A launch file that names parameters
 itself, for example with the `ns` of a `<rosparam>`, is not checked.
@@ -16,7 +18,8 @@ from collections.abc import Iterator
 from itertools import islice
 
 from urdfkit.checks.bringup.defined_controllers import defined_controllers
-from urdfkit.core.suggest import Suggester, is_typo
+from urdfkit.checks.bringup.unread_commands import is_part_of_ros
+from urdfkit.core.suggest import Suggester, did_you_mean, is_typo
 from urdfkit.core.words import few
 from urdfkit.lint.rules import (
     Context,
@@ -29,6 +32,7 @@ from urdfkit.lint.rules import (
 )
 from urdfkit.ros.controllers import Controller, read
 from urdfkit.ros.launch.spawned_controllers import SpawnedController, spawned_controllers
+from urdfkit.ros.ros_control import components
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "launch/robot.launch"
@@ -47,6 +51,8 @@ FILES = {
 _MAX_NAMED = 4
 #: Options of the spawner for the file that defines the controllers.
 _PARAMETER_FILES = ("-p", "--param-file")
+#: The option that activates all controllers of a spawner at once.
+_TOGETHER = "--activate-as-group"
 #: Files of a package that are read, and directories in which they are searched.
 _MAX_FILES, _MAX_DIRECTORIES = 200, 2000
 
@@ -62,6 +68,7 @@ def check(context: Context) -> Findings:
         return
     defined = defined_controllers(context)
     yield from _typed_by_themselves(spawned, defined)
+    yield from _chained(context, spawned, defined)
     loaded = set(defined)
     known = loaded.union(*(_defined(context, path) for path in _package_files(context)))
     # A name with a substitution is known only when the launch file runs.
@@ -78,6 +85,50 @@ def check(context: Context) -> Findings:
                 f"controller '{name}' is not defined in any parameter file" + suggester.hint(name),
                 _help(name, bool(suggested), loaded, context),
             )
+
+
+def _chained(
+    context: Context, spawned: list[SpawnedController], defined: dict[str, Controller]
+) -> Findings:
+    """Controllers whose joints are interfaces of others that are not there, or start later."""
+    names = [controller.name for controller in spawned]
+    is_known = _is_whole(context) and all(map(is_part_of_ros, context.launch.unread))
+    parts = {
+        part.name
+        for _, robot in context.described_robots
+        for component in components(robot.model)
+        for part in component.parts
+    }
+    for user in filter(None, map(defined.get, names if is_known else ())):
+        joints = user.values(user.kind.joints) if user.kind else []
+        chained = [joint for joint in joints if "/" in joint.text and "$" not in joint.text]
+        for joint in {one.text.partition("/")[0]: one for one in chained}.values():
+            other = joint.text.partition("/")[0]
+            who = f"controller '{user.name}' commands '{joint.text}'"
+            if other in parts or user.ros != 2:
+                continue
+            if other not in defined:
+                message = f"{who}: there is no controller '{other}'{did_you_mean(other, defined)}"
+                yield Finding(joint.span, message, "fix the name, or define the controller")
+            elif other not in names:
+                message = f"{who}: '{other}' is not started"
+                at = spawned[names.index(user.name)].at
+                help = f"start {other} before {user.name}"
+                yield Finding(at, message, help, severity=Severity.WARNING)
+            elif _is_later(other, user.name, spawned):
+                message = f"{who}, but '{other}' is activated later"
+                at = spawned[names.index(user.name)].at
+                help = f"name {other} first, or pass {_TOGETHER}"
+                yield Finding(at, message, help, severity=Severity.WARNING)
+
+
+def _is_later(name: str, other: str, spawned: list[SpawnedController]) -> bool:
+    """True if one spawner activates a controller after another one, not all at once."""
+    places = {controller.name: place for place, controller in enumerate(spawned)}
+    program = spawned[places[name]].program
+    is_same = program is spawned[places[other]].program
+    is_together = any(word.text in (_TOGETHER, None) for word in program.words)
+    return is_same and not is_together and places[name] > places[other]
 
 
 def _help(name: str, is_suggested: bool, loaded: set[str], context: Context) -> str:
