@@ -6,11 +6,11 @@ to rolling), ``load_controller`` of its ros2controlcli.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
 from urdfkit.core.record import Record
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.text.document import Location
 
@@ -29,10 +29,6 @@ _VALUED = frozenset(
 _LEFT_INACTIVE = ("--inactive", "--stopped", "--load-only", "load")
 #: Options that define the type of a controller.
 _DEFINING = frozenset(("-t", "--controller-type"))
-
-
-#: The value of an option that the spawner does not know.
-_NUMBER = re.compile(r"[\d.]+")
 
 
 class SpawnedController(Record):
@@ -77,9 +73,10 @@ def _controllers(program: StartedProgram) -> Iterator[Word]:
     for word, text in zip(words, texts, strict=True):
         if text == "--ros-args":
             return
-        if not is_value and word.text and not text.startswith("-") and not _NUMBER.fullmatch(text):
+        if not is_value and word.text and not text.startswith("-"):
             yield word
-        is_value = has_value(text) and "=" not in (word.text or "")
+        is_misspelt = text.startswith("--") and bool(nearest(text, _VALUED, CLOSE_TYPO))
+        is_value = (has_value(text) or is_misspelt) and "=" not in (word.text or "")
 
 
 def parameter_files(started: StartedProgram) -> Iterator[Word]:
