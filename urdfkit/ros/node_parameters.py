@@ -6,6 +6,7 @@ Source: ``rcl_yaml_param_parser`` of ros2/rcl.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 
 from urdfkit.core.record import Record
 from urdfkit.text.located_yaml import Key, Node, load, mapping
@@ -38,8 +39,13 @@ def nodes_in_files(paths: Iterable[str], resolver: Resolver) -> Iterator[NodePar
         yield from node_parameters(source)
 
 
-def node_parameters(source: Source) -> Iterator[NodeParameters]:
+@lru_cache(maxsize=4)  # many nodes of a launch file load the same files
+def node_parameters(source: Source) -> tuple[NodeParameters, ...]:
     """The nodes of a file, in order; keys above ``ros__parameters`` are namespaces."""
+    return tuple(_nodes(source))
+
+
+def _nodes(source: Source) -> Iterator[NodeParameters]:
     stack: list[tuple[Node, Key | None, str]] = [(load(source), None, "")]
     while stack:
         node, parent, namespace_above = stack.pop()

@@ -13,9 +13,9 @@ _MAX_ROBOTS = 8
 def defined_controllers(context: Context) -> dict[str, Controller]:
     """The controllers in the parameter files of a launch file and of its robots, by name."""
     controllers: dict[str, Controller] = {}
-    for file in context.launch.parameters:
-        if source := context.resolver.readable(file.path):
-            controllers |= {controller.name: controller for controller in read(source)}
+    paths = dict.fromkeys(file.path for file in context.launch.parameters)
+    for source in filter(None, map(context.resolver.readable, paths)):
+        controllers |= {controller.name: controller for controller in read(source)}
     for _, robot in context.described_robots:
         controllers |= {controller.name: controller for _, controller in robot.controllers}
     return controllers

@@ -78,7 +78,7 @@ class _XmlReader(XmlLaunchFile):
             self._unreadable(broken[0].span, broken[0].message)
         elif document is not None and document.root.tag == "launchConfiguration":
             self._foreign("<launchConfiguration> belongs to Eclipse")
-        elif is_yaml and next(node_parameters(self.source), None):
+        elif is_yaml and node_parameters(self.source):
             self._foreign("it contains node parameters")
         elif not is_launch:
             root = "root key is not launch" if is_yaml else "root element is not <launch>"
