@@ -88,6 +88,15 @@ def test_entries_of_a_file(
     assert findings == ([(str(path), severity, place)] if place else [])
 
 
+@pytest.mark.parametrize(("link", "count"), [("base", 0), ("r", 1)])
+def test_the_link_in_a_default_topic(tmp_path: Path, link: str, count: int) -> None:
+    topic = f"/world/hall/model/r/link/{link}/sensor/front/scan"
+    robot = ROBOT.replace("<topic>scan</topic>", "")
+    word = f"{topic}@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan"
+    found = of_words(tmp_path, word, files={"r.urdf": robot})
+    assert [f"names link '{link}'" in one.message for one in found] == [True] * count
+
+
 @pytest.mark.parametrize(
     ("words", "count"),
     [

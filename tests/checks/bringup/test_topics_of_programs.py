@@ -263,3 +263,99 @@ def test_another_frame_of_odometry(tmp_path: Path, frame: str, more: str, count:
     yaml = AMCL.replace("FRAME", frame) + more
     found = messages(tmp_path, "LAU023", LOCALIZED, {"a.yaml": yaml})
     assert ["frame of odometry" in one for one in found] == [True] * count
+
+
+DRIVEN = """from launch_ros.actions import Node
+
+nodes = [
+    Node(package="robot_state_publisher", executable="robot_state_publisher",
+         parameters=[{"robot_description": open("../r.urdf").read()}]),
+    Node(package="PACKAGE", executable="EXECUTABLE", name="lidar"MORE),
+    Node(package="nav2_amcl", executable="amcl", name="amcl", parameters=["../a.yaml"]),
+]
+"""
+ROBOT = '<robot name="r"><link name="base_link"/><link name="laser"/></robot>'
+AMCL_FILES = {"a.yaml": "amcl:\n  ros__parameters: {scan_topic: scan}\n", "r.urdf": ROBOT}
+RPLIDAR = ("rplidar_ros", "rplidar_node")
+
+
+@pytest.mark.parametrize(
+    ("program", "more", "topic"),
+    [
+        (RPLIDAR, "", ""),
+        (RPLIDAR, ', remappings=[("scan", "/lidar/scan")]', "/lidar/scan"),
+        (("ldlidar_node", "ldlidar_node"), "", "/lidar/scan"),
+        (("ldlidar_node", "ldlidar_node"), ', remappings=[("~/scan", "/scan")]', ""),
+        (("own_driver", "own_driver"), "", ""),
+    ],
+)
+def test_drivers_that_are_not_installed(
+    tmp_path: Path, program: tuple[str, str], more: str, topic: str
+) -> None:
+    text = DRIVEN.replace("PACKAGE", program[0]).replace("EXECUTABLE", program[1])
+    found = messages(tmp_path, "LAU022", text.replace("MORE", more), AMCL_FILES)
+    assert [f"are on '{topic}'" in one for one in found] == [True] * bool(topic)
+
+
+TO_CLOUD = ("pointcloud_to_laserscan", "pointcloud_to_laserscan_node")
+
+
+@pytest.mark.parametrize(
+    ("program", "given", "words"),
+    [
+        (TO_CLOUD, '"target_frame": "cloud"', "'cloud' is neither"),
+        (TO_CLOUD, '"target_frame": "base_link"', ""),
+        (TO_CLOUD, '"min_height": 0.0', ""),
+        (("explore_lite", "explore"), '"robot_base_frame": "x"', "'x' is neither"),
+        (("explore_lite", "explore"), "", ""),
+    ],
+)
+def test_frames_of_programs(
+    tmp_path: Path, program: tuple[str, str], given: str, words: str
+) -> None:
+    text = DRIVEN.replace("PACKAGE", program[0]).replace("EXECUTABLE", program[1])
+    text = text.replace("MORE", f", parameters=[{{{given}}}]")
+    files = {**AMCL_FILES, "a.yaml": "amcl:\n  ros__parameters: {base_frame_id: base_link}\n"}
+    found = messages(tmp_path, "LAU023", text, files)
+    assert [words in one for one in found] == [True] * bool(words)
+
+
+@pytest.mark.parametrize(
+    ("world", "more", "count"),
+    [
+        ("odom", "", 1),
+        ("map", "", 0),
+        ("odom", '"publish_tf": False', 0),
+        ("odom", '}], remappings=[("/tf", "tf")], namespace="b", ros_arguments=[*{"a": 1', 0),
+    ],
+)
+def test_two_filters_of_one_transform(tmp_path: Path, world: str, more: str, count: int) -> None:
+    first = 'Node(package="robot_localization", executable="ekf_node", name="{}", parameters=[{}])'
+    local = first.format("local", '{"world_frame": "odom", "odom0": "odom"}')
+    second = first.format("other", f'{{"world_frame": "{world}", "odom0": "gps", {more}}}')
+    found = messages(tmp_path, "LAU021", f"{IMPORT}nodes = [{local}, {second}]\n", {})
+    words = "the transform of 'odom' is published twice: by 'other', and by 'local'"
+    assert [words == one for one in found if "transform" in one] == [True] * count
+
+
+@pytest.mark.parametrize(("low", "count"), [(0.0, 0), (1.0, 1)])
+def test_bounds_in_a_launch_file(tmp_path: Path, low: float, count: int) -> None:
+    given = f', parameters=[{{"min_height": {low}, "max_height": 0.5}}]'
+    found = messages(tmp_path, "LAU026", NODE.format(*TO_CLOUD, given), {})
+    assert ["above max_height" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("spawn", "more", "count"),
+    [
+        ('Node(package="ros_gz_sim", executable="create"),', "", 1),
+        ('Node(package="ros_gz_sim", executable="create"),', '{"use_sim_time": True}', 0),
+        ("", "", 0),
+    ],
+)
+def test_sliders_in_a_simulation(tmp_path: Path, spawn: str, more: str, count: int) -> None:
+    program = 'package="joint_state_publisher", executable="joint_state_publisher"'
+    other = 'Node(package="rviz2", executable="rviz2", parameters=[{"use_sim_time": True}])'
+    text = f"{IMPORT}nodes = [{spawn} {other}, Node({program}, parameters=[{more}])]\n"
+    found = messages(tmp_path, "LAU022", text, {})
+    assert sum("joint_state_publisher lacks use_sim_time" in one for one in found) == count

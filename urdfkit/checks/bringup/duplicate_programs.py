@@ -79,7 +79,19 @@ def second_manager(context: Context, programs: list[StartedProgram]) -> Findings
 
 def second_odometry(context: Context, programs: list[StartedProgram]) -> Findings:
     """A transform from odom to the robot by a filter or an estimator, and by something else."""
-    filters = {transform.parent: transform for transform in of_filters(programs, context)}
+    of_each = list(of_filters(programs, context))
+    filters = {transform.parent: transform for transform in reversed(of_each)}
+    for transform in of_each if _share_transforms(context, programs) else ():
+        if (other := filters[transform.parent]) is not transform:
+            help = "set world_frame: map for the global one, or publish_tf: false"
+            yield _twice(other, transform, transform.publisher, help)
+    yield from _of_others(context, programs, filters)
+
+
+def _of_others(
+    context: Context, programs: list[StartedProgram], filters: dict[str, OdometryTransform]
+) -> Findings:
+    """The transforms of other programs, next to those of filters."""
     for estimator in of_estimators(programs, context):
         other = filters.setdefault(estimator.parent, estimator)
         if other is not estimator:
@@ -93,6 +105,14 @@ def second_odometry(context: Context, programs: list[StartedProgram]) -> Finding
     for drive in of_drives(programs, context) if filters else ():
         if filter := filters.get(drive.parent):
             yield _twice(filter, drive, drive.publisher, "write enable_odom_tf: false")
+
+
+def _share_transforms(context: Context, programs: list[StartedProgram]) -> bool:
+    """True if all filters publish their transforms on /tf."""
+    filters = [node for node in programs if node.executable in _FILTERS]
+    return not context.launch.has_scopes and all(
+        topic_name("/tf", node) == "/tf" for node in filters
+    )
 
 
 def _of_simulation(

@@ -12,9 +12,11 @@
 - robot_localization and diff_drive_controller both publish the transform from odom to the robot,
   which jumps between the two: write `enable_odom_tf: false`. Or the `base_link_frame` of
   robot_localization is the child of a joint, which gives the link two parents. The same holds for
-  the transforms of gz-sim's drives and OdometryPublisher if they are bridged, of rf2o, rtabmap and
-  Cartographer. imu_filter_madgwick publishes the transform of the IMU, which has a joint.
-- Two filters of robot_localization publish on the same topic: remap `odometry/filtered`.
+  the transforms of gz-sim's drives and OdometryPublisher if they are bridged, of the drives of
+  Gazebo Classic, of rf2o, rtabmap and Cartographer. imu_filter_madgwick publishes the transform of
+  the IMU, which has a joint.
+- Two filters of robot_localization publish on the same topic: remap `odometry/filtered`. Or both
+  publish the transform from odom: the `world_frame` of the global one is map.
 - A server of Nav2 is started twice, or two models of one name are spawned.
 - AMCL and slam_toolbox both publish the transform from map to odom.
 - `ros2_control_node` runs next to Gazebo's plugin, which runs its own controller manager: a spawner

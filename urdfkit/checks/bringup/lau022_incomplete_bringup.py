@@ -66,6 +66,7 @@ from urdfkit.checks.bringup.unread_commands import (
 )
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_limits import can_move
+from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
@@ -134,7 +135,11 @@ def check(context: Context) -> Findings:
 
 def _is_whole(launch: Launch) -> bool:
     """True if all referenced packages and files exist, or are part of ROS."""
-    packages = (item.searched is None or comes_with_ros(item.name) for item in launch.packages)
+    known = {name.partition("/")[0] for name in data("nodes")["publishers"]}
+    packages = (
+        item.searched is None or comes_with_ros(item.name) or item.name in known
+        for item in launch.packages
+    )
     files = (item.exists or item.path.startswith(f"{UNKNOWN}/") for item in launch.files)
     return all(packages) and all(files)
 

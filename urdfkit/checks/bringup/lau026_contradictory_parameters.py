@@ -30,8 +30,13 @@ from urdfkit.checks.bringup import costmap_geometry
 from urdfkit.checks.bringup.footprints import without_footprint, wrong_radii
 from urdfkit.checks.bringup.navigation_commands import mixed_stamps
 from urdfkit.checks.bringup.obstacle_heights import discarded_scans
-from urdfkit.checks.bringup.parameter_relations import contradictions
-from urdfkit.checks.bringup.read_parameters import parameter_sections, whole_sections
+from urdfkit.checks.bringup.parameter_relations import contradictions, reversed_bounds
+from urdfkit.checks.bringup.read_parameters import (
+    parameter_files,
+    parameter_sections,
+    parameters_of_started,
+    whole_sections,
+)
 from urdfkit.lint.rules import Context, Findings, Need, Severity, rule
 
 NAME = "launch/localization.launch.py"
@@ -52,6 +57,8 @@ FILES = {
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     sections = parameter_sections(context)
+    for section in parameters_of_started(context, parameter_files(context)):
+        yield from reversed_bounds(section)
     for section in sections:
         yield from contradictions(section)
         if section.name.endswith("_costmap"):

@@ -69,7 +69,8 @@ def _frames_of_filter(program: StartedProgram, context: Context) -> dict[str, st
         return {}
     name = program.name or _FILTERS[program.executable]
     frames = dict(_PARAMETERS)
-    is_known = program.parameters.is_whole and bool(program.parameters.files)
+    given = program.parameters
+    is_known = given.is_whole and bool(given.files or given.values)
     for path in program.parameters.files:
         source = context.resolver.readable(path)
         if source is None:

@@ -33,7 +33,7 @@ _MESSAGES |= {"twist": "TwistWithCovarianceStamped"}
 
 def contradictions(node: NodeParameters) -> Findings:
     """All contradictions in the parameters of a node."""
-    yield from _reversed_bounds(node)
+    yield from reversed_bounds(node)
     yield from _unread_pose(node)
     yield from _long_period(node)
     yield from _no_transform(node)
@@ -44,7 +44,7 @@ def contradictions(node: NodeParameters) -> Findings:
         yield from _not_reversing(node, layer)
 
 
-def _reversed_bounds(node: NodeParameters) -> Findings:
+def reversed_bounds(node: NodeParameters) -> Findings:
     """A minimum above its maximum; a negative maximum stands for that of the sensor."""
     known = {name.rpartition(".")[2] for given in given_values(node) for name in given.known}
     for section in _sections(node.values) if known else ():

@@ -20,6 +20,7 @@ from urdfkit.text.located_yaml import Value
 from urdfkit.workspace.resolve import Resolver
 
 _CLOCK = "clock"
+_SLIDERS = "joint_state_publisher"
 _SIM_TIME = "use_sim_time"
 _PUBLISHER = "robot_state_publisher"
 _MANAGER = "ros2_control_node"
@@ -108,7 +109,8 @@ def wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) -> 
     for node in programs:
         severity = data("nodes")["stamping"].get(node.package)
         own = _sim_time(node, resolver) if severity else None
-        if own is None or own is True:
+        is_slider = node.package.startswith(_SLIDERS) and not is_simulated
+        if own is None or own is True or is_slider:
             continue
         if is_simulated and own is False and (other is not None or node.package == _PUBLISHER):
             message = f"{_SIM_TIME} of {node.executable} is false, but Gazebo is started"

@@ -24,6 +24,8 @@ _OF_ROBOTS = (
     "CameraInfo", "IMU", "Image", "LaserScan", "Model", "NavSat", "Odometry", "PointCloudPacked",
     "Twist",
 )  # fmt: skip
+#: The link in the default topic of a sensor.
+_LINK = re.compile(r"/link/([^/]+)/sensor/")
 #: A topic in a tag, such as ``<odom_topic>``, or in an argument of a macro.
 _TOPIC = rb"""<\w*topic\w*>\s*([\w/.-]+)\s*<|\b\w*topic\w*\s*=\s*["']([\w/.-]+)["']"""
 
@@ -45,6 +47,8 @@ def topics_without_messages(
         if own:
             if not any(_passes(topic, gz) for gz in own):
                 yield _wrong_direction(topic, own[0].who, frame)
+            elif all(gz.is_unnamed for gz in own):
+                yield from _unknown_link(context, topic, own[0].who, frame)
             continue
         if not of_other_arguments.isdisjoint((name, name.rpartition("/")[0])):
             continue
@@ -79,6 +83,21 @@ def _wrong_direction(topic: BridgedTopic, who: str, frame: CallFrame | None) -> 
         f"write {right if topic.places else SIGNS[right]}",
         severity=Severity.WARNING,
     )
+
+
+def _unknown_link(
+    context: Context, topic: BridgedTopic, who: str, frame: CallFrame | None
+) -> Findings:
+    """The topic of a sensor without ``<topic>`` with a link that the robot does not have."""
+    match = _LINK.search(topic.topic)
+    links = {name for _, robot in context.described_robots for name in robot.model.links_by_name}
+    if match and links and match[1] not in links:
+        yield Finding(
+            Location(topic.at("gz_topic_name", "topic_name"), frame),
+            f"'{topic.topic}' names link '{match[1]}', which the robot does not have",
+            f"write /world/WORLD/model/ROBOT/link/LINK/sensor/NAME/..., or give {who} a <topic>",
+            severity=Severity.WARNING,
+        )
 
 
 def _is_known(context: Context) -> bool:

@@ -56,6 +56,11 @@ _TOPICS_OF_NAVSAT = frozenset(
 )
 _PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge", "ros_gz_image")
 _ODOMETRY, _IMU = "Odometry", "Imu"
+#: Topics of programs of robot_localization, and the start of the help.
+_STARTED = {
+    "odometry/gps": f"start {_NAVSAT}, or ",
+    "odometry/filtered": "start robot_localization, or ",
+}
 
 
 def unpublished_inputs(context: Context) -> Findings:
@@ -128,7 +133,7 @@ def _other_topic(read: ReadTopic, published: dict[str, StartedProgram]) -> Findi
         read.at,
         f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "
         f"are on '{other}'",
-        f"{read.remedy}{other}",
+        f"{_STARTED.get(name.strip('/'), '')}{read.remedy}{other}",
         related=(Related(published[other].span, "the publisher is started here"),),
     )
 

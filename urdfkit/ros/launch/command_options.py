@@ -128,6 +128,12 @@ def _agent(program: StartedProgram) -> Iterator[Problem]:
     elif first and not first.startswith("-") and first not in transports:
         help = f"write one of {', '.join(transports)}"
         yield _error(program.words[0], f"micro_ros_agent has no transport '{first}'", help)
+    texts = [word.text for word in program.words]
+    required = facts["required"].get(first, "").split()
+    is_given = None in texts or any((text or "").split("=")[0] in required for text in texts)
+    if required and not is_given:
+        message = f"micro_ros_agent stops: {first} requires {required[0]}"
+        yield _error(program.words[0], message, f"add {required[0]} and its value")
     for word in program.words[1:]:
         option = word.text or ""
         if option == _ROS_ARGUMENTS:

@@ -72,10 +72,11 @@ def sensor_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
     for node in launch.started if not launch.has_scopes else ():
         facts = data("nodes")["frames"].get(f"{node.package}/{node.executable}", "").split()
         value = given_parameter(node, facts[0], resolver) if facts and node.is_sure else None
-        if value is not None and not any(mark in value for mark in _OPEN):
+        frame = value or facts[1] if value is not None and len(facts) > 1 else value
+        if frame and not any(mark in frame for mark in _OPEN):
             span = node.parameters.at.get(facts[0], node.span)
             who = f"{facts[0]} of '{node.title}':"
-            yield NamedFrame((value or facts[1]).lstrip("/"), who, facts[0], span, None)
+            yield NamedFrame(frame.lstrip("/"), who, facts[0], span, None)
 
 
 def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:

@@ -123,9 +123,17 @@ def topic_name(name: str, program: StartedProgram) -> str | None:
     """Full name of a topic of a node, after remapping; None if unknown."""
     if program.remappings is None or program.namespace is None:
         return None
-    full_name = resolve_name(name, program.namespace)
-    renames = {resolve_name(old, program.namespace): new for old, new in program.remappings.items()}
-    return resolve_name(renames.get(full_name, full_name), program.namespace)
+    if name.startswith("~") and not program.name:
+        return None
+    full_name = _resolved(name, program)
+    renames = {_resolved(old, program): new for old, new in program.remappings.items()}
+    return _resolved(renames.get(full_name, full_name), program)
+
+
+def _resolved(name: str, program: StartedProgram) -> str:
+    """Full name of a topic of a node; ``~`` stands for the node."""
+    own = f"{program.name}{name[1:]}" if name.startswith("~/") and program.name else name
+    return resolve_name(own, program.namespace)
 
 
 def _arguments(program: StartedProgram) -> tuple[Word, ...]:
