@@ -9,6 +9,7 @@ import pytest
 
 from tests.conftest import MODELS
 from tests.fixing import FIXED_JOINT, SEVERITIES, XACRO, fix, write
+from tests.naming import naming
 from urdfkit.errors import UnwritableFile
 from urdfkit.lint import engine, fix_checker, processes, rule_index
 from urdfkit.lint.config import Config
@@ -125,7 +126,7 @@ def test_a_fix_that_adds_an_error_is_dropped_and_the_others_are_applied(tmp_path
     fixes = fix(write(tmp_path, "r.urdf", body), unsafe=True)
     assert [one.code for one in fixes.applied] == ["JNT020"]
     reasons = {left.diagnostic.code: left.reason for left in fixes.left}
-    assert reasons["REF001"] == "skipped: it would add TRE003"
+    assert reasons["REF001"] == naming("skipped", "TRE003")
 
 
 def test_errors_that_were_hidden_do_not_forbid_a_fix(tmp_path: Path) -> None:
@@ -191,7 +192,7 @@ def test_with_some_rules_only_the_others_still_guard(tmp_path: Path) -> None:
     file = write(tmp_path, "r.urdf", body)
     fixes = fix(file, unsafe=True, select=["REF"])
     assert [(left.diagnostic.code, left.reason) for left in fixes.left] == [
-        ("REF001", "skipped: it would add TRE003")
+        ("REF001", naming("skipped", "TRE003"))
     ]
 
 
@@ -293,7 +294,7 @@ def test_a_defect_that_a_fix_makes_where_all_could_be_seen_forbids_it(tmp_path: 
     fixes = fix(write(tmp_path, "r.xacro", text + calls, XACRO), unsafe=True)
     assert [one.code for one in fixes.applied] == []
     reasons = {left.diagnostic.code: left.reason for left in fixes.left}
-    assert reasons["XAC002"] == "skipped: it would add NAM001"
+    assert reasons["XAC002"] == naming("skipped", "NAM001")
 
 
 def test_rules_that_are_left_out_of_the_guard_have_no_fix() -> None:

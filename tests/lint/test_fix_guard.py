@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from tests.naming import naming
 from urdfkit.lint.context import Context
 from urdfkit.lint.fix_consistency import without_inconsistent_fixes
 from urdfkit.lint.fix_guard import RegressionGuard, _is_used, ineffective, regression
@@ -91,7 +92,7 @@ def test_so_does_each_of_these_in_a_robot_that_nobody_asked_for(
 
 def test_an_error_of_a_rule_that_could_not_look_before_was_there() -> None:
     after = report(found("ABC001", "link/a"))
-    assert judged(report(), after) == "skipped: it would add ABC001"
+    assert judged(report(), after) == naming("skipped", "ABC001")
     assert judged(report(skipped=("ABC001",)), after) == ""
 
 
@@ -110,17 +111,17 @@ def test_an_error_of_elements_that_were_hidden_was_there(
     elements: list[str], is_revealed: bool
 ) -> None:
     after = report(found("ABC001", *elements))
-    assert judged(report(), after) == ("" if is_revealed else "skipped: it would add ABC001")
+    assert judged(report(), after) == ("" if is_revealed else naming("skipped", "ABC001"))
 
 
 def test_in_a_robot_that_worked_nothing_may_come_to_light() -> None:
     after = report(found("ABC001", "link/b"))
-    assert judged(report(), after, may_reveal=False) == "skipped: it would add ABC001"
+    assert judged(report(), after, may_reveal=False) == naming("skipped", "ABC001")
 
 
 def test_an_element_with_another_name_was_not_hidden() -> None:
     after = report(found("ABC001", "link/b"))
-    assert judged(report(), after, new='<link name="b"/>') == "skipped: it would add ABC001"
+    assert judged(report(), after, new='<link name="b"/>') == naming("skipped", "ABC001")
 
 
 @pytest.mark.parametrize(("old", "new"), [(None, TWO_LINKS), (ONE_LINK, None), (None, None)])
@@ -128,7 +129,7 @@ def test_nothing_was_hidden_in_a_robot_that_cannot_be_read(
     old: str | None, new: str | None
 ) -> None:
     after = report(found("ABC001", "link/b"))
-    assert judged(report(), after, old, new) == "skipped: it would add ABC001"
+    assert judged(report(), after, old, new) == naming("skipped", "ABC001")
 
 
 def test_only_robots_with_a_new_error_are_compared() -> None:
@@ -148,8 +149,8 @@ PART = Source("part.xacro", b"<robot/>")
     ("errors", "reason"),
     [
         ([found("XML001", source=PART), found("XAC001")], ""),  # rov_example_base.xacro
-        ([found("XML001"), found("XAC001")], "skipped: it would add XAC001"),  # still unread
-        ([found("XML001"), found("XML001")], "skipped: it would add XML001"),
+        ([found("XML001"), found("XAC001")], naming("skipped", "XAC001")),  # still unread
+        ([found("XML001"), found("XML001")], naming("skipped", "XML001")),
     ],
 )
 def test_a_file_that_is_not_well_formed_hides_what_it_includes(
@@ -167,7 +168,7 @@ def test_a_file_that_is_not_well_formed_may_be_no_robot() -> None:
 
 def test_one_more_error_of_a_code_forbids_a_fix() -> None:
     one, two = report(found("ABC001", "link/a")), report(*[found("ABC001", "link/a")] * 2)
-    assert judged(one, two) == "skipped: it would add ABC001"
+    assert judged(one, two) == naming("skipped", "ABC001")
     assert judged(two, one) == ""
 
 
