@@ -54,6 +54,7 @@ WITHOUT_GATE = {
     "text/urdf_extensions.py": "urdfkit's own",
     "viewer/state.py": "times of files that were read",
     "workspace/revisions.py": "git",
+    "workspace/ros_packages.py": "urdfkit's own",
     "workspace/snapshots.py": "git",
     "xacro/watchdog.py": "the size of this process",
 }
