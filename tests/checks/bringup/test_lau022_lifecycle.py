@@ -72,3 +72,24 @@ def test_a_costmap_is_no_node_of_its_own(tmp_path: Path) -> None:
     files = {"launch/b.launch.py": whole}
     found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text, files)
     assert ["waits for local_costmap" in one.message for one in found] == [True]
+
+
+ALONE = "from launch_ros.actions import Node\n\nnodes = [Node({})]\n"
+MAP_SERVER = "package='nav2_map_server', executable='map_server'"
+
+
+@pytest.mark.parametrize(
+    ("node", "more", "count"),
+    [
+        (MAP_SERVER, "", 1),
+        (MAP_SERVER + ", parameters=[{'autostart_node': True}]", "", 0),
+        (MAP_SERVER, MANAGER.format(", 'autostart': True"), 0),
+        (MAP_SERVER, "own = Node(package='own', executable='own')\n", 0),
+        (MAP_SERVER, "ChangeState\n", 0),
+        ("package='rviz2', executable='rviz2'", "", 0),
+    ],
+)
+def test_without_a_manager(tmp_path: Path, node: str, more: str, count: int) -> None:
+    text = ALONE.format(node) + more.removeprefix("from launch_ros.actions import Node\n")
+    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text)
+    assert sum("no launch file of the workspace" in one.message for one in found) == count

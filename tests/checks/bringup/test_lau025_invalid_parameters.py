@@ -289,7 +289,7 @@ def test_parameters_of_other_nodes(tmp_path: Path, yaml: str, count: int) -> Non
         ("one/", "one", ""),
         ("one_", "one", ""),
         ("one", "two", ""),
-        ("/", "", "remove it"),
+        ("/", "", ""),  # tf2 strips it
         ("/one", "one", "write one/"),
         ("", "one", ""),
     ],

@@ -36,6 +36,7 @@
 - A lifecycle manager of Nav2 waits for a node that nothing starts, or `autostart` of the manager is
   false, as it is by default. Or no manager activates a node of Nav2, or of slam_toolbox since
   Jazzy, which stays unconfigured.
+  Or no launch file of the workspace starts a lifecycle manager for a server of Nav2.
 - A launch file of Nav2 waits for a container of composable nodes that nothing starts.
 - The collision monitor of Nav2 reads commands on another topic than that of the velocity smoother.
 
@@ -103,6 +104,7 @@ _JOINT_STATES = ("joint_state_publisher", "joint_state_publisher_gui")
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     yield from lifecycle.not_activated(context)
+    yield from lifecycle.unmanaged(context)
     yield from lifecycle.not_started(context)
     yield from lifecycle.inactive_mapping(context)
     launch = context.launch

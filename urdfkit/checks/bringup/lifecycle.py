@@ -9,6 +9,7 @@ from collections.abc import Iterable
 
 from urdfkit.checks.bringup.unread_commands import is_part_of_ros
 from urdfkit.checks.bringup.workspace_launches import (
+    all_launches,
     is_included,
     programs_of,
     workspace_launches,
@@ -19,9 +20,12 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.releases import is_for_jazzy
+from urdfkit.workspace.ros_packages import comes_with_ros
 
 _MANAGER = "nav2_lifecycle_manager"
 _NAMES, _AUTOSTART = "node_names", "autostart"
+#: The switch of a node of Jazzy and later that activates itself.
+_OF_NODE = "autostart_node"
 _SLAM = "slam_toolbox"
 #: What activates a lifecycle node in a launch file, or in a program.
 _TRANSITIONS = re.compile(rb"(?i)lifecycle(?!_manager)|ChangeState|change_state")
@@ -76,6 +80,34 @@ def _managed(*launches: Launch) -> set[str | None]:
 def _are_known(launches: Iterable[Launch]) -> bool:
     """True if they include no launch files that are not known, except those of ROS."""
     return all(is_part_of_ros(path) for launch in launches for path in launch.unread)
+
+
+def unmanaged(context: Context) -> Findings:
+    """Servers of Nav2 in a workspace without lifecycle managers, which activates nothing itself."""
+    may_change = _TRANSITIONS.search(context.source.data) or b"omposable" in context.source.data
+    servers = data("nodes")["lifecycle"].split() if not may_change else ()
+    for node in context.launch.started:
+        is_server = node.executable in servers and node.is_sure and node.package.startswith("nav2_")
+        switch = given_parameter(node, _OF_NODE, context.resolver) if is_server else None
+        if switch is None or switch.lower() not in ("", "false"):
+            continue
+        if _may_be_managed(all_launches(context)):
+            return
+        yield Finding(
+            node.at,
+            f"'{node.title}' stays unconfigured: no launch file of the workspace starts a "
+            "lifecycle manager",
+            f"start {_MANAGER}, with {_AUTOSTART}, and with {node.title} in {_NAMES}",
+        )
+
+
+def _may_be_managed(launches: tuple[Launch, ...]) -> bool:
+    """True if a manager is started, or a program that may activate nodes."""
+    known = {name.partition("/")[0] for name in data("nodes")["publishers"]}
+    packages = {node.package for node in programs_of(launches)}
+    includes_nav2 = any("nav2" in path for launch in launches for path in launch.unread)
+    are_of_ros = all(package in known or comes_with_ros(package) for package in packages)
+    return _MANAGER in packages or includes_nav2 or not are_of_ros or not _are_known(launches)
 
 
 def not_started(context: Context) -> Findings:

@@ -42,10 +42,13 @@ def invalid_prefixes(programs: Iterable[StartedProgram]) -> Findings:
         prefix = node.parameters.values.get(_PREFIX) or ""
         if node.package != "robot_state_publisher" or "$" in prefix:
             continue
+        if prefix == "/":
+            continue  # tf2 strips it
         if prefix.startswith("/"):
             message = f"{_PREFIX} '{prefix}' begins with a slash, as no name of tf2 does"
-            help = "remove it" if prefix == "/" else f"write {prefix.strip('/')}/"
-            yield Finding(node.at, message, help, severity=Severity.WARNING)
+            yield Finding(
+                node.at, message, f"write {prefix.strip('/')}/", severity=Severity.WARNING
+            )
         elif prefix and prefix == (node.namespace or "").strip("/"):
             message = f"{_PREFIX} '{prefix}' has no slash: the frames are called {prefix}base_link"
             yield Finding(node.at, message, f"write {prefix}/", severity=Severity.WARNING)
