@@ -30,7 +30,6 @@ WITHOUT_GATE = {
     "core/atomic.py": "writes",
     "core/installation.py": "urdfkit's own",
     "core/limits.py": "the size of this process",
-    "core/own_modules.py": "urdfkit's own",
     "core/regular_file.py": "what the gate opens",
     "core/temporary.py": "its own directories",
     "cli": "files that the user names on the command line",

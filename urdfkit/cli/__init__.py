@@ -125,9 +125,7 @@ def _replay_or_run(words: list[str]) -> int:
 
 def _record_and_run(words: list[str]) -> int:
     from urdfkit.cli import result_cache
-    from urdfkit.core import own_modules
 
-    own_modules.install()
     if key := result_cache.cache_key(words):
         from urdfkit.cli import result_recording
 
