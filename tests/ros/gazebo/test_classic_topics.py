@@ -48,6 +48,7 @@ def test_of_a_drive() -> None:
         ("image_raw:=image", "s/image_raw"),
         ("s/image_raw:=image", ""),
         ("image_raw:=s/image_raw", ""),
+        ("image_raw:=image_raw", ""),  # asks for nothing
         ("image_raw:=$(arg topic)", ""),
         ("/tf:=tf", ""),
     ],

@@ -27,6 +27,7 @@ Sources:
 """
 
 from urdfkit.checks.inertia.copies import together
+from urdfkit.core.spatial import times
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.inertia import principal_moments
@@ -58,6 +59,9 @@ _PURPOSES = (b"stabilis", b"stabiliz")
 
 #: Ratio of the mass that the joints of a link carry to its own, above which no fix is offered.
 _CARRIED = 300.0
+
+#: Products of inertia below this part of the largest moment hardly turn the axes.
+_SMALL_PRODUCT = 0.05
 
 _TURN = "swap the values, or give the <inertial> the rpy of the shape"
 
@@ -162,10 +166,14 @@ def _wrong_axes(inertia: LinkInertia) -> Finding:
 
 def _turned(inertia: LinkInertia) -> Finding:
     """A tensor of a rod or a wheel that points another way than the shape."""
-    if inertia.is_diagonal:
+    tensor = inertia.tensor
+    if max(map(abs, (tensor.ixy, tensor.ixz, tensor.iyz))) < _SMALL_PRODUCT * inertia.moments[2]:
         return Finding(inertia.at, _moments(inertia), _TURN, confidence=Confidence.INFERRED)
     assert inertia.turned_axis is not None
-    own, other = (rounded(axis, 2) for axis in inertia.turned_axis)
+    own, other = (
+        rounded(axis if max(axis, key=abs) > 0 else times(axis, -1), 2)
+        for axis in inertia.turned_axis
+    )
     return Finding(
         inertia.at,
         f"link '{inertia.link.name}': the tensor is that of a body with the axis {own}, but the "

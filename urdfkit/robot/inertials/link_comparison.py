@@ -44,7 +44,7 @@ MIN_FACTOR, MAX_FACTOR, MAX_COMPUTED_FACTOR = 0.3, 2.0, 3.5
 LONG, LONG_MIDDLE = 4.0, 0.6
 #: Of a flat body such as a wheel: the largest moment by the middle one, and the least part of the
 #: middle one that the smallest has.
-FLAT, FLAT_LEAST = 1.4, 0.7
+FLAT, FLAT_LEAST = 1.5, 0.85
 #: Cosine of the angle below which two axes are different, not rotated a little.
 OTHER_AXIS = 0.5
 

@@ -73,7 +73,8 @@ def lost_remappings(use: PluginUse) -> Iterator[LostRemapping]:
     names = {_resolved(name, space, use) for name in written}
     for item in use.values("ros/remapping"):
         old, _, new = (part.strip() for part in item.text.partition(":="))
-        is_open = not new or any(mark in item.text for mark in "${") or old.strip("/") in _OF_ALL
+        is_open = new in ("", old) or any(mark in item.text for mark in "${")
+        is_open = is_open or old.strip("/") in _OF_ALL
         resolved = {_resolved(old, space, use), _resolved(new, space, use)}
         if not is_open and resolved.isdisjoint(names):
             last = old.rpartition("/")[2]
