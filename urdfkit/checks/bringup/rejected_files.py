@@ -11,10 +11,11 @@ from collections.abc import Iterator
 
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
+from urdfkit.ros.controllers import MANAGER
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.node_parameters import PARAMETERS
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
-from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars, syntax_error
 from urdfkit.text.source import Source
 
 #: Functions of Nav2 that write the file anew.
@@ -28,13 +29,17 @@ def rejected_files(context: Context) -> Findings:
         for path in node.parameters.files if node.is_ros_2 else ():
             readers.setdefault(path, node)
     is_rewritten = any(name in context.source.data for name in _REWRITTEN)
+    has_robots = bool(context.launch.descriptions)
     for path, node in readers.items():
         source = context.resolver.readable(path)
-        for finding in _rejected(source, is_rewritten=is_rewritten) if source else ():
+        if source is None or syntax_error(source):  # RCT026, which says where YAML ends
+            continue
+        is_of_robot = has_robots and MANAGER in mapping(load(source))
+        for finding in _rejected(source, is_of_robot=is_of_robot, is_rewritten=is_rewritten):
             yield finding._replace(related=(Related(node.span, f"'{node.title}' stops at it"),))
 
 
-def _rejected(source: Source, *, is_rewritten: bool) -> Iterator[Finding]:
+def _rejected(source: Source, *, is_of_robot: bool, is_rewritten: bool) -> Iterator[Finding]:
     inside: list[Node] = []
     sections: list[tuple[Node, Key | None]] = [(load(source), None)]
     for node, owner in sections:  # the inner ones are added to it
@@ -47,7 +52,8 @@ def _rejected(source: Source, *, is_rewritten: bool) -> Iterator[Finding]:
                 message = f"ROS 2 rejects the file: {PARAMETERS} is not below the name of a node"
                 yield Finding(key.span, message, "write the name of the node, or /**, above it")
             elif isinstance(value, Value | list):
-                yield _outside(key, owner)
+                if not is_of_robot:  # else RCT026 reports it
+                    yield _outside(key, owner)
                 return  # at the first one
             elif key != PARAMETERS:
                 sections.append((value, key))
