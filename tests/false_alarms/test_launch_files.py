@@ -476,6 +476,29 @@ def test_an_argument_whose_default_is_its_own_configuration(
     assert len([one for one in found if one.span.source.path.endswith(".rviz")]) == count
 
 
+@pytest.mark.parametrize(("child", "count"), [("names['camera'] + '_link'", 0), ("'tip'", 1)])
+def test_a_static_transform_to_a_frame_known_at_run_time(
+    tmp_path: Path, child: str, count: int
+) -> None:
+    """realsense-ros: the frames of two cameras are named after arguments of another file."""
+    robot = '<robot name="r"><link name="base_link"/></robot>'
+    display = "Visualization Manager:\n  Global Options:\n    Fixed Frame: camera1_link\n"
+    text = (
+        "from launch import LaunchDescription\n"
+        "from launch_ros.actions import Node\n"
+        "from names import names\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([\n"
+        "        Node(package='robot_state_publisher', executable='robot_state_publisher',\n"
+        "             parameters=[{'robot_description': open('../r.urdf').read()}]),\n"
+        "        Node(package='tf2_ros', executable='static_transform_publisher',\n"
+        f"             arguments=['0', '0', '0', '0', '0', '0', 'base_link', {child}]),\n"
+        "        Node(package='rviz2', executable='rviz2', arguments=['-d', '../r.rviz'])])\n"
+    )
+    files = {"r.urdf": robot, "r.rviz": display}
+    assert len(reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)) == count
+
+
 @pytest.mark.parametrize(("word", "count"), [("[GENERATED_NAME]", 0), ("r", 1)])
 def test_templates_of_the_setup_assistant(tmp_path: Path, word: str, count: int) -> None:
     """MoveIt's setup assistant writes launch files and xacros from those in its sources."""

@@ -8,7 +8,7 @@ from urdfkit.checks.bringup.workspace_launches import is_included, workspace_lau
 from urdfkit.lint.rules import Context
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch
-from urdfkit.ros.launch.transforms import StaticTransform, static_transform
+from urdfkit.ros.launch.transforms import StaticTransform, has_unknown_child, static_transform
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: Frames that programs other than those of the robot publish.
@@ -34,8 +34,10 @@ _MAX_ROBOTS = 8
 
 
 def published_frames(context: Context) -> frozenset[str]:
-    """The published frames; empty if not all robots are known."""
+    """The published frames; empty if not all robots and static transforms are known."""
     launch = context.launch
+    if any(map(has_unknown_child, launch.programs)):
+        return frozenset()
     launches: tuple[Launch, ...] = (launch,)
     if not launch.descriptions:
         if _includes_unavailable(context) or _starts_publisher(launch):

@@ -56,6 +56,14 @@ def static_transform(program: StartedProgram) -> StaticTransform | None:
     return StaticTransform(names[0], names[1], (numbers[0], numbers[1], numbers[2]))
 
 
+def has_unknown_child(program: StartedProgram) -> bool:
+    """True for a static transform to a frame whose name is known only at run time."""
+    if program.executable != "static_transform_publisher" or not program.words:
+        return False
+    options = {flag.text: value for flag, value in pairwise(program.words)}
+    return options.get("--child-frame-id", program.words[-1]).text is None
+
+
 def mistakes(program: StartedProgram) -> Iterator[tuple[Word, str, str]]:
     """Words that ``static_transform_publisher`` of ROS 2 rejects, with message and help."""
     if not program.is_ros_2 or f"{program.package}/{program.executable}" != _PROGRAM:
