@@ -431,8 +431,8 @@ def small_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
 def _no_test_is_beside_another(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """A missing package is looked for in the directories above: here, in those of all other tests.
 
-    They would answer for one another, and the search would take longer with every test; likewise
-    with every directory next to the checkout.
+    They would answer for one another, and the search would take longer with every test and with
+    every directory next to the checkout.
     """
     base = tmp_path_factory.getbasetemp()
     with pytest.MonkeyPatch.context() as patch:
