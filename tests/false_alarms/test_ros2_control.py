@@ -51,6 +51,56 @@ def test_modules_of_the_ethercat_driver(tag: str, count: int) -> None:
     assert len(reported("RCT017", robot)) == count
 
 
+def test_a_role_may_be_empty() -> None:
+    """The arm of a youBot: the loader of a SimpleTransmission does not use the role."""
+    inside = (
+        '<plugin>transmission_interface/SimpleTransmission</plugin><actuator name="m" role=""/>'
+    )
+    block = f'<transmission name="t">{inside}<joint name="swing" role=""/></transmission>'
+    assert reported("RCT017", ROBOT + control(driven("swing"), block)) == []
+
+
+@pytest.mark.parametrize(
+    ("hardware", "tag", "severity"),
+    [
+        ("acme/Bus", "ec_interface", Severity.INFO),
+        ("acme/Bus", "parm", Severity.WARNING),
+        (MOCK, "ec_interface", Severity.WARNING),
+    ],
+)
+def test_elements_for_the_hardware_alone(hardware: str, tag: str, severity: Severity) -> None:
+    """The same arm: the hardware finds its bus in the text of the URDF."""
+    block = control(driven("swing"), plugin=hardware)
+    block = block.replace("</hardware>", f"<{tag}>eth0</{tag}></hardware>")
+    (found,) = reported("RCT017", ROBOT + block)
+    assert found.severity is severity
+
+
+@pytest.mark.parametrize(
+    ("library", "count"), [("gazebo_ros_control", 1), ("gazebo_ros2_control", 0)]
+)
+def test_the_class_of_the_simulation_is_a_tag_of_ros_1(library: str, count: int) -> None:
+    """OnRobot's grippers: gazebo_ros2_control takes the class from <ros2_control>."""
+    kind = "<robotSimType>gazebo_ros2_control/DefaultRobotHWSim</robotSimType>"
+    robot = ROBOT + transmission("swing") + plugin(f"lib{library}.so", kind)
+    found = [one for one in reported("RCT010", robot) if "DefaultRobotHWSim" in one.message]
+    assert len(found) == count
+
+
+@pytest.mark.parametrize(
+    ("library", "count"), [("gz_ros2_control-system", 0), ("gz-sim-imu-system", 1)]
+)
+def test_a_model_in_sdf_loads_the_controllers(tmp_path: Path, library: str, count: int) -> None:
+    """An A1 whose SDF Gazebo starts; the URDF is for the controller manager."""
+    package = add_package(tmp_path, "p")
+    robot = add_file(
+        package / "urdf" / "robot.urdf", whole_robot(ROBOT + control(driven("swing"), plugin=GZ))
+    )
+    model = f'<sdf version="1.9"><model name="a"><plugin filename="lib{library}.so"/></model></sdf>'
+    add_file(package / "model.sdf", model)
+    assert len(check(robot, select=["RCT010"]).diagnostics) == count
+
+
 CANOPEN = "canopen_ros2_control/RobotSystem"
 LEFT = '<joint name="left_joint"/>'
 MEASURED = '<joint name="left_joint"><state_interface name="position"/></joint>'

@@ -52,9 +52,11 @@ def test_an_actuator_has_one_joint() -> None:
 
 
 def test_the_parts_of_a_transmission_have_roles() -> None:
-    inside = '<plugin>p/C</plugin><joint name="swing" role="{}"/><actuator name="m" role="a"/>'
+    inside = '<plugin>p/C</plugin><joint name="swing"{}/><actuator name="m" role="a"/>'
     block = f'<transmission name="t">{inside}</transmission>'
-    assert reported("RCT017", ROBOT + control(driven("swing"), block.format("joint1"))) == []
+    assert (
+        reported("RCT017", ROBOT + control(driven("swing"), block.format(' role="joint1"'))) == []
+    )
     assert messages("RCT017", ROBOT + control(driven("swing"), block.format(""))) == [
         "<joint> of a transmission has no role"
     ]

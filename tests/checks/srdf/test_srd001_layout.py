@@ -231,8 +231,19 @@ def test_a_topic_of_servo_that_its_controller_does_not_read(
     assert found == ([(message, f"write {read}")] if read else [])
 
 
-@pytest.mark.parametrize(("kind", "count"), [("ament_cmake", 1), ("catkin", 0)])
-def test_settings_in_the_list_of_sensors(tmp_path: Path, kind: str, count: int) -> None:
+@pytest.mark.parametrize(
+    ("kind", "launch", "count"),
+    [
+        ("ament_cmake", 'MoveItConfigsBuilder("r", package_name="a").to_moveit_configs()', 1),
+        ("ament_cmake", 'load_yaml("a", "config/sensors_3d.yaml")', 1),
+        ("ament_cmake", 'load_yaml("a", "config/kinematics.yaml")', 0),
+        ("catkin", 'load_yaml("a", "config/sensors_3d.yaml")', 0),
+    ],
+)
+def test_settings_in_the_list_of_sensors(
+    tmp_path: Path, kind: str, launch: str, count: int
+) -> None:
+    (tmp_path / "demo.launch.py").write_text(launch)
     manifest = f"<package><name>a</name><buildtool_depend>{kind}</buildtool_depend></package>"
     (tmp_path / "package.xml").write_text(manifest)
     text = CLOUD.replace("s:\n  sensor", "sensors:\n  - sensor").replace("\n  ", "\n    ")

@@ -36,6 +36,13 @@ FILES = {
 }
 
 
+#: The plugin that reads the class of its hardware; those of ROS 2 have it from <ros2_control>.
+_WITH_CLASS = "gazebo_ros_control"
+#: Most directories that are searched for models in SDF.
+_MAX_DIRECTORIES = 2000
+_SDF = (".sdf", ".sdf.xacro")
+
+
 @rule(
     Severity.WARNING,
     help="add the control plugin of the simulator once, in a <gazebo> block without reference",
@@ -50,7 +57,7 @@ def check(context: Context) -> Findings:
         return
     if not plugins:
         yield from _missing(context)
-    elif all(plugin.kind == "gazebo_ros_control" for plugin in plugins):
+    elif all(plugin.kind == _WITH_CLASS for plugin in plugins):
         yield from _without_transmission(context, plugins[0])
 
 
@@ -72,11 +79,13 @@ def _missing(context: Context) -> Findings:
     for component in components(context.model):
         hardware = simulated_hardware().get(component.hardware)
         if hardware and component.plugin:
-            yield Finding(
-                component.plugin,
-                f"{component.called} is for {hardware.simulator}, but no plugin in <gazebo> "
-                f"loads it ({control_plugin_libraries()[hardware.control]})",
-            )
+            library = control_plugin_libraries()[hardware.control]
+            if not _is_in_sdf(context, library):
+                yield Finding(
+                    component.plugin,
+                    f"{component.called} is for {hardware.simulator}, but no plugin in <gazebo> "
+                    f"loads it ({library})",
+                )
             return  # one plugin loads all blocks
     transmissions = [
         transmission for transmission in context.model.transmissions if not is_of_pr2(transmission)
@@ -96,6 +105,17 @@ def _missing(context: Context) -> Findings:
         )
 
 
+def _is_in_sdf(context: Context, library: str) -> bool:
+    """True if a model in SDF, which is spawned instead of the URDF, loads the plugin."""
+    resolver = context.resolver
+    if resolver.packages.enclosing(context.source.path) is None:
+        return False
+    directory = resolver.packages.workspace(context.source.path)
+    files = resolver.directories.files_below(directory, _MAX_DIRECTORIES)
+    models = (resolver.readable(path) for path in files if path.endswith(_SDF))
+    return any(library.encode() in model.data for model in models if model)
+
+
 def _has_own_loader(transmission: Element) -> bool:
     """True for a class of the real robot's own: its transmissions may not be for Gazebo."""
     kind = transmission.child("type")
@@ -104,7 +124,7 @@ def _has_own_loader(transmission: Element) -> bool:
 
 def _misspelt_simulation(plugin: ControlPlugin) -> Findings:
     """A misspelt class of the hardware simulation."""
-    kind = plugin.at.child("robotSimType")
+    kind = plugin.at.child("robotSimType") if plugin.kind == _WITH_CLASS else None
     text = kind.text.strip() if kind else ""
     if kind is not None and text != DEFAULT_SIM and nearest(text, (DEFAULT_SIM,), CLOSE_TYPO):
         message = f"plugin {plugin.filename}: no class '{text}'; did you mean '{DEFAULT_SIM}'?"

@@ -14,8 +14,9 @@ attributes (an info, unless misspelt); a misspelt parameter of mock hardware; an
 name is misspelt, or that the simulator does not offer; a misspelt `initial_value`, or one outside
 of a state interface; values of `min`, `max` and `initial_value` that are not numbers; a misspelt
 `data_type`; and an `is_async` that is neither true nor false. Other names of interfaces are valid:
-hardware and controller define them. `<ec_module>` is read by the EtherCAT driver. The
-`<hardwareInterface>` of a transmission of ROS 1 is checked in the same way.
+hardware and controller define them. Unknown elements are an info in a block for the robot's own
+hardware, which gets the text of the URDF and may read them, as the EtherCAT driver reads
+`<ec_module>`. The `<hardwareInterface>` of a transmission of ROS 1 is checked in the same way.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
@@ -62,7 +63,7 @@ _DATA_TYPES = ("double", "bool")
 def check(context: Context) -> Findings:
     for component in components(context.model):
         block = component.at
-        yield from _elements(block)
+        yield from _elements(component)
         yield from _type(component)
         for transmission in block.all("transmission"):
             yield from _roles(transmission)
@@ -73,14 +74,15 @@ def check(context: Context) -> Findings:
 
 def _roles(transmission: Element) -> Findings:
     for part in transmission.children:
-        if part.tag in ("joint", "actuator") and not part.get("role"):
+        # The parser accepts an empty role, which the loaders of ros2_control do not use.
+        if part.tag in ("joint", "actuator") and part.get("role") is None:
             message = f"<{part.tag}> of a transmission has no role"
             yield Finding(part, message, f'add role="{part.tag}1"')
 
 
-def _elements(block: Element) -> Findings:
+def _elements(component: Component) -> Findings:
     """Unknown elements, and elements without a name."""
-    tags = grammar()
+    block, tags = component.at, grammar()
     known = tags["ros2_control"].children
     for child in block.children:
         if child.tag not in known and _PREFIX not in child.tag:
@@ -101,16 +103,30 @@ def _elements(block: Element) -> Findings:
         yield from _attributes(element, who, tags[element.tag].attributes)
         for child in element.children:
             if child.tag not in known and _PREFIX not in child.tag:
-                message = f"{who} in <ros2_control>: unknown element <{child.tag}>"
-                yield Finding(
-                    child,
-                    message + did_you_mean(child.tag, known),
-                    "fix the name of the element, or remove it",
-                    fix_tag(child, nearest(child.tag, known, TYPO)),
-                    severity=Severity.WARNING,
-                )
+                yield _unknown(child, who, known, is_read=_is_own(component))
         if element.tag != "transmission":  # which has other joints and actuators
             stack += [child for child in reversed(element.children) if child.tag in tags]
+
+
+def _unknown(element: Element, who: str, known: tuple[str, ...], is_read: bool) -> Finding:
+    """An unknown element of a part; hardware of the robot's own gets the text of the URDF."""
+    suggested = nearest(element.tag, known, TYPO)
+    is_read = is_read and not suggested
+    return Finding(
+        element,
+        f"{who} in <ros2_control>: unknown element <{element.tag}>"
+        + did_you_mean(element.tag, known),
+        "remove it, unless the hardware reads it"
+        if is_read
+        else "fix the name of the element, or remove it",
+        fix_tag(element, suggested),
+        severity=Severity.INFO if is_read else Severity.WARNING,
+    )
+
+
+def _is_own(component: Component) -> bool:
+    """True for hardware that is neither a simulator's nor mock hardware."""
+    return bool(component.hardware) and component.hardware.partition("/")[0] not in _KNOWN
 
 
 def _attributes(element: Element, who: str, known: tuple[str, ...]) -> Findings:

@@ -132,8 +132,7 @@ def _sensors(context: Context, srdf: Srdf) -> Findings:
     if isinstance(listed, Value) and listed.text:
         message, help = f"sensors is '{listed.text}', not a list", f"write [{listed.text}]"
         yield Finding(listed.span, message, help)
-    manifest = manifest_of(context.resolver, srdf.path)
-    for item in listed if isinstance(listed, list) and manifest and manifest.ros == 2 else ():
+    for item in listed if isinstance(listed, list) and _loads_sensors(context, srdf) else ():
         written = scalar(item, "sensor_plugin")
         if written:
             message = (
@@ -160,6 +159,20 @@ def _sensors(context: Context, srdf: Srdf) -> Findings:
                 message += f"; it does not read {', '.join(others)}"
                 help = f"add {', '.join(missing)}, or name the plugin that reads {others[0]}"
             yield from _warning(plugin, message, help)
+
+
+def _loads_sensors(context: Context, srdf: Srdf) -> bool:
+    """True if launch files of ROS 2 load the sensors: by name, or with all files of the package."""
+    resolver = context.resolver
+    manifest = manifest_of(resolver, srdf.path)
+    package = resolver.packages.enclosing(srdf.path)
+    if manifest is None or manifest.ros != 2 or package is None:
+        return False
+    workspace = resolver.packages.workspace(srdf.path)
+    return any(launch_files(workspace, _SENSORS.partition(".")[0], resolver)) or any(
+        package[0].encode() in launch.data
+        for launch in launch_files(workspace, "MoveItConfigsBuilder", resolver)
+    )
 
 
 def _cartesian_limits(context: Context, srdf: Srdf) -> Findings:
