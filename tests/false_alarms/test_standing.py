@@ -80,7 +80,9 @@ def test_wheels_that_differ_by_millimetres_tilt_the_robot_a_little(lift: str, fa
     assert len(messages("DYN004", robot)) == falls
 
 
-@pytest.mark.parametrize("verdict", ["fixed", "no-area", "tips-unless-bolted", "stands", "no-mass"])
+@pytest.mark.parametrize(
+    "verdict", ["fixed", "no-area", "tips-unless-bolted", "stands", "no-mass", "unknown"]
+)
 def test_the_report_and_the_command_say_the_same(
     verdict: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -92,6 +94,7 @@ def test_the_report_and_the_command_say_the_same(
         "tips-unless-bolted": link("base", tray, inertial(1, (1, 1, 1), xyz="1 0 0")),
         "stands": on_wheels(BOTH),
         "no-mass": link("base", tray),
+        "unknown": link("base", shape("collision", '<mesh filename="missing.stl"/>')),
     }[verdict]
     path = tmp_path / "robot.urdf"
     path.write_text(whole_robot(text), encoding="utf-8")

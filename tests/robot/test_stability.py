@@ -45,6 +45,17 @@ def test_a_mesh_stands_as_the_box_that_it_is(tmp_path: Path) -> None:
     assert stand(read(tmp_path / "r.urdf"), meshes=False) is None
 
 
+def test_a_missing_mesh_may_reach_the_ground(tmp_path: Path) -> None:
+    """A submarine stood on its sensor, 19 cm in front of its centre of mass."""
+    wheel = link("wheel", shape("collision", '<mesh filename="missing.stl"/>'))
+    text = link("box", TALL, inertial(3, (1, 1, 1), xyz="0.25 0 0")) + wheel + joint("box", "wheel")
+    (tmp_path / "r.urdf").write_text(whole_robot(text))
+    robot = read(tmp_path / "r.urdf")
+    found = standing_verdict(robot)
+    assert (found.verdict, found.links, found.unread) == ("unknown", (), ("wheel",))
+    assert standing_verdict(robot, contacts=["box"]).verdict == "tips-unless-bolted"
+
+
 def test_it_falls_where_its_mass_hangs_out() -> None:
     found = stand(of(link("box", TALL, inertial(3, (1, 1, 1), xyz="0.25 0 0"))))
     assert found is not None

@@ -13,6 +13,7 @@ from urdfkit.cli.decorators import SEED, described, in_formats, limited, option
 from urdfkit.cli.posing import posed, positions
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
+from urdfkit.core.words import few
 from urdfkit.lint.context import Context
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.stability import VERDICTS, Stability, StandingVerdict, standing_verdict
@@ -28,6 +29,9 @@ NOISE = 1e-9
 
 #: Most poses; more take minutes without new results.
 MAX_SAMPLES = 1_000_000
+
+#: Most links that a note names.
+_NAMED = 8
 
 
 @described("statics")
@@ -105,11 +109,12 @@ def render(loads: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
     poses = f"{loads.poses} poses and a search for the worst"
     if not loads.searched:
         poses = f"zero pose only: {len(loads.loads)} joints are too many to search for the worst"
+    if not loads.loads:
+        poses = "no actuated joint"
     yield f"gravity on {loads.mass:.6g} kg{payload}, {poses}"
     if loads.weightless:
         yield from output.wrapped(f"no gravity in Gazebo on {', '.join(loads.weightless)}")
     if not loads.loads:
-        yield "no actuated joint"
         return
     yield ""
     first = "at pose" if posed else "at zero"
@@ -137,7 +142,11 @@ def describe(contact_result: StandingVerdict) -> Iterator[str]:
     stability = contact_result.stability
     if contact_result.links:
         yield f"stands on {', '.join(contact_result.links)}"
-    if stability is None:
+    if contact_result.unread:
+        names = few(contact_result.unread, _NAMED)
+        yield f"not known what it stands on: no collision mesh can be read of {names}"
+        yield "'--contact LINK' selects other links"
+    elif stability is None:
         yield VERDICTS[contact_result.verdict]
     else:
         x, y, z = (0.0 if abs(value) < NOISE else value for value in stability.center)

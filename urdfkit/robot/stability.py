@@ -31,6 +31,7 @@ VERDICTS = {
     "no-area": "the ground contacts span no area",
     "no-contact": "no collision geometry in contact with the ground",
     "no-mass": "no mass",
+    "unknown": "not known: collision meshes that may touch the ground cannot be read",
 }
 
 
@@ -72,6 +73,8 @@ class StandingVerdict(Record):
     #: Links whose visual touches the ground and that have no collision.
     visual_only: tuple[str, ...] = ()
     visuals: bool = False  # True if ``visual_only`` links count as contacts
+    #: Links with a collision mesh that is missing or cannot be read; it may reach lower.
+    unread: tuple[str, ...] = ()
 
     def facts(self) -> dict[str, object]:
         """The result for JSON; lengths in m, angles in rad, None for values without a result."""
@@ -84,6 +87,7 @@ class StandingVerdict(Record):
             "links": self.links,
             "visual_only": self.visual_only,
             "visuals": self.visuals,
+            "unread": self.unread,
         }
 
 
@@ -110,8 +114,12 @@ def standing_verdict(
     placed = frames(tree, pose or {})
     try:
         lowest = lowest_points(robot, placed, contacts, visuals=True, meshes=True)
+        unread = _unread(robot, lowest)
     except ImportError:
         lowest = lowest_points(robot, placed, contacts, visuals=True, meshes=False)
+        unread = ()
+    if unread:
+        return StandingVerdict("unknown", unread=unread)
     by_name = tree.model.links_by_name
     with_visuals = touching = touching_points(lowest)
     if not visuals:
@@ -129,6 +137,19 @@ def standing_verdict(
     else:
         verdict = "no-area" if sum(mass for mass, _ in loads) > 0 else "no-mass"
     return StandingVerdict(verdict, tuple(touching), result, visual_only, visuals)
+
+
+def _unread(robot: Robot, names: Collection[str]) -> tuple[str, ...]:
+    """The links among these with a collision mesh that is missing or cannot be read."""
+    by_name = robot.model.links_by_name
+    return tuple(
+        name
+        for name in names
+        if any(
+            body.shape and body.shape.filename is not None and robot.meshes.mesh(body.shape) is None
+            for body in by_name[name].collisions
+        )
+    )
 
 
 def stand(
