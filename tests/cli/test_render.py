@@ -178,7 +178,7 @@ def test_a_missing_file_name_is_rejected(capsys: pytest.CaptureFixture[str]) -> 
 @pytest.mark.parametrize(
     ("content", "said"),
     [
-        ('<robot name="r"/>', "no links"),
+        ('<robot name="r"/>', "it has no link"),
         ('<robot name="r"><link name="a"/></robot>', "--layers frames,names"),
     ],
 )
@@ -190,6 +190,33 @@ def test_an_empty_image_is_rejected(
     assert main(["render", str(path), "-o", str(tmp_path / "r.png")]) == 2
     assert said in capsys.readouterr().err
     assert not (tmp_path / "r.png").exists()
+
+
+BODY = "<{0}><geometry><sphere radius='{1}'/></geometry></{0}>"
+TOP = """<link name="top">{}</link><joint name="j" type="fixed"><parent link="base"/>
+<child link="top"/></joint><link name="end">{}</link><joint name="k" type="fixed">
+<parent link="top"/><child link="end"/></joint>"""
+
+
+@pytest.mark.parametrize(
+    ("base", "links", "said"),
+    [
+        ("collision", "", "note: no link has a <visual>: collision shapes are drawn\n"),
+        ("visual", "collision", "note: not drawn: 2 links with <collision> only; try --layers "),
+        ("visual", "visual", ""),
+    ],
+)
+def test_collisions_of_a_robot_with_few_visuals(
+    base: str, links: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "r.urdf"
+    others = TOP.format(*[BODY.format(links, 0.1)] * 2) if links else ""
+    path.write_text(
+        f'<robot name="r"><link name="base">{BODY.format(base, 1)}</link>{others}</robot>'
+    )
+    assert main(["render", str(path), "-o", str(tmp_path / "r.png"), *SMALL]) == 0
+    assert capsys.readouterr().err.startswith(said)
+    assert (tmp_path / "r.png").exists()
 
 
 def test_letters_without_a_font_are_reported(

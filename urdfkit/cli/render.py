@@ -15,6 +15,7 @@ from urdfkit.cli.progress import progress_bar, working
 from urdfkit.cli.robot import last_file, one_robot
 from urdfkit.cli.robot import robot as read_robot
 from urdfkit.core.temporary import scratch
+from urdfkit.core.words import counted
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.source import shown
 
@@ -34,7 +35,11 @@ _NAMED = 5
 @one_robot
 @option("-o, --output FILE", "Image to write: .png, .webp, .jpg ...", required=True)
 @option("--view NAMES", f"{', '.join(VIEWS)}, or all.", to="views", multiple=True)
-@option("--layers NAMES", "visual, collision, frames ...", multiple=True)
+@option(
+    "--layers NAMES",
+    "visual, collision, frames, joints, mass, inertia, contacts, names.",
+    multiple=True,
+)
 @option("--findings", "Colour links with errors red, with warnings orange.")
 @posed
 @option("--turntable", "Turntable animation as .gif, .webp or .apng.")
@@ -84,7 +89,10 @@ def command(inputs: dict[str, Any], **values: Any) -> int:
         pose = positions(robot, inputs)
         scene = _scene(robot, pose, values)
         if not scene.items:
-            raise UrdfkitError(_nothing(files[0], robot))
+            raise UrdfkitError(
+                f"{files[0]}: nothing to draw: no geometry in these layers; "
+                "try --layers frames,names"
+            )
         if values["turntable"] or values["sweep"]:
             _animation(robot, pose, scene, values)
         else:
@@ -99,7 +107,7 @@ def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Sc
     from urdfkit.lint.engine import check_with
     from urdfkit.lint.options import Options
 
-    layers = options.words(values, "layers") or ["visual"]
+    layers = options.words(values, "layers") or _default_layers(robot)
     roles = tuple(layer for layer in layers if layer in ("visual", "collision"))
     scene = render.build(robot, pose, roles)
     scene = render.with_layers(scene, robot, [name for name in layers if name not in roles], pose)
@@ -109,6 +117,19 @@ def _scene(robot: Context, pose: dict[str, float], values: dict[str, Any]) -> Sc
     with working():
         report = check_with(as_read, [robot.source], robot.resolver)
     return render.marked(scene, robot, report.diagnostics)
+
+
+def _default_layers(robot: Context) -> list[str]:
+    """The visuals, or the collisions of a robot without visuals."""
+    seen = sum(bool(link.visuals) for link in robot.model.links)
+    hidden = sum(bool(link.collisions and not link.visuals) for link in robot.model.links)
+    if hidden and not seen:
+        output.note("no link has a <visual>: collision shapes are drawn")
+        return ["collision"]
+    if hidden > seen:
+        links = counted(hidden, "link")
+        output.note(f"not drawn: {links} with <collision> only; try --layers visual,collision")
+    return ["visual"]
 
 
 def _picture(scene: Scene, values: dict[str, Any]) -> None:
@@ -229,12 +250,6 @@ def _background(word: str | None) -> Background | None:
         return None
     rgb = render.colour(word)
     return rgb, rgb
-
-
-def _nothing(file: str, robot: Context) -> str:
-    if not robot.model.links:
-        return f"{file}: nothing to draw: no links (a file with only macros?)"
-    return f"{file}: nothing to draw: no geometry in these layers; try --layers frames,names"
 
 
 def _print_notes(scene: Scene) -> None:

@@ -123,7 +123,7 @@ def robot(inputs: Mapping[str, Any], progress: Progress | None = None) -> Contex
 
     Raises:
         UsageError: there is no file, or more than one.
-        UrdfkitError: the file cannot be read.
+        UrdfkitError: the file cannot be read, or has no link.
     """
     file = only_file(inputs)
     read_options = reading(inputs, file)
@@ -141,6 +141,8 @@ def robot(inputs: Mapping[str, Any], progress: Progress | None = None) -> Contex
             raise
         raise first_error(error, file) from error
     require_robot(context)
+    if not context.model.links:
+        raise UnreadableRobot(context.tree.unsound)
     for launched in context.launched:
         values = " ".join(f"{name}:={value}" for name, value in launched.arguments.items())
         output.note(f"read with {values} of {shown(launched.launch)}")
