@@ -253,5 +253,5 @@ def generate_launch_description():
 """
     text = text.replace("PACKAGE", package).replace("BRIDGE", f"{tmp_path}/arm/bridge.yaml")
     files = {"bridge.yaml": bridge}
-    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text, files)
+    found = reported(tmp_path / "arm", "LAU032", "a.launch.py", text, files)
     assert ["'/scan', which nothing publishes" in one.message for one in found] == [True] * count

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, systems
+from tests.checks.worlds.started import CLASSIC, INCLUDE, systems
 from tests.checks.worlds.started import findings as of_world
 from tests.gazebos import BASE, block, child, plugin, sensor
 from tests.jointed import joint, limit
@@ -172,13 +172,11 @@ def test_a_world_that_one_of_several_launch_files_starts_in_the_other_gazebo(
     tmp_path: Path,
 ) -> None:
     """Its plugins are right; to remove them breaks it where it is started as it should be."""
-    classic = INCLUDE.replace("ros_gz_sim", "gazebo_ros").replace("gz_sim", "gazebo")
-    classic = classic.replace('"gz_args": ["-r ", share', '"world": [share')
-    (found,) = of_world(tmp_path, "WLD002", world=systems("physics", "sensors"), launch=classic)
+    (found,) = of_world(tmp_path, "WLD005", world=systems("physics", "sensors"), launch=CLASSIC)
     assert found.message == naming("hall", "Gazebo", "Classic", "none", "2")
     assert found.span.source.path.endswith(".launch.py")
     mixed = systems("physics") + '<plugin name="p" filename="libgazebo_ros_state.so"/>'
-    (found,) = of_world(tmp_path, "WLD002", world=mixed, launch=classic)
+    (found,) = of_world(tmp_path, "WLD005", world=mixed, launch=CLASSIC)
     assert found.help == "remove it"
 
 
@@ -355,8 +353,7 @@ def test_a_model_that_gz_sim_starts(tmp_path: Path, world: str) -> None:
     add_file(tmp_path / "worlds" / "hall.sdf", b'<sdf version="1.9"><model name="hill"/></sdf>')
     topic = f"/world/{world}/pose/info@geometry_msgs/msg/PoseArray@gz.msgs.Pose_V"
     bridge = f'Node(package="ros_gz_bridge", executable="parameter_bridge", arguments=["{topic}"])'
-    found = of_world(tmp_path, "WLD002", launch=f"{INCLUDE}{bridge}\n")
-    assert len(found) == (world != "default")
-    classic = INCLUDE.replace("ros_gz_sim", "gazebo_ros").replace("gz_sim", "gazebo")
-    classic = classic.replace('"gz_args": ["-r ", share', '"world": [share')
-    assert len(of_world(tmp_path, "WLD002", launch=classic)) == 1
+    launch = f"{INCLUDE}{bridge}\n"
+    assert of_world(tmp_path, "WLD002", launch=launch) == []
+    assert len(of_world(tmp_path, "WLD007", launch=launch)) == (world != "default")
+    assert len(of_world(tmp_path, "WLD002", launch=CLASSIC)) == 1

@@ -1,4 +1,4 @@
-"""LAU021, LAU022: what a robot in Gazebo Classic publishes."""
+"""LAU021, LAU032: what a robot in Gazebo Classic publishes."""
 
 from pathlib import Path
 
@@ -51,7 +51,7 @@ def messages(directory: Path, code: str, ros: str, drive: str = "", spawn: str =
     ],
 )
 def test_topics(tmp_path: Path, ros: str, spawn: str, topic: str) -> None:
-    found = [one for one in messages(tmp_path, "LAU022", ros, "", spawn) if "LaserScan" in one]
+    found = [one for one in messages(tmp_path, "LAU032", ros, "", spawn) if "LaserScan" in one]
     assert [topic in one for one in found] == [True] * bool(topic)
 
 

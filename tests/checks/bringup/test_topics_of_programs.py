@@ -122,7 +122,7 @@ container = Node(
 def test_a_container_that_nothing_starts(
     tmp_path: Path, composed: str, more: str, count: int
 ) -> None:
-    found = messages(tmp_path, "LAU022", INCLUDE.format(composed) + more, {})
+    found = messages(tmp_path, "LAU030", INCLUDE.format(composed) + more, {})
     assert ["'nav2_container'" in one for one in found] == [True] * count
 
 
@@ -293,7 +293,7 @@ def test_drivers_that_are_not_installed(
     tmp_path: Path, program: tuple[str, str], more: str, topic: str
 ) -> None:
     text = DRIVEN.replace("PACKAGE", program[0]).replace("EXECUTABLE", program[1])
-    found = messages(tmp_path, "LAU022", text.replace("MORE", more), AMCL_FILES)
+    found = messages(tmp_path, "LAU032", text.replace("MORE", more), AMCL_FILES)
     found = [one for one in found if "unconfigured" not in one]
     assert [f"are on '{topic}'" in one for one in found] == [True] * bool(topic)
 
@@ -360,5 +360,5 @@ def test_sliders_in_a_simulation(tmp_path: Path, spawn: str, more: str, count: i
     program = 'package="joint_state_publisher", executable="joint_state_publisher"'
     other = 'Node(package="rviz2", executable="rviz2", parameters=[{"use_sim_time": True}])'
     text = f"{IMPORT}nodes = [{spawn} {other}, Node({program}, parameters=[{more}])]\n"
-    found = messages(tmp_path, "LAU022", text, {})
+    found = messages(tmp_path, "LAU031", text, {})
     assert sum("joint_state_publisher lacks use_sim_time" in one for one in found) == count

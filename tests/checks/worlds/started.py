@@ -40,6 +40,12 @@ def generate_launch_description():
     )
     return LaunchDescription([gazebo, robot])
 """
+#: The same in Gazebo Classic.
+CLASSIC = (
+    INCLUDE.replace("ros_gz_sim", "gazebo_ros")
+    .replace("gz_sim", "gazebo")
+    .replace('"gz_args": ["-r ", share', '"world": [share')
+)
 
 
 def systems(*names: str) -> str:
@@ -81,3 +87,9 @@ def findings(
 def messages(directory: Path, code: str, **files: Any) -> list[str]:
     """The messages of these findings."""
     return [finding.message for finding in findings(directory, code, **files)]
+
+
+def only_finding(directory: Path, code: str, **files: Any) -> Diagnostic:
+    """The finding of a rule that has one."""
+    (found,) = findings(directory, code, **files)
+    return found

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, SENSOR, findings, messages, systems
+from tests.checks.worlds.started import CLASSIC, INCLUDE, SENSOR, findings, messages, systems
 from tests.naming import naming
 from urdfkit import Severity
 
@@ -169,9 +169,7 @@ def test_classic_without_the_factory(command: str, tmp_path: Path) -> None:
 
 
 def test_the_launch_files_of_classic_load_the_factory(tmp_path: Path) -> None:
-    launch = INCLUDE.replace("ros_gz_sim", "gazebo_ros").replace("gz_sim", "gazebo")
-    launch = launch.replace('"gz_args": ["-r ", share', '"world": [share')
-    assert messages(tmp_path, CODE, world="", launch=launch + SPAWN) == []
+    assert messages(tmp_path, CODE, world="", launch=CLASSIC + SPAWN) == []
 
 
 def test_a_world_may_load_the_factory(tmp_path: Path) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
-from urdfkit.lint.rules import Context, Location, Related
+from urdfkit.lint.rules import Context, Findings, Location, Related
 from urdfkit.ros.gazebo.worlds import (
     World,
     default_systems,
@@ -41,6 +41,13 @@ class OpenedWorld(Record):
     def note(self) -> tuple[Related, ...]:
         """The start of the world, for findings in its file."""
         return (Related(self.started.span, "the world is started here"),) if self.path else ()
+
+    def noted(self, findings: Findings) -> Findings:
+        """The findings; those that are not in the launch file with this note."""
+        for finding in findings:
+            is_in_launch_file = finding.span.source is self.started.span.source
+            note = () if is_in_launch_file else self.note
+            yield finding._replace(related=(*finding.related, *note))
 
     @property
     def title(self) -> str:

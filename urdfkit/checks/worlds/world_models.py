@@ -1,15 +1,10 @@
-"""Models of a world that are missing, repeated, without mass, or fall."""
+"""Models of a world that are repeated, without mass, or fall."""
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld
-from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Finding, Findings, Related, Severity
 from urdfkit.robot.values import number
-from urdfkit.ros.catalog import data
-from urdfkit.ros.gazebo.worlds import Models, World, model_name
-from urdfkit.ros.launch.worlds import GZ
+from urdfkit.ros.gazebo.worlds import World
 from urdfkit.text.document import Element
-
-_FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
 
 
 def repeated_names(opened: OpenedWorld, world: World) -> Findings:
@@ -66,24 +61,3 @@ def falling_grounds(world: World) -> Findings:
 def _is_static(model: Element) -> bool:
     static = model.child("static")
     return static is not None and static.text.strip().lower() in ("1", "true")
-
-
-def missing_models(opened: OpenedWorld, world: World, models: Models) -> Findings:
-    """Missing models, only with a typo or a replacement: other machines may have more models."""
-    missing = [(at, uri) for at, uri in world.includes if model_name(uri) and not models.has(uri)]
-    for at, uri in missing:
-        name = model_name(uri)
-        fuel = data("worlds")["models"].get(name)
-        if suggested := nearest(name, models.directories, TYPO):
-            message = f"model '{uri}' is not found; did you mean '{suggested}'?"
-            help = f"write model://{suggested}"
-        elif fuel and opened.started.generation == GZ:
-            message = f"gz sim does not have '{uri}', which Gazebo Classic downloads"
-            help = f"write {_FUEL}{fuel}, or the model itself"
-        elif opened.started.generation == GZ:
-            message = f"model '{uri}' is not in the workspace: without it the world is not loaded"
-            help = "add its parent directory to GZ_SIM_RESOURCE_PATH, or write the model itself"
-        else:
-            continue
-        severity = Severity.WARNING if suggested or fuel else Severity.INFO
-        yield Finding(at, message, help, severity=severity)

@@ -1,4 +1,4 @@
-"""Values in a world that SDF rejects or reads otherwise, and meshes that do not exist.
+"""Values in a world that SDF rejects or reads otherwise.
 
 Sources: ``sdf/1.5`` to ``sdf/1.12`` and ``Param.cc`` of sdformat: a vector ends at its last number,
 and a number at the first other character; ``Root.cc``: a world with an error is not loaded.
@@ -6,20 +6,16 @@ and a number at the first other character; ``Root.cc``: a world with an error is
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld
-from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.robot.values import number, numbers
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.values import leading
-from urdfkit.ros.gazebo.worlds import Models, World
+from urdfkit.ros.gazebo.worlds import World
 from urdfkit.text.document import Element
-from urdfkit.workspace.gitignore import is_ignored
-from urdfkit.workspace.resolve import Resolver
 
 _COUNTS = {"pose": 6, "vector2d": 2, "vector3": 3}
 _NAMED = ("model", "link", "joint", "collision", "visual", "light", "sensor")
@@ -39,7 +35,7 @@ def invalid_values(opened: OpenedWorld, world: World) -> Findings:
         for child in element.children if element.tag in known else ():
             kind = types.get(child.tag) or types.get(f"{element.tag}/{child.tag}", "")
             text = child.text.strip()
-            if not text or child.children or _is_generated(text):
+            if not text or child.children or is_generated(text):
                 continue
             if problem := _problem(kind, text, child):
                 severity, message, help = problem
@@ -54,7 +50,7 @@ def _wrong_attributes(element: Element) -> Iterator[tuple[str, str]]:
         yield f"<{element.tag}> has no name, which SDF requires", 'write name="..."'
     choices = data("worlds")["choices"].get(element.tag, "").split()
     kind = element.get("type")
-    if choices and kind and kind not in choices and not _is_generated(kind):
+    if choices and kind and kind not in choices and not is_generated(kind):
         hint = did_you_mean(kind, choices)
         yield f"unknown type '{kind}' of <{element.tag}>{hint}", f"write {', '.join(choices)}"
 
@@ -83,45 +79,10 @@ def _problem(kind: str, text: str, at: Element) -> tuple[Severity | None, str, s
     return None
 
 
-def _is_generated(text: str) -> bool:
+def is_generated(text: str) -> bool:
+    """True for a text that a template replaces."""
     return any(mark in text for mark in _TEMPLATE_MARKS)
 
 
 def _form(kind: str) -> str:
     return {"pose": "x y z roll pitch yaw", "vector2d": "x y"}.get(kind, "x y z")
-
-
-def missing_meshes(opened: OpenedWorld, world: World, models: Models, context: Context) -> Findings:
-    """Meshes of models and packages of the workspace that do not exist."""
-    for element in world.elements:
-        uri = element.child("uri") if element.tag == "mesh" else None
-        text = uri.text.strip() if uri is not None else ""
-        if uri is None or not text or _is_generated(text):
-            continue
-        if _is_missing(text, opened.path, models, context.resolver):
-            yield Finding(
-                uri,
-                f"{opened.title}: mesh '{text}' is not found",
-                "fix the path, or add the file",
-                group_key="missing mesh",
-                severity=Severity.WARNING,
-            )
-
-
-def _is_missing(uri: str, world: str, models: Models, resolver: Resolver) -> bool:
-    """False for models and packages of others, which the robot's computer may have."""
-    scheme, _, path = uri.rpartition("://")
-    if not scheme and not os.path.isabs(uri):
-        return not _exists(f"{os.path.dirname(world)}/{uri}")
-    owner, _, file = path.partition("/")
-    directories = models.directories.get(owner, []) if scheme == "model" else []
-    is_own = directories or any(True for _ in resolver.packages.candidates(owner, world))
-    if scheme not in ("model", "package") or not file or not is_own:
-        return False
-    is_found = resolver.locate(uri, world).path is not None
-    return not is_found and not any(_exists(f"{directory}/{file}") for directory in directories)
-
-
-def _exists(path: str) -> bool:
-    """True for files that Git ignores, too, which are made by a build."""
-    return disk.is_file(path) or is_ignored(path)

@@ -1,4 +1,4 @@
-"""LAU022: see the rule; planted defects are in tests/bringup/planted.txt."""
+"""LAU030: see the rule; planted defects are in tests/bringup/planted.txt."""
 
 from pathlib import Path
 
@@ -18,7 +18,7 @@ from tests.launched import reported
     ],
 )
 def test_lifecycle_managers(tmp_path: Path, names: str, message: str) -> None:
-    found = messages("LAU022", tmp_path, PARAMETERS.format("controller_server"), CONTROLLER, names)
+    found = messages("LAU030", tmp_path, PARAMETERS.format("controller_server"), CONTROLLER, names)
     assert [message in one for one in found] == [True] * bool(message)
 
 
@@ -33,7 +33,7 @@ MANAGER = (
     [("", 1), (", 'autostart': True", 0), (", 'autostart': False", 1), (", 'autostart': x()", 0)],
 )
 def test_autostart(tmp_path: Path, more: str, count: int) -> None:
-    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", MANAGER.format(more))
+    found = reported(tmp_path / "arm", "LAU030", "a.launch.py", MANAGER.format(more))
     assert ["stay unconfigured" in one.message for one in found] == [True] * count
 
 
@@ -55,7 +55,7 @@ def test_slam_is_activated(tmp_path: Path, yaml: str, more: str, count: int) -> 
         "parameters=['../a.yaml'])\n"
     )
     files = {"a.yaml": yaml or "a: 1\n"}
-    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text + more, files)
+    found = reported(tmp_path / "arm", "LAU030", "a.launch.py", text + more, files)
     assert sum("which nothing activates" in one.message for one in found) == count
 
 
@@ -70,7 +70,7 @@ def test_a_costmap_is_no_node_of_its_own(tmp_path: Path) -> None:
         "get_package_share_directory('arm') + '/launch/a.launch.py')\n"
     )
     files = {"launch/b.launch.py": whole}
-    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text, files)
+    found = reported(tmp_path / "arm", "LAU030", "a.launch.py", text, files)
     assert ["waits for local_costmap" in one.message for one in found] == [True]
 
 
@@ -91,5 +91,5 @@ MAP_SERVER = "package='nav2_map_server', executable='map_server'"
 )
 def test_without_a_manager(tmp_path: Path, node: str, more: str, count: int) -> None:
     text = ALONE.format(node) + more.removeprefix("from launch_ros.actions import Node\n")
-    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text)
+    found = reported(tmp_path / "arm", "LAU030", "a.launch.py", text)
     assert sum("no launch file of the workspace" in one.message for one in found) == count

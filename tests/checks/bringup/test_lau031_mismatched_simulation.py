@@ -1,0 +1,162 @@
+"""LAU031: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.bringup.nodes import MANAGER, NODE, STATE, messages
+from tests.launched import reported
+
+
+@pytest.mark.parametrize(
+    ("parameters", "count"),
+    [
+        (", parameters=[{'robot_description': x}]", 1),
+        (", parameters=[{'robot_description': x, 'use_sim_time': True}]", 0),
+        (", parameters=[unknown]", 0),
+    ],
+)
+def test_clocks(tmp_path: Path, parameters: str, count: int) -> None:
+    other = NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
+    spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    bridge = NODE.format(
+        "ros_gz_bridge",
+        "parameter_bridge",
+        "arguments=['/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock']",
+    )
+    assert (
+        len(messages(tmp_path, "LAU031", STATE.format(parameters) + other + spawn + bridge))
+        == count
+    )
+    assert messages(tmp_path, "LAU031", STATE.format(parameters) + other) == []
+
+
+GAZEBO = """IncludeLaunchDescription(
+    PythonLaunchDescriptionSource(
+        os.path.join(get_package_share_directory("ros_gz_sim"), "launch", "gz_sim.launch.py")
+    ),
+    launch_arguments={"gz_args": "-r empty.sdf"}.items(),
+)
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "more", "count"),
+    [
+        # BILLEE: the remapping is in the command line
+        (", '--ros-args', '-r', '/world/w/clock:=/clock'", "", 0),
+        (", '--ros-args', '--remap', 'bridge:/world/w/clock:=/clock'", "", 0),
+        (", '--ros-args', '-r', unknown", "", 0),
+        ("", ", ros_arguments=['-r', '/world/w/clock:=/clock']", 0),
+        (", '--ros-args', '-r', '__ns:=/bot'", "", 1),
+        ("", "", 1),
+    ],
+)
+def test_a_clock_that_is_remapped(tmp_path: Path, words: str, more: str, count: int) -> None:
+    state = STATE.format(", parameters=[{'robot_description': x, 'use_sim_time': True}]")
+    spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    topic = "'/world/w/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock'"
+    bridge = NODE.format("ros_gz_bridge", "parameter_bridge", f"arguments=[{topic}{words}]{more}")
+    found = messages(tmp_path, "LAU031", state + spawn + bridge + GAZEBO)
+    assert len([one for one in found if "/clock" in one]) == count
+
+
+@pytest.mark.parametrize(
+    ("value", "words"), [("False", "is false, but"), ("True", ""), (None, "lacks use_sim_time")]
+)
+def test_a_node_without_simulation_time(tmp_path: Path, value: str | None, words: str) -> None:
+    own = f", parameters=[{{'use_sim_time': {value}}}]" if value else ", parameters=[{}]"
+    text = (
+        NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
+        + NODE.format("ros_gz_sim", "create", "arguments=['-string', '<robot/>']")
+        + STATE.format(own)
+    )
+    found = [one for one in messages(tmp_path, "LAU031", text) if "use_sim_time" in one]
+    assert len(found) == bool(words)
+    assert all(words in one for one in found)
+
+
+SWITCHED = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r"><link name="a"/>
+<xacro:arg name="sim" default="false"/>
+<ros2_control name="c" type="system"><hardware>
+<xacro:if value="$(arg sim)"><plugin>{}</plugin></xacro:if>
+<xacro:unless value="$(arg sim)"><plugin>{}</plugin></xacro:unless>
+</hardware></ros2_control>
+<gazebo><plugin filename="gz_ros2_control-system" name="p"/></gazebo></robot>"""
+GZ = "gz_ros2_control/GazeboSimSystem"
+
+
+@pytest.mark.parametrize(
+    ("simulated", "real", "arguments", "count"),
+    [
+        (GZ, "acme/Driver", "", 1),
+        (GZ, "acme/Driver", " sim:=true", 0),
+        (GZ, "acme/OwnGazeboSystem", "", 0),
+        ("acme/Other", "acme/Driver", "", 0),
+        ("acme/Other", "mock_components/GenericSystem", "", 1),
+    ],
+)
+def test_hardware_in_gazebo(
+    tmp_path: Path, simulated: str, real: str, arguments: str, count: int
+) -> None:
+    robot = f"Command(['xacro {tmp_path}/r.xacro{arguments}'])"
+    text = STATE.format(f", parameters=[{{'robot_description': {robot}}}]")
+    spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    files = {"r.xacro": SWITCHED.format(simulated, real)}
+    found = reported(tmp_path, "LAU031", "a.launch.py", text + spawn, files)
+    assert [f"not load {real}" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("first", "count"), [("true", 0), ("false", 1)])
+def test_hardware_of_a_second_description(tmp_path: Path, first: str, count: int) -> None:
+    """Elfin: the robot in Gazebo has its arguments; that for MoveIt has the defaults."""
+    node = f"Command(['xacro {tmp_path}/r.xacro sim:={first}'])"
+    text = STATE.format(f", parameters=[{{'robot_description': {node}}}]")
+    text += NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    more = f"parameters=[{{'robot_description': Command(['xacro {tmp_path}/r.xacro'])}}]"
+    text += NODE.format("moveit_ros_move_group", "move_group", more)
+    files = {"r.xacro": SWITCHED.format(GZ, "acme/Driver")}
+    found = reported(tmp_path, "LAU031", "a.launch.py", text, files)
+    words = "gz_ros2_control-system does not load acme/Driver"
+    assert len([one for one in found if words in one.message]) == count
+
+
+@pytest.mark.parametrize(("own", "count"), [("", 1), (", {'use_sim_time': True}", 0)])
+def test_move_group_without_simulation_time(tmp_path: Path, own: str, count: int) -> None:
+    text = (
+        "config = MoveItConfigsBuilder('arm', package_name='arm').to_moveit_configs()\n"
+        + NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
+        + NODE.format("moveit_ros_move_group", "move_group", f"parameters=[config.to_dict(){own}]")
+    )
+    found = messages(tmp_path, "LAU031", text)
+    assert ["move_group lacks use_sim_time" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("stated", "count"), [("true", 0), ("false", 1), (None, 1)])
+def test_simulation_time_in_a_file(tmp_path: Path, stated: str | None, count: int) -> None:
+    values = "frequency: 30.0" + (f", use_sim_time: {stated}" if stated else "")
+    text = NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]") + NODE.format(
+        "robot_localization", "ekf_node", f"name='ekf', parameters=['{tmp_path}/ekf.yaml']"
+    )
+    files = {"ekf.yaml": f"ekf: {{ros__parameters: {{{values}}}}}\n"}
+    found = reported(tmp_path, "LAU031", "a.launch.py", text, files)
+    assert sum("ekf_node" in one.message for one in found) == count
+
+
+@pytest.mark.parametrize(
+    ("real", "given", "count"),
+    [
+        ("acme/Driver", "", 1),
+        ("mock_components/GenericSystem", "", 1),
+        ("acme/MujocoSystem", "", 0),
+        ("acme/Driver", ", {'use_sim_time': False}", 0),
+    ],
+)
+def test_simulation_time_of_a_robot(tmp_path: Path, real: str, given: str, count: int) -> None:
+    robot = f"Command(['xacro {tmp_path}/r.xacro'])"
+    text = STATE.format(f", parameters=[{{'robot_description': {robot}}}]")
+    text += MANAGER.format(tmp_path, "").replace("c.yaml'", f"c.yaml'{given}")
+    stated = "controller_manager: {ros__parameters: {use_sim_time: true}}\n"
+    files = {"r.xacro": SWITCHED.format(GZ, real), "c.yaml": stated}
+    found = reported(tmp_path, "LAU031", "a.launch.py", text, files)
+    assert sum("controllers wait with use_sim_time" in one.message for one in found) == count

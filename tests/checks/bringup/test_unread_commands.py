@@ -1,0 +1,159 @@
+"""LAU032: velocity commands that nothing reads, or with another message."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.bringup.nodes import NODE, SPAWNER
+from tests.launched import reported
+from tests.naming import naming
+
+MUX = NODE.format("twist_mux", "twist_mux", "{}")
+TELEOP = NODE.format("teleop_twist_joy", "teleop_node", "{}")
+COMMANDS = NODE.format(
+    "ros_gz_bridge",
+    "parameter_bridge",
+    "arguments=['/drive/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist']",
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "topic"),
+    [
+        (MUX.format("") + COMMANDS, "/cmd_vel_out"),
+        (MUX.format("remappings=[('/cmd_vel_out', '/drive/cmd_vel')]") + COMMANDS, ""),
+        (MUX.format("remappings=[('cmd_vel_out', x)]") + COMMANDS, ""),
+        (MUX.format("") + COMMANDS.replace("]gz", "[gz"), ""),  # nothing reads any
+        (MUX.format("") + COMMANDS + NODE.format("arm", "driver", ""), ""),
+        (TELEOP.format("") + COMMANDS, "/cmd_vel"),
+        (TELEOP.format("namespace='drive'") + COMMANDS, ""),
+        (TELEOP.format("") + COMMANDS + NODE.format("nav2_velocity_smoother", "x", ""), ""),
+        (TELEOP.format("parameters=['{}/mux.yaml']") + COMMANDS, ""),
+    ],
+)
+def test_velocity_commands(tmp_path: Path, text: str, topic: str) -> None:
+    files = {"mux.yaml": "mux: {ros__parameters: {topics: {joy: {topic: cmd_vel}}}}\n"}
+    text = text.replace("{}", str(tmp_path))
+    found = [one.message for one in reported(tmp_path, "LAU032", "a.launch.py", text, files)]
+    assert [one.split("'")[3] for one in found] == [topic] * bool(topic)
+    assert all("read on '/drive/cmd_vel'" in one for one in found)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "own", "stamped", "reported_words"),
+    [
+        ("", "cmd_vel", "False", "velocity commands"),
+        ("", "/drive/cmd_vel", "False", "'/drive/cmd_vel', where TwistStamped"),
+        ("", "/drive/cmd_vel", "True", ""),
+        ("", "/drive/cmd_vel", "unknown", ""),
+        ("use_stamped_vel: false", "/drive/cmd_vel_unstamped", "False", ""),
+        ("use_stamped_vel: false", "/drive/cmd_vel_unstamped", "True", "where Twist is"),
+        ("use_stamped_vel: false", "/drive/cmd_vel", "False", "where TwistStamped"),
+        ("use_stamped_vel: false", "/cmd_vel", "False", "which nothing reads"),
+    ],
+)
+def test_velocity_commands_of_a_controller(
+    tmp_path: Path, parameters: str, own: str, stamped: str, reported_words: str
+) -> None:
+    files = {
+        "c.yaml": "controller_manager: {ros__parameters: "
+        "{drive: {type: diff_drive_controller/DiffDriveController}}}\n"
+        f"drive: {{ros__parameters: {{{parameters}}}}}\n"
+    }
+    text = (
+        NODE.format("controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']")
+        + SPAWNER.format(["drive"])
+        + TELEOP.format(
+            f"remappings=[('cmd_vel', '{own}')], "
+            f"parameters=[{{'publish_stamped_twist': {stamped}}}]"
+        )
+    )
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    assert [reported_words in one.message for one in found] == [True] * bool(reported_words)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "count"),
+    [
+        ("parameters=['{}/mux.yaml']", 1),
+        ("", 0),  # the default depends on the distribution
+        ("arguments=['--ros-args', '-p', 'use_stamped:=true']", 0),
+    ],
+)
+def test_type_of_velocity_commands(tmp_path: Path, parameters: str, count: int) -> None:
+    files = {"mux.yaml": "mux: {ros__parameters: {use_stamped: true}}\n"}
+    given = f"remappings=[('cmd_vel_out', '/drive/cmd_vel')], {parameters}"
+    text = MUX.format(given).replace("{}", str(tmp_path)) + COMMANDS
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    expected = naming("twist_mux", "TwistStamped", "/drive/cmd_vel", "where Twist is")
+    assert [one.message for one in found] == [expected] * count
+
+
+@pytest.mark.parametrize(
+    ("is_stamped", "topic", "count"), [("true", "joy", 1), ("true", "key", 0), ("false", "joy", 0)]
+)
+def test_type_of_the_inputs_of_a_mux(
+    tmp_path: Path, is_stamped: str, topic: str, count: int
+) -> None:
+    files = {
+        "mux.yaml": f"twist_mux: {{ros__parameters: {{use_stamped: {is_stamped}, "
+        "topics: {joystick: {topic: joy}}}}\n"
+    }
+    text = NODE.format(
+        "twist_mux", "twist_mux", f"parameters=['{tmp_path}/mux.yaml']"
+    ) + TELEOP.format(f"remappings=[('cmd_vel', '{topic}')]")
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    assert sum("where TwistStamped" in one.message for one in found) == count
+
+
+NAVIGATION = """
+IncludeLaunchDescription(
+    PythonLaunchDescriptionSource(
+        [FindPackageShare('nav2_bringup'), '/launch/navigation_launch.py']
+    ),
+    launch_arguments={{'params_file': '{}/nav2.yaml'}}.items(),
+)
+"""
+MONITOR = "collision_monitor: {{ros__parameters: {{cmd_vel_in_topic: {}, use_sim_time: true}}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("topic", "count"), [("cmd_vel_smoothed", 0), ("cmd_vel_nav", 0), ("cmd_vel_raw", 1)]
+)
+def test_commands_of_the_collision_monitor(tmp_path: Path, topic: str, count: int) -> None:
+    files = {"nav2.yaml": MONITOR.format(topic)}
+    text = NAVIGATION.format(tmp_path)
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    words = "'velocity_smoother' publishes '/cmd_vel_smoothed'"
+    assert [words in one.message for one in found] == [True] * count
+
+
+OUT = "collision_monitor: {{ros__parameters: {{cmd_vel_out_topic: {}, use_sim_time: true}}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("topic", "other", "count"),
+    [
+        ("drive/cmd_vel", "", 0),
+        ("drive/cmd_vels", "", 1),
+        ("cmd_vel_nav", "", 0),  # of the smoother
+        ("mux/nav", "mux: {ros__parameters: {topics: {nav: {topic: mux/nav}}}}\n", 0),
+    ],
+)
+def test_output_of_the_collision_monitor(
+    tmp_path: Path, topic: str, other: str, count: int
+) -> None:
+    files = {"nav2.yaml": OUT.format(topic) + other}
+    remapped = MUX.format("remappings=[('cmd_vel_out', '/drive/cmd_vel')]")
+    text = NAVIGATION.format(tmp_path) + COMMANDS + remapped
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    expected = ["write drive/cmd_vel"] * count
+    assert [one.help for one in found if "collision_monitor" in one.message] == expected
+
+
+def test_a_mux_does_not_read_its_own_output(tmp_path: Path) -> None:
+    yaml = "mux: {ros__parameters: {use_stamped: false, topics: {nav: {topic: /cmd_vel_nav}}}}\n"
+    given = f"remappings=[('cmd_vel_out', '/cmd_vel_x')], parameters=['{tmp_path}/mux.yaml']"
+    text = MUX.format(given) + COMMANDS
+    (found,) = reported(tmp_path, "LAU032", "a.launch.py", text, {"mux.yaml": yaml})
+    assert found.help == "remap /cmd_vel_x to /drive/cmd_vel"

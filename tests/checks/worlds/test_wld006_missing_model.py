@@ -1,0 +1,47 @@
+"""WLD006: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.worlds.started import (
+    CLASSIC,
+    messages,
+    only_finding,
+)
+from tests.naming import naming
+from urdfkit import Severity
+
+CODE = "WLD006"
+
+
+def test_missing_models(tmp_path: Path) -> None:
+    include = "<include><uri>model://{}</uri></include>"
+    files = {"models/big_shelf/model.config": "<model/>"}
+    assert messages(tmp_path, CODE, world=include.format("big_shelf"), files=files) == []
+    (typo,) = messages(tmp_path, CODE, world=include.format("big_shlef"))
+    assert typo == naming("model://big_shlef", "big_shelf")
+    unknown = only_finding(tmp_path, CODE, world=include.format("cafe"))
+    assert (unknown.severity, "not in the workspace" in unknown.message) == (Severity.INFO, True)
+    for name in ("sun", "ground_plane"):
+        (online,) = messages(tmp_path, CODE, world=include.format(name))
+        assert online == naming(f"model://{name}", "Gazebo", "Classic")
+        assert messages(tmp_path, CODE, world=include.format(name), launch=CLASSIC) == []
+
+
+@pytest.mark.parametrize(
+    ("uri", "count"),
+    [
+        ("model://shelf/shelf.dae", 0),
+        ("model://shelf/other.dae", 1),
+        ("model://elsewhere/shelf.dae", 0),
+        ("file:///opt/shelf.dae", 0),
+        ("shelf.dae", 1),
+    ],
+)
+def test_meshes_of_a_world(tmp_path: Path, uri: str, count: int) -> None:
+    shape = f"<geometry><mesh><uri>{uri}</uri></mesh></geometry>"
+    world = f'<model name="m"><link name="l"><visual name="v">{shape}</visual></link></model>'
+    files = {"models/shelf/model.config": "<model/>", "models/shelf/shelf.dae": "x"}
+    found = messages(tmp_path, CODE, world=world, files=files)
+    assert ["is not found" in one for one in found] == [True] * count

@@ -1,0 +1,35 @@
+"""WLD007: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.worlds.started import (
+    INCLUDE,
+    messages,
+    only_finding,
+)
+
+CODE = "WLD007"
+SPAWN = '\nNode(package="ros_gz_sim", executable="create", arguments=["-topic", "r", {}])\n'
+
+
+@pytest.mark.parametrize(
+    "argument", ['"-world", "halle"', '"-world=default"', '"--world", "empty"']
+)
+def test_spawned_into_another_world(argument: str, tmp_path: Path) -> None:
+    reported = only_finding(tmp_path, CODE, world="", launch=INCLUDE + SPAWN.format(argument))
+    assert "'hall' is started" in reported.message
+    same = SPAWN.format('"-world", "hall"')
+    assert messages(tmp_path, CODE, world="", launch=INCLUDE + same) == []
+    assert messages(tmp_path, CODE, world="", launch=INCLUDE + SPAWN.format("")) == []
+
+
+@pytest.mark.parametrize(("name", "count"), [("hall", 0), ("empty", 1)])
+def test_topics_of_another_world(tmp_path: Path, name: str, count: int) -> None:
+    topic = f"/world/{name}/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock"
+    bridge = (
+        f'\nNode(package="ros_gz_bridge", executable="parameter_bridge", arguments=["{topic}"])'
+    )
+    found = messages(tmp_path, CODE, world="", launch=INCLUDE + bridge)
+    assert ["'empty', but world 'hall'" in each for each in found] == [True] * count

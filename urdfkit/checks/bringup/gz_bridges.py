@@ -1,0 +1,19 @@
+"""Bridges between gz-sim and ROS."""
+
+from urdfkit.ros.launch.bridges import is_bridge
+from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.spawning import model_spawner
+
+
+def bridges_of_gz(programs: tuple[StartedProgram, ...]) -> list[StartedProgram] | None:
+    """The bridges of a gz-sim with a robot; None without it, or if their topics are unknown."""
+    is_spawned = any(node.package == "ros_gz_sim" and model_spawner(node) for node in programs)
+    bridges = [node for node in programs if is_bridge(node)]
+    return bridges if is_spawned and all(map(_is_known, bridges)) else None
+
+
+def _is_known(bridge: StartedProgram) -> bool:
+    """True if all topics of a bridge are known."""
+    has_file = bridge.parameters.values.get("config_file", "") is not None
+    is_whole = bridge.parameters.every is not None
+    return has_file and is_whole and all(word.text is not None for word in bridge.words)

@@ -1,0 +1,33 @@
+"""Launch files of which all programs are known."""
+
+from urdfkit.checks.bringup.unread_commands import is_part_of_ros
+from urdfkit.lint.rules import Context
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.collect import UNKNOWN
+from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.workspace.ros_packages import comes_with_ros
+
+
+def known_programs(context: Context) -> tuple[StartedProgram, ...]:
+    """The programs of a launch file; none if not all of them are known."""
+    programs = context.launch.programs
+    is_known = _is_whole(context.launch) and all(node.is_sure for node in programs)
+    return programs if is_known else ()
+
+
+def are_topics_known(context: Context) -> bool:
+    """True if a launch file starts known programs in known namespaces, and nothing else."""
+    launch = context.launch
+    is_whole = not launch.has_scopes and all(map(is_part_of_ros, launch.unread))
+    return is_whole and _is_whole(launch) and all(node.is_sure for node in launch.programs)
+
+
+def _is_whole(launch: Launch) -> bool:
+    """True if all referenced packages and files exist, or are part of ROS."""
+    known = {name.partition("/")[0] for name in data("nodes")["publishers"]}
+    packages = (
+        item.searched is None or comes_with_ros(item.name) or item.name in known
+        for item in launch.packages
+    )
+    files = (item.exists or item.path.startswith(f"{UNKNOWN}/") for item in launch.files)
+    return all(packages) and all(files)

@@ -1,0 +1,116 @@
+"""A model or a mesh of the world that a launch file starts is not found.
+
+- A mesh of a model or package of the workspace does not exist (warning).
+- A model that the world includes with `model://` is not in the workspace (info), or is misspelt; or
+  gz sim loads `model://sun` or `model://ground_plane`, which only Gazebo Classic downloads: the
+  world is not loaded unless the resource path contains the model (warning).
+
+Sources:
+    gz-sim, Server.cc: https://github.com/gazebosim/gz-sim/blob/gz-sim8/src/Server.cc
+    Gazebo, migration of SDF: https://github.com/gazebosim/gz-sim/blob/gz-sim8/tutorials/migration_sdf.md
+"""
+
+import os
+
+from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
+from urdfkit.checks.worlds.world_values import is_generated
+from urdfkit.core import disk
+from urdfkit.core.suggest import TYPO, nearest
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.ros.catalog import data
+from urdfkit.ros.gazebo.worlds import Models, World, model_name
+from urdfkit.ros.launch.worlds import GZ
+from urdfkit.workspace.gitignore import is_ignored
+from urdfkit.workspace.resolve import Resolver
+
+NAME = "launch/robot.launch.py"
+BAD = """\
+from ament_index_python.packages import get_package_share_directory
+from launch.actions import ExecuteProcess
+
+share = get_package_share_directory("cart")
+gazebo = ExecuteProcess(cmd=["gz", "sim", "-r", share + "/worlds/bad.sdf"])
+"""
+GOOD = BAD.replace("bad.sdf", "good.sdf")
+_WORLD = b"""\
+<sdf version="1.9">
+  <world name="hall">
+    <include><uri>model://big_%s</uri></include>
+  </world>
+</sdf>
+"""
+FILES = {
+    "package.xml": b"<package><name>cart</name></package>",
+    "models/big_shelf/model.config": b"<model/>",
+    "worlds/bad.sdf": _WORLD % b"shlef",
+    "worlds/good.sdf": _WORLD % b"shelf",
+}
+
+_FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
+
+
+@rule(Severity.WARNING, needs=(Need.LAUNCH,))
+def check(context: Context) -> Findings:
+    models = Models(context.resolver, context.source.path)
+    for opened in opened_worlds(context):
+        if opened.world is not None:
+            yield from opened.noted(_missing_meshes(opened, opened.world, models, context))
+            yield from opened.noted(_missing_models(opened, opened.world, models))
+
+
+def _missing_models(opened: OpenedWorld, world: World, models: Models) -> Findings:
+    """Missing models, only with a typo or a replacement: other machines may have more models."""
+    missing = [(at, uri) for at, uri in world.includes if model_name(uri) and not models.has(uri)]
+    for at, uri in missing:
+        name = model_name(uri)
+        fuel = data("worlds")["models"].get(name)
+        if suggested := nearest(name, models.directories, TYPO):
+            message = f"model '{uri}' is not found; did you mean '{suggested}'?"
+            help = f"write model://{suggested}"
+        elif fuel and opened.started.generation == GZ:
+            message = f"gz sim does not have '{uri}', which Gazebo Classic downloads"
+            help = f"write {_FUEL}{fuel}, or the model itself"
+        elif opened.started.generation == GZ:
+            message = f"model '{uri}' is not in the workspace: without it the world is not loaded"
+            help = "add its parent directory to GZ_SIM_RESOURCE_PATH, or write the model itself"
+        else:
+            continue
+        severity = None if suggested or fuel else Severity.INFO
+        yield Finding(at, message, help, severity=severity)
+
+
+def _missing_meshes(
+    opened: OpenedWorld, world: World, models: Models, context: Context
+) -> Findings:
+    """Meshes of models and packages of the workspace that do not exist."""
+    for element in world.elements:
+        uri = element.child("uri") if element.tag == "mesh" else None
+        text = uri.text.strip() if uri is not None else ""
+        if uri is None or not text or is_generated(text):
+            continue
+        if _is_missing(text, opened.path, models, context.resolver):
+            yield Finding(
+                uri,
+                f"{opened.title}: mesh '{text}' is not found",
+                "fix the path, or add the file",
+                group_key="missing mesh",
+            )
+
+
+def _is_missing(uri: str, world: str, models: Models, resolver: Resolver) -> bool:
+    """False for models and packages of others, which the robot's computer may have."""
+    scheme, _, path = uri.rpartition("://")
+    if not scheme and not os.path.isabs(uri):
+        return not _exists(f"{os.path.dirname(world)}/{uri}")
+    owner, _, file = path.partition("/")
+    directories = models.directories.get(owner, []) if scheme == "model" else []
+    is_own = directories or any(True for _ in resolver.packages.candidates(owner, world))
+    if scheme not in ("model", "package") or not file or not is_own:
+        return False
+    is_found = resolver.locate(uri, world).path is not None
+    return not is_found and not any(_exists(f"{directory}/{file}") for directory in directories)
+
+
+def _exists(path: str) -> bool:
+    """True for files that Git ignores, too, which are made by a build."""
+    return disk.is_file(path) or is_ignored(path)
