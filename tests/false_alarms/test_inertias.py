@@ -34,6 +34,17 @@ def test_a_floor_under_the_moments_of_many_links_is_one_finding() -> None:
     assert len(found.related) == 11
 
 
+@pytest.mark.parametrize(("name", "count"), [("ballast", 0), ("wheel", 1)])
+def test_weights_that_balance_a_robot(name: str, count: int) -> None:
+    """A surface vehicle, trimmed by a heavier weight in front."""
+    robot = "".join(
+        link(f"{name}_{n}", inertial(mass, (1e-3 * mass,) * 3))
+        + joint("base", f"{name}_{n}", "fixed", f"{x} -0.25 0")
+        for n, mass, x in ((1, 0.14, 0.225), (2, 0.02, -0.225))
+    )
+    assert len(reported("INE012", link("base") + robot)) == count
+
+
 @pytest.mark.parametrize(("mass", "count"), [(59, 0), (63, 1)])
 def test_a_density_near_the_bound_is_no_finding(mass: float, count: int) -> None:
     density = 14400 * 0.0041888  # a ball of 0.1 m is of 0.0041888 m^3

@@ -6,7 +6,7 @@ import pytest
 
 from tests.jointed import joint, limit, robot
 from tests.launched import reported
-from tests.workspaces import add_file
+from tests.workspaces import add_file, add_package
 from urdfkit import check
 
 SRDF = """<robot name="hand"><group name="g"><joint name="finger"/></group>
@@ -34,3 +34,23 @@ def test_the_started_revision_has_the_limit(
     reported(package, "SRD004", "a.launch", PARAM, files)
     report = check(package / "rev1" / "hand.urdf", select=["SRD004", "SRD015"])
     assert len(report.diagnostics) == count
+
+
+@pytest.mark.parametrize(("named", "count"), [("leg", 0), ("arm", 1)])
+def test_the_robot_of_a_package_that_is_absent(tmp_path: Path, named: str, count: int) -> None:
+    """z1_ros: the assistant and the launch files name a robot of another repository."""
+    (tmp_path / "LICENSE").touch()
+    add_file(
+        add_package(tmp_path / "arm", "arm") / "urdf" / "r.urdf",
+        f'<robot name="r">{robot(joint("a", "fixed"), joint("b", "fixed"))}</robot>',
+    )
+    moveit = add_package(tmp_path / "arm_moveit_config", "arm_moveit_config")
+    setup = "moveit_setup_assistant_config:\n  URDF:\n    package: leg\n    relative_path: r.urdf\n"
+    launch = f'<launch><param name="r" command="xacro $(find {named})/r.urdf"/></launch>'
+    group = '<group name="g"><link name="gripper"/><joint name="a"/><joint name="b"/></group>'
+    disabled = '<disable_collisions link1="gripper" link2="base" reason="Never"/>'
+    add_file(moveit / ".setup_assistant", setup)
+    add_file(moveit / "launch" / "planning_context.launch", launch)
+    add_file(moveit / "config" / "r.srdf", f'<robot name="r">{group}{disabled}</robot>')
+    codes = {one.code for one in check(tmp_path, select=["SRD001"]).diagnostics}
+    assert len(codes) == count

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 MAX_ELEMENTS = 1_000_000
 #: Most entities and nested groups of a DTD; expat processes both by recursion.
 MAX_DTD_DEPTH = 1000
+#: The value of a namespace, in the root element of a well-formed file.
+_SPACED_NAMESPACE = rb"""\sxmlns(?::[\w.-]+)?\s*=\s*["']([^"'<>]*\s[^"'<>]*)["']"""
 #: Most locations of the same defect that are reported.
 MAX_RELATED = 5
 
@@ -255,4 +257,9 @@ def _expat_problem(source: Source, data: bytes, *, namespaces: bool = False) -> 
     except expat.ExpatError as error:
         at = parser.ErrorByteIndex
         return Problem("XML001", Span(source, at, at), expat.ErrorString(error.code))
+    if declared := re.search(_SPACED_NAMESPACE, data):
+        message = "white space in a namespace: xacro and Python's XML parsers reject the file"
+        return Problem(
+            "XML001", Span(source, *declared.span(1)), message, "write the namespace without it"
+        )
     return Problem("XML001", Span(source, 0, 0), "not well-formed")

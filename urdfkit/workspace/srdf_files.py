@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.launch_files import launch_files
 from urdfkit.workspace.resolve import Resolver
 
 _SRDF, _ROBOT = (".srdf", ".srdf.xacro"), (".urdf", ".xacro")
@@ -59,8 +60,7 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     for moveit in _moveit_packages(robot, resolver):
         setup = setup_assistant(moveit)
         is_for = package is not None and setup.is_for(robot, package)
-        # A package that is unknown has been renamed since the assistant ran.
-        is_stale = setup.package not in resolver.packages.known(robot)
+        is_stale = _is_renamed(setup, moveit, robot, resolver)
         if not setup.urdf or is_stale or (is_for and setup.has_arguments):
             for directory in _directories(moveit, setup):
                 directories.update(dict.fromkeys((directory, *_inner(directory, resolver))))
@@ -68,6 +68,16 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     return [path for path in files if _may_have_name(path, name)] or [
         path for path in files if _is_started_with(path, robot, resolver)
     ]
+
+
+def _is_renamed(setup: SetupAssistant, moveit: str, robot: str, resolver: Resolver) -> bool:
+    """True if the package of the robot was renamed since the assistant ran.
+
+    One that launch files still name is not in the workspace; its robot may be another one.
+    """
+    if setup.package in resolver.packages.known(robot):
+        return False
+    return not setup.package or not any(launch_files(moveit, setup.package, resolver))
 
 
 def is_of_namesake(srdf: str, robot: str, resolver: Resolver) -> bool:

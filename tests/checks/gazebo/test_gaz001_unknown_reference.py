@@ -67,3 +67,15 @@ def test_properties_of_a_link_of_another_robot(tag: str, reference: str, severit
     """Jupiter's `jupiter2_gazebo.xacro`, which holds the plates of the larger robot."""
     (found,) = reported("GAZ001", BASE + block(tag, reference))
     assert found.severity.value == severity
+
+
+@pytest.mark.parametrize("name", ["${ns}/camera", "robot1/camera"])
+def test_a_prefix_is_written_as_in_the_name_of_the_link(name: str) -> None:
+    """A robot of several: its prefix is an argument."""
+    text = f"""<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">
+<xacro:property name="ns" value="robot1"/><link name="base"/><link name="{name}"/>
+<joint name="j" type="fixed"><parent link="base"/><child link="{name}"/></joint>
+<gazebo reference="camera"><sensor name="s" type="camera"/></gazebo></robot>"""
+    (found,) = reported("GAZ001", text.encode(), "robot.xacro")
+    assert found.help == naming("robot1/camera") if name == "robot1/camera" else name in found.help
+    assert bool(found.fix) is (name == "robot1/camera")

@@ -116,3 +116,16 @@ def test_a_template_is_an_info(tag: str, severity: str) -> None:
     """Templates of ros_team_workspace: its scripts replace `$ROBOT_NAME$`."""
     found = reported("XML001", f'<robot name="r">\n  <{tag} parent="world"/>\n</robot>')
     assert {one.severity.value for one in found} == {severity}
+
+
+def test_a_namespace_with_a_line_break() -> None:
+    """A Pioneer: Python's parsers separate namespace and name by a space."""
+    robot = """<robot name="r" xmlns:controller="http://g/
+      #controller" xmlns:xacro="http://ros.org/wiki/xacro">
+  <link name="base"/>
+</robot>"""
+    (found,) = reported("XML001", robot, "robot.xacro")
+    assert (found.span.line, found.span.text.split()) == (1, ["http://g/", "#controller"])
+    assert found.message == naming("white", "namespace", "xacro")
+    assert found.help == naming("namespace")
+    assert reported("XML001", robot, "robot.urdf") == []

@@ -115,8 +115,13 @@ def _unknown(
 
         model = context.model
         defined = model.links_by_name.get(suggested) or model.joints_by_name.get(suggested)
-        fix = corrected_definition(context, defined, reference.value)
-        fix = fix or fix_value(reference, suggested)
+        written = defined.at.attributes["name"] if defined else None
+        if written and not written.literal and suggested.endswith(reference.value):
+            # The value of the prefix differs from robot to robot.
+            help = f"write the prefix as in the name of '{suggested}': {written.span.text}"
+        else:
+            fix = corrected_definition(context, defined, reference.value)
+            fix = fix or fix_value(reference, suggested)
         severity = Severity.WARNING if set(tags) <= {"material"} else None
     elif _THINGS.isdisjoint(tags):
         severity = Severity.WARNING

@@ -7,11 +7,13 @@ value.
 
 In the plane y = 0 of the root, the mirror image of a link has the y of its centre of mass, ixy and
 iyz with the other sign. One that would be the mirror image of its counterpart with another sign is
-reported if all other pairs are mirror images.
+reported if all other pairs are mirror images. Weights that balance the robot may differ.
 
 Sources:
     robotology/icub-models#269: https://github.com/robotology/icub-models/issues/269
 """
+
+import re
 
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.inertials.link_comparison import LinkInertia
@@ -23,12 +25,17 @@ from urdfkit.robot.samples import hand_xml, inertial_xml
 _ORIGINS = ['<origin xyz="0 0.02 0"/>'], ['<origin xyz="0 -0.02 0"/>']
 GOOD = hand_xml("fixed", *_ORIGINS, inertial_xml("0.015", "2.4e-6 2.4e-6 7.5e-7"))
 BAD = '"0.15"'.join(GOOD.rsplit('"0.015"', 1))
+#: Words in the names of weights that balance a robot.
+_BALANCES = r"(?i)ballast|counter_?weight|trim"
 
 
 @rule(Severity.WARNING, help="compare the two, and give both the right value")
 def check(context: Context) -> Findings:
     for left, right in context.masses.asymmetric_pairs:
-        yield _of_mass(left, right) if unlike(left, right) == "mass" else _of_inertia(left, right)
+        if unlike(left, right) != "mass":
+            yield _of_inertia(left, right)
+        elif not re.search(_BALANCES, left.link.name):
+            yield _of_mass(left, right)
     for wrong in wrong_signs(context.masses):
         yield _of_sign(wrong)
 
