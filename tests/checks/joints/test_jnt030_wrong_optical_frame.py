@@ -37,6 +37,11 @@ def test_other_ways_are_reported_and_fixed(rpy: str, way: str) -> None:
     assert 'rpy="-1.5707963 0 -1.5707963"' in fixed("JNT030", robot(rpy))
 
 
+def test_the_fix_keeps_the_digits_of_the_file() -> None:
+    text = robot("-1.57079632679 0 1.57079632679")
+    assert 'rpy="-1.57079632679 0 -1.57079632679"' in fixed("JNT030", text)
+
+
 @pytest.mark.parametrize(
     ("rpy", "camera", "optical"),
     [

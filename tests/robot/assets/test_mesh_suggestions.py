@@ -92,6 +92,18 @@ def test_the_part_of_another_model_is_not_what_was_meant(package: Path) -> None:
     assert nearest(package, "package://arm/mesh/ur5/base.stl") != [None]
 
 
+def test_a_file_of_the_same_name_in_the_directory_of_another_robot_is_not_sure(
+    package: Path,
+) -> None:
+    """UR10 and UR10e have meshes of the same names."""
+    add_file(package / "meshes" / "ur10" / "visual" / "base.stl")
+    add_file(package / "meshes" / "ur10e" / "visual" / "forearm.stl")
+    found = Suggestion("package://arm/meshes/ur10e/visual/forearm.stl", sure=False)
+    assert nearest(package, "package://arm/meshes/ur10/visual/forearm.stl") == [found]
+    moved = found._replace(sure=True)  # the directory was renamed
+    assert nearest(package, "package://arm/meshes/old/visual/forearm.stl") == [moved]
+
+
 def test_the_search_for_names_is_bounded(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for number in range(10):
         add_file(package / f"directory{number}" / "x" / "forearm.stl")

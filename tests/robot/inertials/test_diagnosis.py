@@ -114,6 +114,14 @@ def test_a_unit_that_the_other_links_do_not_have(factor: float, confidence: Conf
     assert (diagnosis.cause, diagnosis.confidence) == ("is in lb·ft²", confidence)
 
 
+def test_a_computed_tensor_fits_a_unit_exactly_or_by_chance() -> None:
+    """m (3 r + l) / 12 and m r / 2 of a cylinder, not squared, were taken for lb·ft²."""
+    mass, radius, length = 0.44, 0.048, 0.04
+    across, along = mass * (3 * radius + length) / 12, mass * radius / 2
+    shape = f'<cylinder radius="{radius}" length="{length}"/>'
+    assert unlike(part("a", mass, (across, across, along), shape)).cause == ""
+
+
 def test_about_the_origin_of_the_link() -> None:
     # The ball of 1 kg has 0.004; 0.5 m away it has 0.254 across.
     diagnosis = unlike(part("a", 1, (0.004, 0.254, 0.254), BALL, xyz="0.5 0 0"))

@@ -19,6 +19,8 @@ Sources:
     gazebo_ros_camera.cpp of ROS 2: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/ros2/gazebo_plugins/src/gazebo_ros_camera.cpp
 """
 
+from math import pi
+
 from urdfkit.core.spatial import Z_AXIS, Rotation, multiply, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.joint import Joint
@@ -183,4 +185,9 @@ def _forward(rotation: Rotation) -> str:
 def _fix(joint: Joint) -> Fix | None:
     origin = joint.at.child("origin")
     rpy = origin.attributes.get("rpy") if origin else None
-    return fix_value(rpy, "-1.5707963 0 -1.5707963") if rpy else None
+    if rpy is None:
+        return None
+    # The digits of the file, if it has a right angle with as many.
+    written = (value.lstrip("+-") for value in rpy.value.split())
+    angle = next((text for text in written if abs(float(text) - pi / 2) < 1e-7), "1.5707963")
+    return fix_value(rpy, f"-{angle} 0 -{angle}")

@@ -114,7 +114,8 @@ class MeshSuggestions:
 
         Of several, the only one that shares the most parent directories with the missing file, or
         of these the only one that is nearest to the model, which is not certain. Without a package
-        only a file below the parent directory of the model is certain.
+        only a file below the parent directory of the model is certain. Of `ur10/visual` and
+        `ur10e/visual`, a file in the one is not certain for the other.
         """
         base = located.directory or self._searched(located)
         directory, expected = os.path.split(located.relative)
@@ -138,7 +139,8 @@ class MeshSuggestions:
             return None
         home = located.directory or self._files.resolver.packages.enclosing(self._files.top)
         is_near = bool(home) or is_within(files[0], os.path.dirname(here))
-        return Candidate(files[0], is_only and is_near and not any_format)
+        is_other_part = best > 0 and self._directories.entries(os.path.join(base, directory))
+        return Candidate(files[0], is_only and is_near and not (any_format or is_other_part))
 
     def _searched(self, located: ResolvedReference) -> str:
         """The package of an absolute path, else that of the model, else its workspace."""

@@ -103,8 +103,14 @@ def _is_invented(link: LinkInertia, expected: Tensor) -> bool:
     if link.is_diagonal and {*link.diagonal} == {moment}:
         return not _has_equal_moments(expected) or float(f"{moment:.0e}") == moment
     ratios = link.ratios(expected)
-    is_scaled = min(ratios) > 0 and max(ratios) <= EXACT_RATIO * min(ratios)
-    return is_scaled or max(ratios) < MIN_MOMENT_RATIO or min(ratios) > 1 / MIN_MOMENT_RATIO
+    is_far = max(ratios) < MIN_MOMENT_RATIO or min(ratios) > 1 / MIN_MOMENT_RATIO
+    return is_far or _is_scaled(link, expected)
+
+
+def _is_scaled(link: LinkInertia, expected: Tensor) -> bool:
+    """True if the moments are in the exact proportions of the shape."""
+    ratios = link.ratios(expected)
+    return min(ratios) > 0 and max(ratios) <= EXACT_RATIO * min(ratios)
 
 
 def tensor_of_shape(link: LinkInertia) -> Tensor | None:
@@ -122,9 +128,13 @@ def _mistakes(link: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor
     is_invented = _has_equal_moments(link.tensor) and not _has_equal_moments(expected)
     if not link.is_placeholder and not is_invented:
         for unit, factor in UNITS:
-            tensor = inertia.scaled(link.tensor, factor)
-            if inertia.agree(tensor, expected, _CORRECTED_RATIO):
-                yield f"is in {unit}", tensor
+            tensor, cause = inertia.scaled(link.tensor, factor), f"is in {unit}"
+            # Without products it was computed for the shape, and has its proportions.
+            is_chance = (
+                cause == _LIKE_METRIC and link.is_diagonal and not _is_scaled(link, expected)
+            )
+            if inertia.agree(tensor, expected, _CORRECTED_RATIO) and not is_chance:
+                yield cause, tensor
     about_center = _shifted_from_origin(link, -link.mass)
     if about_center != link.tensor and inertia.agree(about_center, expected, _CORRECTED_RATIO):
         yield "is about the origin of the link, not the centre of mass", about_center
