@@ -220,3 +220,19 @@ def test_a_urdf_that_a_launch_file_gives_to_xacro() -> None:
     for name, severity in (("$(arg side)_arm", "warning"), ("${side}_arm", "error")):
         report = check(Source("r.urdf", link.format(name).encode()), select=["XAC003"])
         assert [one.severity.value for one in report.diagnostics] == [severity]
+
+
+@pytest.mark.parametrize(
+    ("default", "code"), [("None", "XAC010"), ("", "XAC010"), ("arm", "XAC001")]
+)
+def test_a_default_that_names_no_file(tmp_path: Path, default: str, code: str) -> None:
+    """Aubo: the launch file of another repository passes the type of the arm."""
+    arguments = (
+        f'<xacro:arg name="ip" default="{default}"/><xacro:arg name="model" default="{default}"/>'
+    )
+    include = '<xacro:property name="model" value="$(arg model)"/>\n'
+    include += '<xacro:include filename="${model}.urdf.xacro"/>'
+    robot = add_file(tmp_path / "r.xacro", XACRO.format(arguments + include).encode())
+    (found,) = check(robot, select=["XAC001", "XAC010"]).diagnostics
+    assert found.code == code
+    assert ("'model'" in found.message) is (code == "XAC010")

@@ -281,3 +281,10 @@ def test_a_package_that_is_missing_where_there_is_none(
     add_file(tmp_path / file, SOUND)
     (found,) = robot(tmp_path / "r.urdf", "package://wheel.stl")
     assert found.help == help
+
+
+@pytest.mark.parametrize(("wanted", "count"), [("hip_L_Link", 0), ("hip_R_Lnik", 1)])
+def test_the_mesh_of_the_other_side_is_not_offered(tmp_path: Path, wanted: str, count: int) -> None:
+    package(tmp_path, "arm", "meshes/hip_R_Link.stl")
+    (found,) = robot(tmp_path / "r.urdf", f"package://arm/meshes/{wanted}.stl")
+    assert found.help.count("hip_R_Link") == count

@@ -142,17 +142,27 @@ def _without_prefix(name: str, at: Span, use: Span | None) -> Problem:
     )
 
 
-def argument_of_missing_file(defined: Definitions, cause: BaseException) -> Problem | None:
+#: Defaults of arguments that name nothing.
+_NOTHING = ("", "none", "null")
+
+
+def argument_of_missing_file(
+    defined: Definitions, cause: BaseException, written: str = ""
+) -> Problem | None:
     """The problem of a file that is missing because the default of an argument is a placeholder.
 
     The default of Universal Robots' ``ur_type`` is ``ur5x``, and no such directory exists; with an
     empty default, a path resolves to the directory of the description.
+
+    Args:
+        written: the tag that names the file; empty if an expression reads it.
     """
     if not isinstance(cause, OSError) or not cause.filename:
         return None
     optional = [item for item in defined.arguments if item.name not in defined.values]
     if isinstance(cause, FileNotFoundError):
         argument = _placeholder(optional, cause.filename)
+        argument = argument or _without_name(optional, cause.filename, written)
     elif isinstance(cause, IsADirectoryError):
         empty = [item for item in optional if item.attributes.get("default") == ""]
         argument = empty[0] if len(empty) == 1 else None
@@ -178,6 +188,16 @@ def _placeholder(optional: Iterable[Definition], file: str) -> Definition | None
             if disk.is_directory(parent) and not disk.exists(os.path.join(parent, default)):
                 return argument
     return None
+
+
+def _without_name(optional: Iterable[Definition], file: str, written: str) -> Definition | None:
+    """The argument whose default says that it names nothing, and is the name of a file."""
+    name = os.path.basename(file).partition(".")[0]
+    found = [item for item in optional if item.attributes.get("default") == name]
+    if name.lower() not in _NOTHING:
+        return None
+    found = [item for item in found if item.name in written] or found
+    return found[0] if len(found) == 1 else None
 
 
 def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]:

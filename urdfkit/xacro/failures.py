@@ -69,7 +69,8 @@ def _stock_message(error: BaseException) -> str:
 def _failure(run: ExpansionRun, error: BaseException, node: Node | None) -> _Failure:
     if isinstance(error, ExpatError):
         return _not_well_formed(error)
-    if missing := diagnosis.argument_of_missing_file(run.defined, root_cause(error)):
+    written = node.tag_at.span.text if node else ""
+    if missing := diagnosis.argument_of_missing_file(run.defined, root_cause(error), written):
         return _Failure([missing], node)
     code, message, help = diagnosis.classify(run.defined, error)
     if node is None:

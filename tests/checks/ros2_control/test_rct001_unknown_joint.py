@@ -41,6 +41,17 @@ def test_a_transmission_of_ros2_finds_the_joints_of_its_block_only() -> None:
     assert reported("RCT001", ROBOT + control(driven("swing"), inner.format("swing"))) == []
 
 
+def test_an_actuator_of_a_transmission_is_no_joint() -> None:
+    """A youBot: its actuators have parameters of the bus."""
+    inner = '<plugin>p/C</plugin><actuator name="m" role="a"/><joint name="swing" role="j"/>'
+    block = f'<transmission name="t">{inner}</transmission>'
+    parameters = '<joint name="m"><param name="bus">1</param></joint>'
+    (found,) = reported("RCT001", ROBOT + control(driven("swing"), parameters, block))
+    assert found.message == naming("<ros2_control>", "c", "m", "actuator")
+    assert found.help == naming("<joint>", "<hardware>")
+    assert found.fix is None
+
+
 def test_gpio_may_have_any_name() -> None:
     assert reported("RCT001", ROBOT + control('<gpio name="g"/>', '<sensor name="s"/>')) == []
     assert reported("RCT001", ROBOT + control("<joint/>", driven("${side}_arm"))) == []

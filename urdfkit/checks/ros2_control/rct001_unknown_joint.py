@@ -43,6 +43,7 @@ from urdfkit.ros.ros_control import (
     joints_and_owners,
     parameter,
 )
+from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.located_yaml import Value
@@ -84,7 +85,21 @@ def _unknown_joints(context: Context, suggester: Suggester) -> Findings:
         suggested = suggester.suggested(name.value)
         defined = context.model.joints_by_name.get(suggested)
         fix = corrected_definition(context, defined, name.value) or fix_value(name, suggested)
-        yield Finding(name, message, fix=fix, group_key="" if hint else owner)
+        help = ""
+        if _is_actuator(joint):
+            message = f"{owner}: '{name.value}' is an actuator, not a joint of the robot"
+            help, fix = "remove the <joint>, and move its parameters into <hardware>", None
+        yield Finding(name, message, help, fix, group_key="" if hint else owner)
+
+
+def _is_actuator(joint: Element) -> bool:
+    """True for an actuator of a transmission that has a ``<joint>`` of its own, for parameters."""
+    block, name = joint.parent, joint.get("name")
+    return block is not None and any(
+        actuator.get("name") == name
+        for transmission in block.all("transmission")
+        for actuator in transmission.all("actuator")
+    )
 
 
 def _not_in_block(context: Context) -> Findings:

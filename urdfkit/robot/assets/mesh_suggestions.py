@@ -13,6 +13,7 @@ from urdfkit.core.suggest import SIMILAR_FILE, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX
 from urdfkit.robot.assets.file_names import is_mistyped, numbers_in, stem, suffix
 from urdfkit.robot.assets.mesh_files import MeshFiles, MeshReference, relative_path
+from urdfkit.robot.symmetry import pairs
 from urdfkit.workspace.references import ResolvedReference
 
 #: Directories of a package that are searched for a missing file.
@@ -157,8 +158,8 @@ class MeshSuggestions:
         if len(stems) * len(self._files.missing) > MAX_COMPARED:
             return None
         close = nearest(os.path.splitext(expected)[0], stems, SIMILAR_FILE)
-        if close is None:
-            return None
+        if close is None or pairs((os.path.splitext(expected)[0], close)):
+            return None  # the file for the other side
         path = os.path.join(directory, stems[close])
         return Candidate(path, is_mistyped(expected, stems[close]))
 
