@@ -82,6 +82,17 @@ def test_an_srdf_has_the_arguments_that_a_launch_file_gives_it(
     assert len(report.diagnostics) == count
 
 
+@pytest.mark.parametrize(("name", "count"), [("hand", 0), ("arm", 1)])
+def test_an_argument_that_the_srdf_does_not_declare(tmp_path: Path, name: str, count: int) -> None:
+    """AR4: the SRDF has the name of the robot from a launch file, and no <xacro:arg> for it."""
+    srdf = PREFIXED_SRDF.replace('<xacro:arg name="name" default=""/>', "")
+    files = {"r.urdf.xacro": xacro(PREFIXED), "r.srdf.xacro": xacro(srdf)}
+    text = SEMANTIC.replace("WORDS", f'" name:={name}"')
+    reported(tmp_path / "arm", "SRD001", "a.launch.py", text, files)
+    report = check(tmp_path / "arm" / "r.urdf.xacro", select=["SRD001"])
+    assert len(report.diagnostics) == count
+
+
 @pytest.mark.parametrize(("name", "count"), [("$(arg name)", 0), ("", 1)])
 def test_a_name_that_whoever_expands_the_srdf_passes(tmp_path: Path, name: str, count: int) -> None:
     group = f'<xacro:arg name="name" default=""/><group name="{name}"><link name="base"/></group>'

@@ -169,7 +169,10 @@ def _stem(path: str) -> str:
 def _parsed(
     path: str, resolver: Resolver, trust: bool, arguments: Mapping[str, str]
 ) -> tuple[Document | None, set[str]]:
-    """The document of a file, if it can be read, and the names of its xacro arguments."""
+    """The document of a file, if it can be read, and the names of its xacro arguments.
+
+    Those are the declared ones, and others without which it does not expand.
+    """
     source = resolver.readable(path)
     if source is None:
         return None, set()
@@ -177,7 +180,8 @@ def _parsed(
         from urdfkit.xacro import expand
 
         xacro = expand(source, resolver, arguments, trust=trust)
-        return xacro.document, set(xacro.defaults)
+        missing = {problem.argument for problem in xacro.problems if problem.argument}
+        return xacro.document, xacro.defaults.keys() | missing
     return _read(source), set()
 
 
