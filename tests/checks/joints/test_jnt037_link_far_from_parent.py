@@ -54,3 +54,32 @@ def test_the_cost_grows_with_the_links() -> None:
         return executed_lines(lambda: messages("JNT037", text))
 
     assert lines(400) < 50 * lines(10)
+
+
+def chain(*parents: str) -> str:
+    """Links ``l_1`` and so on, with the number of the parent link of each; 0 is the base."""
+    links = "".join(f'<link name="l_{n}"/>\n' for n in range(len(parents) + 1))
+    return links + "".join(
+        f'<joint name="j_{n}" type="revolute">\n<parent link="l_{parent}"/><child link="l_{n}"/>'
+        '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>\n'
+        for n, parent in enumerate(parents, 1)
+    )
+
+
+def test_a_numbered_link_skips_the_one_before() -> None:
+    assert messages("JNT037", chain("0", "1", "2", "2", "4")) == [
+        naming("j_4", "l_4", "l_2", "l_3")
+    ]
+
+
+@pytest.mark.parametrize(
+    "parents",
+    [
+        ("0", "1", "2", "3", "4"),
+        ("0", "1", "2", "2"),  # the two fingers of a gripper
+        ("0", "1", "1", "2", "3"),  # fingers with two links each
+        ("0", "0", "0", "0"),  # wheels
+    ],
+)
+def test_chains_and_branches_of_numbered_links(parents: tuple[str, ...]) -> None:
+    assert messages("JNT037", chain(*parents)) == []

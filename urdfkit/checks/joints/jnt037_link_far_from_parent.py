@@ -1,17 +1,22 @@
-"""A link is far away from its parent link.
+"""A link is far away from its parent link, or has the parent of the link before it in a chain.
 
-The gap between the shapes of the two links is four times as long as either shape, and no link that
-fixed joints connect to one of them is in between. Usually a decimal point is misplaced, 2.45 for
-0.245, or the origin is measured from the root of the robot instead of the parent link.
+- The gap between the shapes of the two links is four times as long as either shape, and no link
+  that fixed joints connect to one of them is in between. Usually a decimal point is misplaced, 2.45
+  for 0.245, or the origin is measured from the root of the robot instead of the parent link.
+- The links of an arm are numbered, but `link_3` and `link_4` are both children of `link_2`,
+  `link_3` has no child, and `link_5` follows `link_4`: the parent of `link_4` was not corrected in
+  a copy.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
+    measured: none of 1092 public robots skips a link
 """
 
+import re
 from collections.abc import Iterator, Mapping
 
 from urdfkit.core.spatial import Transform
-from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Link
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
@@ -27,6 +32,8 @@ GOOD = BAD.replace("2.4", "0.24")
 #: Least gap: times the longest shape, and in m.
 _MIN_RELATIVE_GAP = 4.0
 _MIN_GAP = 0.5
+
+_NUMBER = r"\d{1,9}"
 
 #: Types of joints whose links stay together; prismatic and free links may be anywhere.
 _JOINTS_WITHOUT_GAP = ("fixed", "revolute", "continuous")
@@ -48,6 +55,35 @@ def check(context: Context) -> Findings:
                 f"neither is longer than {longest:.3g} m",
                 confidence=Confidence.INFERRED,
             )
+    yield from _skipped(context)
+
+
+def _skipped(context: Context) -> Findings:
+    """Joints of numbered links whose parent is not the link before, which has no child."""
+    above = {joint.child_name: joint for joint in context.model.joints if joint.is_single_dof}
+    parents = {joint.parent_name for joint in context.model.joints}
+    for name, joint in above.items():
+        for match in re.finditer(_NUMBER, name):
+            before, after = (_numbered(name, match, step) for step in (-1, 1))
+            previous, following = above.get(before), above.get(after)
+            if previous is None or following is None or following.parent_name != name:
+                continue
+            if before not in parents and previous.parent_name == joint.parent_name:
+                yield Finding(
+                    joint.at.child_or_self("parent"),
+                    f"joint '{joint.name}': '{name}' has the same parent '{joint.parent_name}' as "
+                    f"'{before}', which has no child",
+                    f"name '{before}' as its parent, if the links are a chain",
+                    related=(Related(previous.at.span, f"joint of '{before}'"),),
+                    confidence=Confidence.INFERRED,
+                )
+
+
+def _numbered(name: str, number: re.Match[str], step: int) -> str:
+    """A name with another number of as many digits, if that begins with 0."""
+    digits = number.group()
+    width = len(digits) if digits.startswith("0") else 0
+    return f"{name[: number.start()]}{int(digits) + step:0{width}d}{name[number.end() :]}"
 
 
 def _far(context: Context) -> Iterator[tuple[Joint, Link, Link, tuple[float, float]]]:
