@@ -313,16 +313,17 @@ class Context(DescriptionFile):
     @property
     def described_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
         """The robots that the launch file describes and that can be expanded."""
-        yield from self._expanded(self.launch.descriptions)
+        yield from self.expanded(self.launch.descriptions)
 
     @property
     def configured_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
         """The robots that MoveIt gets from the launch file and that can be expanded."""
-        yield from self._expanded(self.launch.configured)
+        yield from self.expanded(self.launch.configured)
 
-    def _expanded(
+    def expanded(
         self, descriptions: Iterable[LaunchedDescription]
     ) -> Iterator[tuple[LaunchedDescription, Context]]:
+        """Robots of launch files that can be expanded."""
         for description in descriptions:
             robot = self.other_robot(description.path, description.arguments)
             if robot.reading.document is not None:

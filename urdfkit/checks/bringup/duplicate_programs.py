@@ -20,7 +20,7 @@ from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import topic_name
 from urdfkit.ros.launch.spawning import model_spawner, spawn_option
 from urdfkit.ros.launch.transforms import static_transform
-from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.located_yaml import Value
 
@@ -28,7 +28,7 @@ _PUBLISHER = "robot_state_publisher"
 #: The nodes of robot_localization that estimate a state, and their topic.
 _FILTERS, _FILTERED = ("ekf_node", "ukf_node"), "odometry/filtered"
 #: A filter that publishes a transform by default.
-_ORIENTATION = ("imu_filter_madgwick", "imu_filter_madgwick_node")
+_ORIENTATION = "imu_filter_madgwick/imu_filter_madgwick_node"
 #: Root links that are global frames.
 _WORLDS = ("world", "map", "odom")
 #: Packages of programs that publish the transform from map to odom, and the parameter for it.
@@ -200,7 +200,7 @@ def second_model(context: Context) -> Findings:
 def second_orientation(context: Context, programs: list[StartedProgram]) -> Findings:
     """A filter of an IMU that publishes the transform of the link of the IMU."""
     for node in programs:
-        if (node.package, node.executable) != _ORIENTATION or context.launch.has_scopes:
+        if node.key != _ORIENTATION or context.launch.has_scopes:
             continue
         is_published = given_parameter(node, "publish_tf", context.resolver)
         if is_published is None or is_published.lower() not in ("", "true"):
@@ -281,11 +281,9 @@ def _localizes(program: StartedProgram, context: Context) -> bool:
 def _may_be_disabled(program: StartedProgram, switch: str, context: Context) -> bool:
     """True if a parameter disables the transforms of a program, or is unknown."""
     values = [value for key, value in program.parameters.values.items() if key == switch]
-    for path in program.parameters.files:
-        source = context.resolver.readable(path)
-        nodes = list(node_parameters(source)) if source else []
-        written = [node.values[switch] for node in nodes if switch in node.values]
-        values += [value.text if isinstance(value, Value) else None for value in written]
+    for node in nodes_in_files(program.parameters.files, context.resolver):
+        value = node.values.get(switch)
+        values += [value.text if isinstance(value, Value) else None] if value is not None else []
     return any(value is None or value.lower() in ("false", "0", "0.0") for value in values)
 
 

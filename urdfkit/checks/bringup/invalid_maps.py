@@ -38,7 +38,7 @@ def invalid_maps(context: Context) -> Findings:
 def missing_maps(context: Context) -> Findings:
     """A map_server that gets no map."""
     for node in context.launch.started if not context.launch.has_scopes else ():
-        is_server = (node.package, node.executable) == ("nav2_map_server", "map_server")
+        is_server = node.key == "nav2_map_server/map_server"
         if is_server and node.is_sure and not _may_have_map(node, context):
             yield Finding(
                 node.at,

@@ -23,16 +23,20 @@ Sources:
 """
 
 import os
+import re
 
-from urdfkit.checks.bringup import costmap_parameters, parameter_names, parameter_sections
+from urdfkit.checks.bringup import costmap_parameters, parameter_sections
 from urdfkit.checks.bringup.read_parameters import (
     parameter_files,
     parameters_of_started,
     whole_sections,
 )
 from urdfkit.checks.bringup.renamed_parameters import outdated
+from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, is_typo, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
-from urdfkit.text.located_yaml import load
+from urdfkit.ros.launch.known_parameters import CONFIGURATION, GivenValue, given_values
+from urdfkit.ros.node_parameters import NodeParameters
+from urdfkit.text.located_yaml import Key, Value, entries, load
 
 NAME = "launch/filter.launch.py"
 BAD = """\
@@ -55,6 +59,10 @@ FILES = {
 
 _CONFIG_FILE = 'write {"config_file": PATH} in its parameters'
 _BELOW_NODE = "write the parameters below the name of the node and ros__parameters"
+_INPUT = re.compile(r"(odom|imu|pose|twist)\d+")
+_FILTERS = ("ekf_node", "ukf_node")
+#: Letters of words that are not typos of each other.
+_SHORT = 3
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
@@ -63,17 +71,17 @@ def check(context: Context) -> Findings:
     sections = [section for own in files.values() for section in own]
     started = parameters_of_started(context, files)
     for section in (*sections, *started):
-        yield from parameter_names.misspelt(section)
-        yield from parameter_names.with_commas(section)
+        yield from _misspelt(section)
+        yield from _with_commas(section)
     for section in whole_sections(sections):
         yield from parameter_sections.unread_plugins(section)
         yield from parameter_sections.misplaced(section)
         yield from parameter_sections.unlisted_filters(section)
         yield from costmap_parameters.of_sources(section)
         yield from parameter_sections.unnumbered_filters(section)
-        yield from parameter_names.unread_inputs(section)
+        yield from _unread_inputs(section)
     yield from outdated(context, [*sections, *started])
-    yield from parameter_names.without_inputs(context)
+    yield from _without_inputs(context)
     yield from _lists(context)
     yield from parameter_sections.misnamed_sections(context, files)
 
@@ -94,3 +102,69 @@ def _lists(context: Context) -> Findings:
                 _CONFIG_FILE if is_bridge else _BELOW_NODE,
                 severity=Severity.ERROR,
             )
+
+
+def _misspelt(node: NodeParameters) -> Findings:
+    """Parameters that the node ignores, and that are one letter away from one that it reads."""
+    for given in given_values(node):
+        if suggested := _meant(given):
+            yield Finding(
+                given.at.span,
+                f"'{node.name}': unknown parameter '{given.at}'; did you mean '{suggested}'?",
+                f"write {suggested}",
+            )
+
+
+def _with_commas(node: NodeParameters) -> Findings:
+    """Commas in names of parameters, where a dot is meant."""
+    for key, _ in entries(node.values):
+        if re.fullmatch(r"\w+,\w+", key):
+            message = f"'{node.name}': the name of the parameter '{key}' contains a comma"
+            help = f"write {key.replace(',', '.')}"
+            yield Finding(key.span, message, help)
+
+
+def _meant(given: GivenValue) -> str | None:
+    names = {name.rpartition(".")[2] for name in given.known}
+    if given.at in names or not isinstance(given.value, Value | list):
+        return None
+    if given.at.startswith("_") and given.at[1:] in names:
+        return given.at[1:]  # as on the command line of ROS 1
+    suggested = nearest(given.at, names, CLOSE_TYPO) or next(
+        (name for name in names if len(name) > 4 and is_typo(given.at, name)), None
+    )
+    is_other = suggested in given.siblings or (suggested and _is_of_other_axis(given.at, suggested))
+    return None if is_other else suggested
+
+
+def _is_of_other_axis(name: str, other: str) -> bool:
+    """True for ``az_max`` and ``ay_max``, which differ in a short word."""
+    pairs = zip(name.split("_"), other.split("_"), strict=False)
+    return any(word != known and len(word) <= _SHORT >= len(known) for word, known in pairs)
+
+
+def _without_inputs(context: Context) -> Findings:
+    """Filters of robot_localization whose parameters name no input, mostly for lack of a file."""
+    for node in context.launch.started if not context.launch.has_scopes else ():
+        is_filter = node.package == "robot_localization" and node.executable in _FILTERS
+        given = node.parameters.every if is_filter and node.is_ros_2 else None
+        if given is not None and node.is_sure and not any(map(_INPUT.fullmatch, given)):
+            message = f"'{node.title}' has no inputs: it gets no odom0, imu0 or the like"
+            yield Finding(node.at, message, "load its parameter file")
+
+
+def _unread_inputs(node: NodeParameters) -> Findings:
+    """Inputs of robot_localization without the list of what is read of them."""
+    if not any(CONFIGURATION.fullmatch(name) for name in node.values):
+        return
+    for name, value in node.values.items():
+        is_input = _INPUT.fullmatch(name) and isinstance(value, Value)
+        if not is_input or f"{name}_config" in node.values or not isinstance(name, Key):
+            continue
+        others = [other for other in node.values if other.startswith(name) and other != name]
+        yield Finding(
+            name.span,
+            f"'{node.name}': nothing of {name} is read: {name}_config is not given"
+            f"{did_you_mean(f'{name}_config', others)}",
+            f"add {name}_config with 15 booleans",
+        )

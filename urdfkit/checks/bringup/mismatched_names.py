@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from urdfkit.checks.bringup.rviz_displays import unpublished_models
-from urdfkit.checks.bringup.workspace_launches import workspace_launches
+from urdfkit.checks.bringup.workspace_launches import programs_of, workspace_launches
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.contents import StartedProgram
@@ -25,6 +25,7 @@ from urdfkit.workspace.ros_packages import comes_with_ros
 
 _PUBLISHER = "robot_state_publisher"
 _DESCRIPTION = "robot_description"
+_CONTROL_NODE = f"{MANAGER}/ros2_control_node"
 #: What launch files contain that start it, also by functions of MoveIt.
 _PUBLISHING = (_PUBLISHER, "generate_rsp_launch", "generate_demo_launch")
 #: A parameter of MoveIt, which may publish the robot, too.
@@ -61,7 +62,7 @@ def _publishers_elsewhere(context: Context) -> list[StartedProgram]:
     launches = workspace_launches(context)
     if any(launch.has_scopes for launch in launches):
         return []
-    return [node for launch in launches for node in launch.programs if node.package == _PUBLISHER]
+    return [node for node in programs_of(launches) if node.package == _PUBLISHER]
 
 
 def manager_in_another_namespace(
@@ -101,7 +102,7 @@ def unread_description(programs: tuple[StartedProgram, ...]) -> Findings:
     publishers = [node for node in programs if node.package == _PUBLISHER]
     topics = [topic_name(_DESCRIPTION, node) for node in publishers]
     for node in programs:
-        is_manager = (node.package, node.executable) == (MANAGER, "ros2_control_node")
+        is_manager = node.key == _CONTROL_NODE
         given = node.parameters.every if is_manager else None
         for old, new in (node.remappings or {}).items() if is_manager else ():
             name = resolve_name(new, node.namespace)
@@ -148,7 +149,7 @@ def untyped_controllers(programs: tuple[StartedProgram, ...]) -> Findings:
         return
     for node in programs:
         parameters = node.parameters.every
-        is_manager = (node.package, node.executable) == (MANAGER, "ros2_control_node")
+        is_manager = node.key == _CONTROL_NODE
         if is_manager and parameters is not None and _OF_NODE.issuperset(parameters):
             yield Finding(
                 node.at,
@@ -163,7 +164,7 @@ def _managers(
 ) -> Iterator[tuple[str | None, Span]]:
     """The controller managers that are started; None for an unknown name."""
     for node in programs:
-        if node.package == MANAGER and node.executable == "ros2_control_node":
+        if node.key == _CONTROL_NODE:
             is_known = node.namespace is not None and "$" not in node.name
             own_name = node.name or MANAGER
             yield resolve_name(own_name, node.namespace) if is_known else None, node.span

@@ -32,7 +32,7 @@ _PARAMETERS = {
     "world_frame": "odom",
     "base_link_frame": "",  # base_link by default, but a section that is not found may set it
 }
-_CARTOGRAPHER = ("cartographer_ros", "cartographer_node")
+_CARTOGRAPHER = "cartographer_ros/cartographer_node"
 #: Options of Cartographer in a file of Lua.
 _OPTION = re.compile(r'(?m)^\s*(\w+)\s*=\s*"?([\w/]+)"?\s*,')
 _PROVIDED = "provide_odom_frame"
@@ -92,7 +92,7 @@ def of_estimators(
 ) -> Iterator[OdometryTransform]:
     """The transforms of odometry from scans or images."""
     for program in programs if not context.launch.has_scopes else ():
-        keys = data("nodes")["odometry"].get(f"{program.package}/{program.executable}")
+        keys = data("nodes")["odometry"].get(program.key)
         given = (given_parameter(program, key, context.resolver) for key in (*(keys or ()), _TF))
         parent, child, is_published = given if keys else (None, None, None)
         if parent is None or child is None or program.namespace != "":
@@ -109,7 +109,7 @@ def of_cartographer(
 ) -> Iterator[OdometryTransform]:
     """The transforms of Cartographer: to published_frame, from odometry or from the map."""
     for program in programs:
-        if (program.package, program.executable) != _CARTOGRAPHER:
+        if program.key != _CARTOGRAPHER:
             continue
         options = {flag.text: word.text for flag, word in pairwise(program.words)}
         directory = options.get("-configuration_directory")

@@ -65,7 +65,7 @@ def _is_read_elsewhere(
     return any(
         path in program.parameters.files
         and _node_name(program).removesuffix(".py") == section.name
-        and (program.package, program.executable) != (node.package, node.executable)
+        and program.key != node.key
         for program in programs
     )
 

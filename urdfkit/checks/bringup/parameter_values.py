@@ -57,8 +57,7 @@ def invalid_prefixes(programs: Iterable[StartedProgram]) -> Findings:
 def missing_of_programs(context: Context) -> Findings:
     """The same for programs whose nodes have any name."""
     for program in context.launch.started:
-        name = f"{program.package}/{program.executable}"
-        required: dict[str, str] = data("node_parameters")["required"].get(name, {})
+        required: dict[str, str] = data("node_parameters")["required"].get(program.key, {})
         for parameter, since in required.items() if program.is_ros_2 else ():
             if given_parameter(program, parameter, context.resolver) == "":
                 yield Finding(

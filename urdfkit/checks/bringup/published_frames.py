@@ -4,7 +4,11 @@ import re
 from collections.abc import Iterator
 from itertools import chain
 
-from urdfkit.checks.bringup.workspace_launches import is_included, workspace_launches
+from urdfkit.checks.bringup.workspace_launches import (
+    distinct_descriptions,
+    is_included,
+    workspace_launches,
+)
 from urdfkit.lint.rules import Context
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch
@@ -29,8 +33,6 @@ _OF_NAVIGATION = re.compile(
 _WORLD, _NAMES_WORLD = "world", re.compile(rb":\s*[\"']?/?world\b")
 #: Packages of ROS whose nodes publish other frames, of a sensor or a recording.
 _PUBLISHERS_OF_ROS = ("mavros", "realsense2_camera", "rosbag", "rosbag2")
-#: Most robots of a workspace that are expanded for their links.
-_MAX_ROBOTS = 8
 
 
 def published_frames(context: Context) -> frozenset[str]:
@@ -72,20 +74,11 @@ def _has_map_alone(context: Context) -> bool:
 
 def links_of_robots(context: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
     """Links of the robots that are started; empty if a robot cannot be expanded."""
-    links: set[str] = set()
-    distinct = {
-        (description.path, *sorted(description.arguments.items())): description
-        for launch in launches
-        for description in launch.descriptions
-    }
-    if len(distinct) > _MAX_ROBOTS:
+    descriptions = distinct_descriptions(launches)
+    robots = [robot for _, robot in context.expanded(descriptions)]
+    if len(robots) < len(descriptions) or not all(one.is_whole for one in descriptions):
         return frozenset()
-    for description in distinct.values():
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is None or not description.is_whole:
-            return frozenset()
-        links.update(name.lstrip("/") for name in robot.model.links_by_name)
-    return frozenset(links)
+    return frozenset(name.lstrip("/") for robot in robots for name in robot.model.links_by_name)
 
 
 def _prefix(launches: tuple[Launch, ...]) -> str | None:

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import re
 
-from urdfkit.checks.bringup.workspace_launches import workspace_launches
+from urdfkit.checks.bringup.workspace_launches import (
+    distinct_descriptions,
+    programs_of,
+    workspace_launches,
+)
 from urdfkit.lint.rules import Context
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 
 PUBLISHER = "robot_state_publisher"
 #: Packages whose nodes need the transforms of a robot that is running.
 _NEEDING = re.compile(r"nav2_\w+|slam_toolbox|robot_localization")
-#: Most robots of a workspace that are expanded.
-_MAX_ROBOTS = 4
 
 
 def published_robots(context: Context) -> list[Context]:
@@ -26,25 +28,14 @@ def published_robots(context: Context) -> list[Context]:
         if not any(_NEEDING.fullmatch(node.package) for node in context.launch.programs):
             return []
         launches = workspace_launches(context)
-    launches = tuple(
-        launch_file for launch_file in launches if any(map(_is_publisher, launch_file.programs))
-    )
-    publishers = [
-        node for launch_file in launches for node in launch_file.programs if _is_publisher(node)
-    ]
-    descriptions = {
-        (description.path, *sorted(description.arguments.items())): description
-        for launch in launches
-        for description in launch.descriptions
-    }
-    are_whole = all(description.is_whole for description in descriptions.values())
-    if not are_whole or not all(map(_is_plain, publishers)) or len(descriptions) > _MAX_ROBOTS:
+    publishing = [launch for launch in launches if any(map(_is_publisher, launch.programs))]
+    publishers = filter(_is_publisher, programs_of(publishing))
+    descriptions = distinct_descriptions(publishing)
+    are_whole = all(description.is_whole for description in descriptions)
+    if not are_whole or not all(map(_is_plain, publishers)):
         return []
-    robots = [
-        context.other_robot(description.path, description.arguments)
-        for description in descriptions.values()
-    ]
-    return robots if all(robot.reading.document is not None for robot in robots) else []
+    robots = [robot for _, robot in context.expanded(descriptions)]
+    return robots if len(robots) == len(descriptions) else []
 
 
 def _is_publisher(started: StartedProgram) -> bool:

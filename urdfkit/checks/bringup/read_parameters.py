@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
 from urdfkit.lint.rules import Context
-from urdfkit.ros.launch.program_parameters import parameters_of_programs
+from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.contents import GivenParameters, StartedProgram
 from urdfkit.ros.node_parameters import NodeParameters, node_parameters
+from urdfkit.text.located_yaml import Key, Node, Value
+from urdfkit.text.source import Span
+
+#: Sections of a file that every node reads.
+_OF_ALL = "**"
 
 
 def parameter_files(context: Context) -> dict[str, list[NodeParameters]]:
@@ -18,7 +26,7 @@ def parameters_of_started(
     context: Context, files: dict[str, list[NodeParameters]]
 ) -> list[NodeParameters]:
     """What known programs of any name get from the launch file and from parameter files."""
-    return list(parameters_of_programs(context.launch.started, files))
+    return list(_parameters_of_programs(context.launch.started, files))
 
 
 def parameter_sections(context: Context) -> list[NodeParameters]:
@@ -30,3 +38,66 @@ def whole_sections(sections: list[NodeParameters]) -> list[NodeParameters]:
     """The sections that no other section may complete, as it has the same name."""
     names = [section.name for section in sections]
     return [section for section in sections if names.count(section.name) == 1]
+
+
+def _parameters_of_programs(
+    programs: tuple[StartedProgram, ...], files: Mapping[str, list[NodeParameters]]
+) -> Iterator[NodeParameters]:
+    """What a launch file gives to them itself, and sections that are not called after the program.
+
+    Args:
+        files: the sections of parameter files by path.
+    """
+    readers = [path for program in programs for path in program.parameters.files]
+    for program in programs:
+        kind = _kind(program)
+        if not kind or not program.is_ros_2:
+            continue
+        if values := _given(program.parameters):
+            yield NodeParameters(program.title, program.span, values, kind=kind)
+        for path in program.parameters.files:
+            for section in files.get(path, ()):
+                is_own = section.name == program.name != kind
+                if is_own or (section.name == _OF_ALL and readers.count(path) == 1):
+                    yield section._replace(name=program.title, kind=kind)
+
+
+def _kind(program: StartedProgram) -> str:
+    """The program in the catalogue of parameters; empty if it is not there."""
+    facts = data("node_parameters")
+    kind: str = facts["programs"].get(program.key, "")
+    return kind or (program.key if program.key in facts["nodes"] else "")
+
+
+def _given(parameters: GivenParameters) -> dict[str, Node]:
+    """The parameters in a launch file itself, as a file would contain them."""
+    values: dict[str, Node] = {}
+    for name, text in parameters.values.items():
+        span = parameters.at.get(name)
+        if text is None or span is None or name in parameters.lists:
+            continue
+        value = _value(text, span)
+        *sections, last = name.split(".")
+        owner = values
+        for section in sections:
+            inner = owner.setdefault(_key(section, value), {})
+            owner = inner if isinstance(inner, dict) else {}
+        owner[_key(last, value)] = value
+    return values
+
+
+def _key(name: str, value: Value) -> Key:
+    key = Key(name)
+    key.at = value
+    return key
+
+
+def _value(text: str, span: Span) -> Value:
+    """A value of YAML at the place of an expression; launch parses the text of a string, too."""
+    is_converted = span.text.startswith("ParameterValue")
+    trimmed = int(span.text[:1] in ("'", '"') and span.end - span.start > 1)
+    start, end = (
+        span.source.position(offset) for offset in (span.start + trimmed, span.end - trimmed)
+    )
+    first, last = ((line - 1, column - 1) for line, column in (start, end))
+    return Value(text, span.source, first, last, "converted" if is_converted else "")

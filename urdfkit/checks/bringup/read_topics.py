@@ -94,7 +94,7 @@ def _read_by_programs(context: Context) -> Iterator[ReadTopic]:
     for program in context.launch.programs if not context.launch.has_scopes else ():
         if not program.is_sure:
             continue
-        read = data("nodes")["readers"].get(f"{program.package}/{program.executable}", {})
+        read = data("nodes")["readers"].get(program.key, {})
         for topic, facts in read.items():
             message, *conditions = facts.split()
             name = topic_name(topic, program)

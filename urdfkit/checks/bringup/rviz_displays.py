@@ -99,7 +99,7 @@ def incompatible_reliability(context: Context) -> Findings:
 
 def _best_effort(program: StartedProgram, context: Context) -> Iterator[str]:
     """The topics that a program certainly publishes without reliability."""
-    facts = data("nodes")["best_effort"].get(f"{program.package}/{program.executable}", "")
+    facts = data("nodes")["best_effort"].get(program.key, "")
     names = facts.split()
     switches = [name[1:] for name in names if name.startswith("-")]
     given = [given_parameter(program, switch, context.resolver) for switch in switches]
@@ -171,9 +171,8 @@ def meshes_without_uri(context: Context) -> Findings:
     if all(node.package not in ("rviz", "rviz2") for node in context.launch.started):
         return
     reported: set[str] = set()
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        for mesh in robot.files.meshes if robot.reading.document else ():
+    for description, robot in context.described_robots:
+        for mesh in robot.files.meshes:
             path = mesh.located.path
             package = context.resolver.packages.enclosing(path) if path else None
             is_path = mesh.located.reference.startswith("/")

@@ -13,14 +13,14 @@ from urdfkit.text.source import Span
 #: The topics of the robot that a program spawns, by its place; only if all are known.
 SpawnedTopics = Mapping[Span, list[ClassicTopic]]
 
-_SPAWNER = ("gazebo_ros", "spawn_entity.py")
+_SPAWNER = "gazebo_ros/spawn_entity.py"
 
 
 def spawned_topics(context: Context, launches: tuple[Launch, ...]) -> SpawnedTopics:
     found: dict[Span, list[ClassicTopic]] = {}
     for launch in launches:
         for program in launch.programs:
-            is_spawner = (program.package, program.executable) == _SPAWNER
+            is_spawner = program.key == _SPAWNER
             topics = _topics(context, launch, program) if is_spawner else None
             if topics is not None:
                 found[program.span] = topics

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from urdfkit.checks.bringup.read_topics import ReadTopic
 from urdfkit.checks.bringup.unread_commands import is_part_of_ros
+from urdfkit.checks.bringup.workspace_launches import distinct_descriptions, programs_of
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding
 from urdfkit.ros.gazebo.topics import GazeboTopic, topics
@@ -22,31 +23,23 @@ _OTHER_BRIDGE = re.compile(rb"RosGzBridge|<gz_bridge|ros_gz_(bridge|spawn_model)
 _IN_GAZEBO = {"Imu": "IMU", "NavSatFix": "NavSat", "PointCloud2": "PointCloudPacked"}
 _IN_GAZEBO |= {name: name for name in ("CameraInfo", "Image", "LaserScan", "Odometry")}
 _IN_ROS = {"Odometry": "nav_msgs"}
-#: Most robots of a workspace that are expanded for their sensors.
-_MAX_ROBOTS = 8
 
 
 def sensors_of_workspace(context: Context, launches: tuple[Launch, ...]) -> list[GazeboTopic]:
     """What robots publish in Gazebo and no bridge forwards; empty if a bridge may be unknown."""
     if not _has_known_bridges(context, launches):
         return []
-    distinct = {
-        (description.path, *sorted(description.arguments.items())): description
-        for launch in launches
-        for description in launch.descriptions
-        if description.is_whole
-    }
-    found: list[GazeboTopic] = []
-    for description in distinct.values() if len(distinct) <= _MAX_ROBOTS else ():
-        robot = context.other_robot(description.path, description.arguments)
-        if robot.reading.document is not None:
-            found += (topic for topic in topics(robot.model) if not topic.is_read)
     names = [
         topic.topic
         for node in _bridges(launches)
         for topic in bridged_topics(node, context.resolver)
     ]
-    return [topic for topic in found if not any(map(topic.is_called, names))]
+    return [
+        topic
+        for description, robot in context.expanded(distinct_descriptions(launches))
+        for topic in (topics(robot.model) if description.is_whole else ())
+        if not topic.is_read and not any(map(topic.is_called, names))
+    ]
 
 
 def unbridged_sensor(
@@ -95,8 +88,7 @@ def _has_known_bridges(context: Context, launches: tuple[Launch, ...]) -> bool:
 
 
 def _bridges(launches: Iterable[Launch]) -> Iterator[StartedProgram]:
-    programs = (node for launch in launches for node in launch.programs)
-    return (node for node in programs if node.package in _BRIDGES)
+    return (node for node in programs_of(launches) if node.package in _BRIDGES)
 
 
 def _is_known_bridge(program: StartedProgram, context: Context) -> bool:

@@ -66,11 +66,8 @@ def hardware_without_simulator(context: Context, programs: tuple[StartedProgram,
     managers = [node for node in programs if node.executable == CONTROL_NODE]
     if not managers or any(map(model_spawner, programs)):
         return
-    for description in context.launch.descriptions:
-        robot = context.other_robot(description.path, description.arguments)
-        if not description.is_whole or robot.reading.document is None:
-            continue
-        for component in components(robot.model):
+    for description, robot in context.described_robots:
+        for component in components(robot.model) if description.is_whole else ():
             if component.hardware.startswith(_OF_GAZEBO):
                 yield Finding(
                     Location((component.plugin or component.at).span, description.frame),

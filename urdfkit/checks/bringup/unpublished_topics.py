@@ -117,8 +117,7 @@ def _outputs_of_filters(launches: tuple[Launch, ...]) -> set[str | None]:
     """The topics that robot_localization publishes; None among them if one is unknown."""
     return {
         topic_name(_OF_NAVSAT if node.executable == _NAVSAT else _FILTERED, node)
-        for launch in launches
-        for node in launch.programs
+        for node in programs_of(launches)
         if node.package == _FILTER
     }
 
@@ -217,14 +216,13 @@ def _is_known(program: StartedProgram, message: str) -> bool:
 
 def _publications(program: StartedProgram) -> dict[str, str] | None:
     """The topics and messages of a program in the catalogue; None if it is not there."""
-    name = f"{program.package}/{program.executable}"
-    published: dict[str, str] | None = data("nodes")["publishers"].get(name)
+    published: dict[str, str] | None = data("nodes")["publishers"].get(program.key)
     return published
 
 
 def _is_converter(program: StartedProgram) -> bool:
     """True for a program that publishes what it makes of other messages."""
-    return f"{program.package}/{program.executable}" in data("nodes")["readers"]
+    return program.key in data("nodes")["readers"]
 
 
 def _topics_of(program: StartedProgram, message: str, context: Context) -> Iterator[str]:
@@ -240,7 +238,7 @@ def _map_topic(program: StartedProgram, context: Context) -> str | None:
     """The topic on which a program publishes a map; None if it publishes none, or is unknown."""
     if program.package == "slam_toolbox":
         return topic_name("map", program)
-    if (program.package, program.executable) != ("nav2_map_server", "map_server"):
+    if program.key != "nav2_map_server/map_server":
         return None
     name = given_parameter(program, "topic_name", context.resolver)
     return None if name is None else topic_name(name or "map", program)

@@ -142,7 +142,7 @@ def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) ->
     own = list(command_readers(context, programs)) if sources else []
     others: list[Reader] | None = None
     for node, topic in sources:
-        switch, default = data("nodes")["stamped"].get(_key(node), ("", ""))
+        switch, default = data("nodes")["stamped"].get(node.key, ("", ""))
         is_stamped = given_parameter(node, switch, context.resolver)
         if is_stamped is None or (is_stamped or default).lower() not in ("true", "false"):
             continue
@@ -178,13 +178,9 @@ def command_sources(programs: Iterable[StartedProgram]) -> Iterator[tuple[Starte
     """The nodes that publish velocity commands, and the topics of these."""
     published: dict[str, str] = data("nodes")["commands"]
     for node in programs:
-        name = published.get(_key(node))
+        name = published.get(node.key)
         if name and (topic := topic_name(name, node)):
             yield node, topic
-
-
-def _key(program: StartedProgram) -> str:
-    return f"{program.package}/{program.executable}"
 
 
 def is_part_of_ros(path: str) -> bool:

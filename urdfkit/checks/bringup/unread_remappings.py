@@ -128,7 +128,7 @@ def reversed_remappings(context: Context) -> Findings:
 def unknown_topics(context: Context) -> Findings:
     """Remappings of topics that a node does not have, such as those of ROS 1."""
     for node in context.launch.started if not context.launch.has_scopes else ():
-        topics = data("nodes")["all_topics"].get(f"{node.package}/{node.executable}", "").split()
+        topics = data("nodes")["all_topics"].get(node.key, "").split()
         if not topics or not node.is_ros_2 or node.namespace is None:
             continue
         own = {resolve_name(topic, node.namespace): topic for topic in topics}
@@ -170,5 +170,5 @@ def read_own_output(context: Context) -> Findings:
 
 
 def _topics(program: StartedProgram, topics: dict[str, str]) -> list[str]:
-    name = f"{program.package}/{program.executable}"
-    return (topics.get(name) or data("nodes")["all_topics"].get(name, "")).split()
+    key = program.key
+    return (topics.get(key) or data("nodes")["all_topics"].get(key, "")).split()

@@ -6,8 +6,11 @@ from collections.abc import Iterable
 
 from urdfkit.lint.rules import Context
 from urdfkit.ros.launch import argument_checks
-from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.contents import Launch, LaunchedDescription, StartedProgram
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+
+#: Most robots of several launch files that are expanded.
+_MAX_ROBOTS = 8
 
 
 def workspace_launches(context: Context) -> tuple[Launch, ...]:
@@ -22,6 +25,16 @@ def all_launches(context: Context) -> tuple[Launch, ...]:
 
 def programs_of(launches: Iterable[Launch]) -> list[StartedProgram]:
     return [node for launch in launches for node in launch.programs]
+
+
+def distinct_descriptions(launches: Iterable[Launch]) -> list[LaunchedDescription]:
+    """The robots of launch files, each once with the same arguments; none if they are many."""
+    distinct = {
+        (description.path, *sorted(description.arguments.items())): description
+        for launch in launches
+        for description in launch.descriptions
+    }
+    return list(distinct.values()) if len(distinct) <= _MAX_ROBOTS else []
 
 
 def is_included(context: Context) -> bool:

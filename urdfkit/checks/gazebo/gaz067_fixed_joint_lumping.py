@@ -32,16 +32,16 @@ Sources:
     measured: libsdformat 12.3 switches gravity off for the merged link, loses mu1 and material
 """
 
-from urdfkit.checks.gazebo.force_sensors import merged_force_sensors
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS
 from urdfkit.robot.samples import collision_xml, robot_xml
 from urdfkit.ros.catalog.extensions import extensions
+from urdfkit.ros.gazebo.measured_joints import measured_joints
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.values import is_true, text_of
 from urdfkit.text.document import Element
-from urdfkit.text.editing.edits import fix_value, rename_element
+from urdfkit.text.editing.edits import fix_value, insert_before, rename_element
 
 BAD = robot_xml(
     solid_xml("wheel", collision_xml('<sphere radius="0.1"/>')),
@@ -59,11 +59,12 @@ _DEFAULTS = {
 }
 
 _MERGED = "_fixed_joint_lump__"
+_KEEP = "<preserveFixedJoint>true</preserveFixedJoint>"
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
 def check(context: Context) -> Findings:
-    yield from merged_force_sensors(context)
+    yield from _merged_force_sensors(context)
     yield from _flags(context)
     yield from _kept_joints(context)
     yield from _added_joints(context)
@@ -178,3 +179,34 @@ def _lost(shape: Element, link: str, top: str, tags: list[Element]) -> Finding:
     help = "remove the name, or begin it with the name of the link"
     fix = fix_value(name, f"{link}_{name.value}") if link == top else None
     return Finding(name, message, help, fix, (Related(tags[0].span, "set here"),), group_key="name")
+
+
+def _merged_force_sensors(context: Context) -> Findings:
+    """The fixed joints whose forces are measured, but which Gazebo merges."""
+    kept = {joint.joint.name for joint in context.gazebo.joints}
+    for name, at, who in measured_joints(context.model):
+        joint = context.model.joints_by_name.get(name)
+        if joint is not None and joint.kind == "fixed" and name not in kept:
+            yield Finding(
+                at,
+                f"{who} is on fixed joint '{name}', which Gazebo merges: nothing is measured",
+                f"add {_KEEP} to the <gazebo reference> of the joint",
+                Fix("keep the joint in Gazebo", insert_before(at, (_KEEP,))),
+                group_key="merged",
+                severity=Severity.ERROR if _is_read(context, name, at) else None,
+            )
+
+
+def _is_read(context: Context, name: str, at: Element) -> bool:
+    """True if the sensor has a topic or a plugin, or something else reads the forces."""
+    if at.tag == "sensor" and (at.child("topic") or at.child("plugin")):
+        return True
+    # One that moves the joint, as for a mimic, does not read its forces.
+    readers = [use.at for use in context.plugins if not (use.plugin and use.plugin.moves)]
+    if any(value.text.strip() == name for plugin in readers for value in plugin.children):
+        return True
+    sensors_of_control = [
+        sensor for block in context.model.ros2_controls for sensor in block.all("sensor")
+    ]
+    interfaces = [state for sensor in sensors_of_control for state in sensor.all("state_interface")]
+    return any((state.get("name") or "").startswith(("force", "torque")) for state in interfaces)

@@ -19,13 +19,16 @@ Sources:
     tu-darmstadt-ros-pkg/hector_gazebo#65: https://github.com/tu-darmstadt-ros-pkg/hector_gazebo/issues/65
 """
 
+from __future__ import annotations
+
+from urdfkit.core.record import Record
+from urdfkit.core.suggest import Suggester
 from urdfkit.core.words import listed
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.robot.values import number
-from urdfkit.ros.catalog.plugins import Plugin, renames
+from urdfkit.ros.catalog.plugins import Plugin, often_unread, renames
 from urdfkit.ros.gazebo.classic_topics import lost_remappings
-from urdfkit.ros.gazebo.parameters import UnreadParameter, unread
 from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.diagnostic import Edit
@@ -46,8 +49,8 @@ _NAMES = {"classic-ros1": "ROS 1", "classic-ros2": "ROS 2", "gz": "gz-sim", "cla
 
 @rule(Severity.INFO, needs=(Need.MODEL, Need.GAZEBO), help="remove it", migrates=True)
 def check(context: Context) -> Findings:
-    foreign: dict[tuple[PluginUse, bool], list[UnreadParameter]] = {}
-    parameters = [(use, parameter) for use in context.plugins for parameter in unread(use)]
+    foreign: dict[tuple[PluginUse, bool], list[_UnreadParameter]] = {}
+    parameters = [(use, parameter) for use in context.plugins for parameter in _unread(use)]
     for use, parameter in parameters:
         if parameter.other is not None and use.plugin is not None:
             is_renamed = bool(_new_name(use, use.plugin, parameter.item))
@@ -100,7 +103,7 @@ def _is_default(plugin: Plugin | None, name: str, text: str) -> bool:
 
 
 def _of_other_generation(
-    use: PluginUse, plugin: Plugin, parameters: list[UnreadParameter]
+    use: PluginUse, plugin: Plugin, parameters: list[_UnreadParameter]
 ) -> Finding:
     """One finding for the tags of a plugin that were written for another generation.
 
@@ -167,3 +170,57 @@ def _advice(item: PluginParameter, plugin: Plugin) -> str:
     if "topic" in item.path.lower():
         return "write <ros><remapping>FROM:=TO</remapping></ros>"
     return "remove it, or write what the plugin reads there"
+
+
+class _UnreadParameter(Record):
+    """A tag that a plugin does not read."""
+
+    item: PluginParameter  # the tag
+    other: Plugin | None  # the plugin of another generation that reads it, or None
+    suggested: str | None  # the tag that it is probably a typo of, or None
+
+
+def _unread(use: PluginUse) -> list[_UnreadParameter]:
+    """Tags that a plugin does not read; empty for an unknown plugin.
+
+    Superfluous tags in shipped examples are ignored.
+    """
+    plugin = use.plugin
+    if plugin is None or not plugin.parameters:
+        return []
+    unread_items = use.unread(plugin)
+    if not unread_items:
+        return []
+    common = {name for names in often_unread().values() for name in names}
+    written = {item.path for item in use.items}
+    suggester = Suggester([name for name in plugin.parameters if name not in written])
+    tags: list[_UnreadParameter] = []
+    for item in unread_items:
+        other = _other(use, plugin, item)
+        suggested = None if "/" in item.path else suggester.suggested(item.path) or None
+        is_cut_short = suggested is not None and suggested.startswith(
+            item.path
+        )  # updateRate(HZ) of an IMU
+        if other is None and item.path in common and not is_cut_short:
+            continue
+        tags.append(
+            _UnreadParameter(item, other, suggested if suggested and "/" not in suggested else None)
+        )
+    return tags
+
+
+def _other(use: PluginUse, plugin: Plugin, item: PluginParameter) -> Plugin | None:
+    """The plugin of another generation that reads a tag."""
+    for candidate in use.known:
+        if (
+            candidate.generation != plugin.generation
+            and not candidate.removed
+            and candidate.reads(item.path)
+        ):
+            return candidate
+    new_name = renames().get(item.path)
+    if plugin.generation == "classic-ros2" and new_name and plugin.reads(new_name):
+        return next(
+            (candidate for candidate in use.known if candidate.generation == "classic-ros1"), None
+        )
+    return None

@@ -105,7 +105,7 @@ def _without_terminal(context: Context) -> Findings:
         return
     interactive = data("launch")["interactive"]
     for node in context.launch.started:
-        if f"{node.package}/{node.executable}" in interactive and node.is_ros_2:
+        if node.key in interactive and node.is_ros_2:
             is_python = context.source.path.endswith(".py")
             yield Finding(
                 Location(node.span, node.frame),

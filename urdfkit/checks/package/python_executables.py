@@ -1,20 +1,35 @@
 """Executables of a Python package that ROS does not find, or that cannot start."""
 
+import ast
+import builtins
 import os
+import posixpath
 import re
+from fnmatch import fnmatchcase
 
-from urdfkit.checks.package.build_files import package_file
-from urdfkit.checks.package.setup_programs import missing_files, unmatched_patterns, wrong_names
+from urdfkit.checks.package.build_files import is_missing, package_file
 from urdfkit.core import disk
-from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
-from urdfkit.text.python_source import parse
+from urdfkit.ros.launch.python_names import bound_names
+from urdfkit.text.python_source import nodes, parse
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.executables import EntryPoint, entry_points
+from urdfkit.workspace.python_installs import globbed_files, listed_files
 
 #: The directory of executables in a setup.cfg, and where a setup.py may set it itself.
 _DIRECTORY = re.compile(rb"(?m)^\s*install[_-]scripts\s*=\s*\$base/lib/([\w.-]+)")
 _OPTIONS = re.compile(rb"install[_-]scripts|lib/|\"lib\"|'lib'")
+_OF_MODULES = frozenset(("__file__", "__name__", "__doc__"))
+_SETUP = "setup"
+#: Where the file is that registers a package, which is reported as such.
+_MARKER = "resource/"
+#: What is usually meant by a name without an import.
+_IMPORTS = {
+    "find_packages": "from setuptools import find_packages",
+    "glob": "from glob import glob",
+    "os": "import os",
+}
 
 
 def not_runnable(name: str, directory: str) -> Findings:
@@ -31,9 +46,9 @@ def not_runnable(name: str, directory: str) -> Findings:
         message = f"setup.py is not a Python program: {error.msg}"
         yield Finding(Span(setup, start, start), message, "fix it: colcon cannot build the package")
         return
-    yield from wrong_names(setup, tree)
-    yield from unmatched_patterns(setup, tree, directory)
-    yield from missing_files(setup, tree, directory)
+    yield from _wrong_names(setup, tree)
+    yield from _unmatched_patterns(setup, tree, directory)
+    yield from _missing_files(setup, tree, directory)
     entries = entry_points(text) or []
     config = package_file(directory, "setup.cfg")
     written = config.data if config else b""
@@ -96,3 +111,64 @@ def _missing_modules(setup: Source, entries: list[EntryPoint], directory: str) -
 def _span_of(setup: Source, entry: EntryPoint) -> Span:
     start = setup.offset(entry.line, 1) + entry.column
     return Span(setup, start, start + entry.length)
+
+
+def _wrong_names(setup: Source, tree: ast.Module) -> Findings:
+    """Names that a setup.py does not define, and modules that it calls: colcon stops."""
+    bound = list(bound_names(tree))
+    if "*" in bound or _SETUP not in bound:
+        return  # all names of a module, or none of setuptools
+    known = {*bound, *_OF_MODULES, *dir(builtins)}
+    modules = {
+        alias.name for node in nodes(tree) if isinstance(node, ast.Import) for alias in node.names
+    }
+    for node in nodes(tree):
+        if isinstance(node, ast.Name) and node.id not in known:
+            known.add(node.id)  # each name is reported once
+            help = f"write {_IMPORTS.get(node.id, 'an import')} above"
+            yield Finding(_span(setup, node), f"setup.py: name '{node.id}' is not defined", help)
+        called = node.func if isinstance(node, ast.Call) else None
+        if isinstance(called, ast.Name) and called.id in modules and bound.count(called.id) == 1:
+            modules.remove(called.id)
+            help = f"write from {called.id} import {called.id}, or {called.id}.{called.id}(...)"
+            message = f"setup.py calls the module '{called.id}'"
+            yield Finding(_span(setup, called), message, help)
+
+
+def _unmatched_patterns(setup: Source, tree: ast.Module, directory: str) -> Findings:
+    """Patterns for the directory of the package, whose files are in another one."""
+    for target, pattern in globbed_files(tree):
+        text = str(pattern.value)
+        folder = posixpath.basename(target)
+        inside = os.path.join(directory, folder)
+        if "/" in text or not disk.is_directory(inside) or _matches(directory, text):
+            continue
+        if _matches(inside, text):
+            yield Finding(
+                _span(setup, pattern),
+                f"'{text}' matches no file of the package: setup.py installs nothing to {target}",
+                f"write {folder}/{text}",
+                severity=Severity.WARNING,
+            )
+
+
+def _missing_files(setup: Source, tree: ast.Module, directory: str) -> Findings:
+    """Files that a setup.py installs and that do not exist: colcon stops."""
+    for path, node in listed_files(tree):
+        if not path.startswith(_MARKER) and is_missing(directory, path):
+            folder = os.path.dirname(path)
+            names = [posixpath.join(folder, n) for n in disk.names(os.path.join(directory, folder))]
+            message = f"'{path}' is installed and does not exist: the build fails"
+            help = f"remove it, or create {path}"
+            if match := nearest(path, names):
+                help = f"write {match}"
+            yield Finding(_span(setup, node), message, help, group_key="not there")
+
+
+def _matches(directory: str, pattern: str) -> bool:
+    return any(fnmatchcase(name, pattern) for name in disk.names(directory))
+
+
+def _span(setup: Source, node: ast.expr) -> Span:
+    start = setup.offset(node.lineno, 1) + node.col_offset
+    return Span(setup, start, start + (node.end_col_offset or 0) - node.col_offset)

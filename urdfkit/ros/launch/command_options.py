@@ -15,8 +15,8 @@ from urdfkit.ros.launch.spawned_controllers import has_value
 from urdfkit.text.diagnostic import Problem, Severity
 
 _ROS_ARGUMENTS = "--ros-args"
-_SPAWNER = ("controller_manager", "spawner")
-_AGENT = ("micro_ros_agent", "micro_ros_agent")
+_SPAWNER = "controller_manager/spawner"
+_AGENT = "micro_ros_agent/micro_ros_agent"
 #: A word of the launch file by which ROS is known to be newer than Galactic.
 _RECENT = b"ros_gz"
 
@@ -27,11 +27,11 @@ def wrong_options(program: StartedProgram) -> Iterator[Problem]:
         return
     yield from _ros_arguments(program)
     yield from _private_parameters(program)
-    if (program.package, program.executable) == _SPAWNER:
+    if program.key == _SPAWNER:
         yield from _spawner(program)
     if [word.text for word in program.words[:2]] == ["ros2", "control"]:
         yield from _ros2_control(program)
-    if (program.package, program.executable) == _AGENT:
+    if program.key == _AGENT:
         yield from _agent(program)
 
 

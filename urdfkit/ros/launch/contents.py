@@ -137,6 +137,11 @@ class StartedProgram(Record):
     name: str = ""  # of the node; empty if missing, or known only at run time
 
     @property
+    def key(self) -> str:
+        """Its package and executable, as the catalogues name programs."""
+        return f"{self.package}/{self.executable}"
+
+    @property
     def title(self) -> str:
         """Its name for messages."""
         return self.name or self.executable

@@ -70,7 +70,7 @@ def default_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
 def sensor_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
     """The frames in which drivers of sensors that the file itself starts publish their data."""
     for node in launch.started if not launch.has_scopes else ():
-        facts = data("nodes")["frames"].get(f"{node.package}/{node.executable}", "").split()
+        facts = data("nodes")["frames"].get(node.key, "").split()
         value = given_parameter(node, facts[0], resolver) if facts and node.is_sure else None
         frame = value or facts[1] if value is not None and len(facts) > 1 else value
         if frame and not any(mark in frame for mark in _OPEN):

@@ -18,7 +18,7 @@ from urdfkit.workspace.resolve import Resolver
 _WORLDS = ("world", "world_name", "world_file")
 _SIM_TIME = "use_sim_time"
 #: The former name of ``robot_state_publisher``, an alias until ROS Melodic.
-_FORMER = ("robot_state_publisher", "state_publisher")
+_FORMER = "robot_state_publisher/state_publisher"
 
 
 def mistakes(
@@ -154,7 +154,7 @@ def last_release(program: StartedProgram) -> str:
 
 def _former_executable(program: StartedProgram) -> Problem | None:
     """An executable that ROS 1 has no more: roslaunch stops."""
-    if (program.package, program.executable) != _FORMER:
+    if program.key != _FORMER:
         return None
     message = f"'{program.executable}' was removed in ROS Noetic"
     help = f'write type="{program.package}"'

@@ -30,7 +30,7 @@ _WITH_NUMBER = re.compile(r"-([A-Za-z])(-?[\d.]+)$")
 
 def model_spawner(program: StartedProgram) -> ModelSpawner | None:
     """The options of a program that spawns models in Gazebo; None for other programs."""
-    entry = data("launch")["spawners"].get(f"{program.package}/{program.executable}")
+    entry = data("launch")["spawners"].get(program.key)
     if entry is None:
         return None
     valued, plain = (frozenset(entry[key].split()) for key in ("valued", "plain"))

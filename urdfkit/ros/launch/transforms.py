@@ -66,7 +66,7 @@ def has_unknown_child(program: StartedProgram) -> bool:
 
 def mistakes(program: StartedProgram) -> Iterator[tuple[Word, str, str]]:
     """Words that ``static_transform_publisher`` of ROS 2 rejects, with message and help."""
-    if not program.is_ros_2 or f"{program.package}/{program.executable}" != _PROGRAM:
+    if not program.is_ros_2 or program.key != _PROGRAM:
         return
     words = list(takewhile(lambda word: word.text != "--ros-args", program.words))
     if not words or any(word.text is None for word in words):

@@ -99,7 +99,7 @@ def _of_file(included: IncludedFile) -> StartedWorld | None:
 
 def _of_program(program: StartedProgram) -> StartedWorld | None:
     """The world of a node, or of a command."""
-    generation = data("worlds")["programs"].get(f"{program.package}/{program.executable}", "")
+    generation = data("worlds")["programs"].get(program.key, "")
     texts = [word.text for word in program.words]
     if generation == GZ:
         path = program.parameters.values.get("world_sdf_file")
