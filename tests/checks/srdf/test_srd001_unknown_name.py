@@ -251,6 +251,16 @@ def test_settings_one_level_too_high(tmp_path: Path) -> None:
     assert found.help == "indent the settings"
 
 
+def test_a_list_of_fake_controllers_next_to_the_section(tmp_path: Path) -> None:
+    """Only a manager that MoveIt 2 does not have would read it."""
+    text = TWO + FLAT.replace("arm_controller", "fake_arm_controller")
+    (tmp_path / "moveit_controllers.yaml").write_text(text)
+    assert findings(tmp_path, "", "SRD001") == []
+    (tmp_path / "moveit_controllers.yaml").write_text(text.replace("wrist", "wrsit", 1))
+    (found,) = findings(tmp_path, "", "SRD001")
+    assert (found.span.line, found.message) == (5, naming("arm_controller", "wrsit", "wrist"))
+
+
 @pytest.mark.parametrize(
     ("old", "new"),
     [("shoulder, wrist", "a, b"), ("wrist", "$(arg wrist)"), ("joints: [", "joints: 3 # ")],

@@ -150,7 +150,8 @@ def _manager(root: dict[str, Node]) -> dict[str, Node]:
 
 
 def _is_manager(root: dict[str, Node]) -> bool:
-    return isinstance(root.get("controller_names"), list)
+    """True if the whole file is the settings; next to a section of them, the list is not read."""
+    return MANAGER not in root and isinstance(root.get("controller_names"), list)
 
 
 def controller_manager(srdf: Srdf, resolver: Resolver) -> Value | None:
