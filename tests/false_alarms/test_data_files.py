@@ -161,3 +161,16 @@ def test_a_robot_outside_of_packages(tmp_path: Path, package: str, severity: str
     path = add_file(tmp_path / "robot.urdf.xacro", robot.encode())
     (found,) = check(path, select=["XAC011"]).diagnostics
     assert found.severity.value == severity
+
+
+@pytest.mark.parametrize(("package", "code"), [("absent", "XAC011"), ("p", "XAC001")])
+def test_a_block_of_a_package_that_is_missing(tmp_path: Path, package: str, code: str) -> None:
+    """hector_models: the calibration of a lidar is in the package of the vehicle."""
+    robot = f"""<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<xacro:include filename="$(find {package})/pose.xacro"/>
+<xacro:macro name="lidar" params="*origin"><link name="a"/></xacro:macro>
+<xacro:lidar><xacro:insert_block name="pose"/></xacro:lidar></robot>"""
+    add_file(add_package(tmp_path, "p") / "pose.xacro", "<robot/>")
+    path = add_file(tmp_path / "r.urdf.xacro", robot)
+    report = check(path, select=["XAC001", "XAC011"])
+    assert {one.code for one in report.diagnostics} == {code}

@@ -266,3 +266,16 @@ def test_helium(name: str, count: int) -> None:
         '<cylinder radius="0.32" length="0.7"/></geometry></collision></link>'
     )
     assert len(messages("INE010", robot)) == count
+
+
+@pytest.mark.parametrize(("value", "count"), [("0.001", 1), ("${m*0.01}", 0)])
+def test_the_result_of_a_formula_has_no_misplaced_point(value: str, count: int) -> None:
+    """The base of a differential drive, whose formulas are those of areas."""
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:property name="m" value="0.1"/><link name="a"><inertial><mass value="0.1"/>'
+        f'<inertia ixx="0.0001" iyy="0.0002" izz="{value}" ixy="0" ixz="0" iyz="0"/>'
+        "</inertial></link></robot>"
+    )
+    (found,) = reported("INE003", text.encode(), "r.xacro")
+    assert found.help.count("ten times") == count

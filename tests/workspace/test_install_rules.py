@@ -89,6 +89,8 @@ def test_comments_make_no_files(tmp_path: Path) -> None:
         ("execute_process(COMMAND gunzip -k meshes/aa.stl.gz)", False),
         ("execute_process(COMMAND git log)\nset(MESH meshes/a.stl)", False),
         ("# execute_process(COMMAND gunzip -k meshes/a.stl.gz)", False),
+        ("generate_gazebo_mesh(${models}/a.dae)", True),
+        ("generate_gazebo_mesh(${models}/ba.dae)", False),
     ],
 )
 def test_a_file_that_the_build_creates(tmp_path: Path, command: str, built: bool) -> None:

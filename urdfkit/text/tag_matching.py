@@ -86,7 +86,10 @@ class TagMatching:
         content = "text" if tag.kind == "text" else f"<{tag.name}>"
         note = self._root.note(f"<{name}> begins here")
         message = f"{content} after the end of <{name}>"
-        self._mistakes.append(SyntaxMistake(start, end, message, (note,), trailing=True))
+        # A file of xacro tags alone lacks the element around them.
+        help = "put all elements into one <robot>" if name.startswith("xacro:") else ""
+        mistake = SyntaxMistake(start, end, message, (note,), help=help, trailing=True)
+        self._mistakes.append(mistake)
         return False
 
     def _push(self, tag: TagToken) -> None:

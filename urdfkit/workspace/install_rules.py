@@ -27,6 +27,8 @@ _MADE = (
     r"(?i)\b(?:execute_process|add_custom_\w+|configure_file|\w*download\w*"
     r"|file\s*\(\s*(?:DOWNLOAD|GENERATE|WRITE|ARCHIVE_EXTRACT))\b[^()]*(?:\([^()]*)?"
 )
+#: A call of a macro that makes another file of a name.
+_GENERATED = r"(?i)\b(?:generate|convert)_\w+\s*\([^()]*\b{}\.\w+"
 _MACRO = r"(?is)\b(?:macro|function)\s*\(\s*(\w+)(.*)"
 _END_OF_MACRO = r"(?i)\bend(?:macro|function)\b"
 _AFTER_VARIABLE = r"\$\{\w+\}([\w.-]+)"
@@ -172,14 +174,15 @@ def _cmake_file(path: str) -> str:
 def is_built(path: str) -> bool:
     """True if the nearest CMake file above a missing file creates it.
 
-    It installs the file from the build directory, or names it in a command that creates files, or
-    in a call of a macro with such commands.
+    It installs the file from the build directory, or names it in a command that creates files, in a
+    call of a macro with such commands, or of one that is called ``generate_...`` or ``convert_...``
+    and gets a file of the same name in another format.
     """
     file = _cmake_file(path)
     if not file:
         return False
     text = read_head(file, MAX_BYTES).decode("utf-8", "replace")
-    needed = ("BINARY_DIR", os.path.basename(path), "endmacro", "endfunction")
+    needed = ("BINARY_DIR", os.path.basename(path), "endmacro", "endfunction", "generate", "conver")
     if not any(word in text for word in needed):
         return False
     directory = os.path.dirname(file)
@@ -190,6 +193,9 @@ def is_built(path: str) -> bool:
     text = re.sub(r"#.*", "", text)
     name = rf"""(?:^|[\s/"'(]){re.escape(os.path.basename(path))}(?![\w-])"""
     if any(re.search(name, command) for command in re.findall(_MADE, text)):
+        return True
+    stem = re.escape(os.path.basename(path).partition(".")[0])
+    if re.search(_GENERATED.format(stem), text):
         return True
     return _is_made_by_macro(os.path.basename(path), text)
 

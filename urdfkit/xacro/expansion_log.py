@@ -25,6 +25,8 @@ _UNDEFINED = (
     r"name '(\w+)' is not defined|unknown macro name: (?:xacro:)?(?:.*\.)?(\S+)"
     r'|Undefined block "(\w+)"'
 )
+#: How xacro's error for a call without its block begins.
+_FEW_BLOCKS = "Not enough blocks"
 
 
 class Message(Record):
@@ -102,6 +104,8 @@ class ExpansionLog:
             return True
         if not self._undefined:
             return False
+        if ANY in self._undefined and str(cause).startswith(_FEW_BLOCKS):
+            return True  # the block of the call is inserted from the missing file
         if isinstance(cause, MissingArgument):
             return bool(self._undefined & {ANY, str(cause)})
         match = re.search(_UNDEFINED, str(cause))

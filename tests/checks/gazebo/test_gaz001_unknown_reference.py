@@ -79,3 +79,14 @@ def test_a_prefix_is_written_as_in_the_name_of_the_link(name: str) -> None:
     (found,) = reported("GAZ001", text.encode(), "robot.xacro")
     assert found.help == naming("robot1/camera") if name == "robot1/camera" else name in found.help
     assert bool(found.fix) is (name == "robot1/camera")
+
+
+@pytest.mark.parametrize(("value", "count"), [("none", 0), ("big", 1)])
+def test_a_base_that_an_argument_chooses(value: str, count: int) -> None:
+    """A kit for several bases: without one, all links of the base are missing."""
+    text = f"""<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">
+<xacro:arg name="base" default="{value}"/><xacro:property name="base" value="$(arg base)"/>
+<xacro:if value="${{base == 'big'}}"><link name="box"/></xacro:if><link name="imu"/>
+<joint name="j" type="fixed"><parent link="box"/><child link="imu"/></joint>
+<gazebo reference="base_link"><sensor name="s" type="imu"/></gazebo></robot>"""
+    assert len(reported("GAZ001", text.encode(), "robot.xacro")) == count

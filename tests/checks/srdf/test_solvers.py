@@ -14,6 +14,7 @@ GROUP = '<group name="arm"><link name="arm"/></group>'
         ("KDLKinematicsPlugin", "kdl_kinematics_plugin/KDLKinematicsPlugin"),
         ("trac_ik_kinematics_plugin/TRACIKKinematicsPlugin", None),
         ("kdl_kinematics_plugin/KDLKinematicsPlugin", ""),
+        ("ur_kinematics/UR5eKinematicsPlugin", ""),
         ("my_arm/IKFastKinematicsPlugin", ""),
         ("my_solvers/Mine", ""),
     ],

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.checks.worlds.started import (
+    CLASSIC,
     WORLD,
     findings,
     messages,
@@ -61,6 +62,9 @@ def test_files_that_are_not_worlds(tmp_path: Path) -> None:
         ("<pose>0 0 0.5</pose>", Severity.ERROR, "<pose> is '0 0 0.5', must be 6 numbers"),
         ('<pose degrees="true">0 0 0 0 0 90</pose>', None, ""),
         ("<pose/>", None, ""),
+        ("<pose>0 0 0.5 0.0, 0.0, 0.0</pose>", None, ""),
+        ("<pose>0 0 0,5 0 0 0</pose>", Severity.WARNING, "only numbers"),
+        ("<pose>0 0 a 0 0 0</pose>", Severity.ERROR, "must be 6 numbers"),
         ("<static>yes</static>", Severity.ERROR, "true or false"),
         ("<link name='l'><inertial><mass>2,5</mass></inertial></link>", Severity.WARNING, "as 2"),
         ("<link name='l'><inertial><mass>two</mass></inertial></link>", Severity.ERROR, "a number"),
@@ -72,3 +76,19 @@ def test_values(tmp_path: Path, text: str, severity: Severity | None, words: str
     found = findings(tmp_path, CODE, world=f'<model name="m">{text}</model>')
     assert [one.severity for one in found] == ([severity] if severity else [])
     assert all(words in one.message for one in found)
+
+
+@pytest.mark.parametrize(
+    ("text", "severity"),
+    [
+        ("<pose>0 0 0.5 0.0, 0.0, 0.0</pose>", Severity.WARNING),
+        ("<pose>0 0 0.5</pose>", Severity.WARNING),
+        ("<static>yes</static>", Severity.ERROR),
+    ],
+)
+def test_gazebo_classic_reads_as_far_as_it_can(
+    tmp_path: Path, text: str, severity: Severity
+) -> None:
+    found = findings(tmp_path, CODE, world=f'<model name="m">{text}</model>', launch=CLASSIC)
+    assert [one.severity for one in found] == [severity]
+    assert ("Gazebo Classic" in found[0].message) is (severity is Severity.WARNING)

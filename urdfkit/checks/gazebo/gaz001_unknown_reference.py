@@ -49,11 +49,13 @@ def check(context: Context) -> Findings:
     parts = (part for block in model.gazebo for part in (*block.all("link"), *block.all("joint")))
     added = {part.get("name") for part in parts}
     properties = _properties(model)
+    # The base of a robot may be behind an argument that chooses it.
+    is_fragment = context.source.path.endswith(".xacro") and not context.tree.has_base
     for block in model.gazebo:
         reference = block.attributes.get("reference")
         if reference is None or not reference.value or reference.value in known:
             continue
-        if context.is_part:  # the file that includes this part defines the link
+        if context.is_part or is_fragment:  # the file that includes this part defines the link
             return
         if not block.children:
             continue

@@ -149,6 +149,8 @@ def _missing(
         if missing and available is not None:
             joint = context.model.joints_by_name.get(value.text)
             help = f"add the <{direction}_interface> to the joint, or change the controller"
+            if controller.ros == 1:
+                help = "change the <hardwareInterface> of its transmission, or the controller"
             if joint is not None and joint.mimic and direction == "command":
                 help = f"name '{joint.leader}', which moves this joint, too, or remove it"
             yield Finding(

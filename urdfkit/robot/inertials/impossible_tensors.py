@@ -101,6 +101,8 @@ def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
 def _with_a_tenth(link: LinkInertia) -> Iterator[tuple[str, Tensor]]:
     """A moment with the decimal point one digit too far to the right."""
     for key in ("ixx", "iyy", "izz"):
+        if not link.at.attributes[key].literal:
+            continue  # the result of a formula
         tenth = link.tensor._replace(**{key: getattr(link.tensor, key) / 10})
         diagonal = (tenth.ixx, tenth.iyy, tenth.izz)
         if is_possible(tenth) and max(diagonal) <= 2 * min(diagonal):
