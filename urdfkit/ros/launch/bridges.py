@@ -6,6 +6,7 @@ Sources: words of the command line, or a YAML file.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
@@ -52,34 +53,31 @@ class BridgedTopic(Record):
 
 def gazebo_messages(ros_type: str) -> tuple[str, ...] | None:
     """The Gazebo messages of a ROS message; None for an unknown message."""
-    package, _, name = ros_type.partition("/msg/")
-    pairs = (pair.split() for pair in data("bridge")["messages"].get(package, "").split(", "))
-    return tuple(pair[1] for pair in pairs if pair and pair[0] == name) or None
+    return tuple(gz for ros, gz in _converted() if ros == ros_type) or None
 
 
 def ros_types() -> list[str]:
     """The ROS messages that the bridge converts, such as ``sensor_msgs/msg/Imu``."""
-    return [
-        f"{package}/msg/{pair.split()[0]}"
-        for package, pairs in data("bridge")["messages"].items()
-        for pair in pairs.split(", ")
-        if pair
-    ]
+    return list(dict.fromkeys(ros for ros, _ in _converted()))
 
 
 def all_messages() -> tuple[str, ...]:
     """The Gazebo messages that the bridge supports."""
-    packages = data("bridge")["messages"].values()
-    return tuple({pair.split()[1]: None for pairs in packages for pair in pairs.split(", ")})
+    return tuple(dict.fromkeys(gz for _, gz in _converted()))
 
 
 def ros_messages(gz_message: str) -> tuple[str, ...]:
     """The ROS messages to which the bridge converts a Gazebo message such as ``Double``."""
+    return tuple(ros for ros, gz in _converted() if gz == gz_message)
+
+
+@cache
+def _converted() -> tuple[tuple[str, str], ...]:
+    """The messages that the bridge converts: of ROS and of Gazebo."""
     return tuple(
-        f"{package}/msg/{pair.split()[0]}"
+        (f"{package}/msg/{ros}", gz)
         for package, pairs in data("bridge")["messages"].items()
-        for pair in pairs.split(", ")
-        if pair.split()[1] == gz_message
+        for ros, gz in map(str.split, pairs.split(", "))
     )
 
 

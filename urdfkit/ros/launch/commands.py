@@ -4,8 +4,7 @@ import ast
 import re
 
 from urdfkit.ros.launch.values import Values
-from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.source import Span
+from urdfkit.text.diagnostic import Problem
 
 _ENDS_IN_XACRO = re.compile(r"(?:^|[\s/])xacro(?:\.py)?$")
 _BEGINS_WITH_ARGUMENT = re.compile(r"[A-Za-z_]\w*:=")
@@ -23,20 +22,14 @@ def missing_space(values: Values, command: ast.expr | None) -> Problem | None:
         if piece is not None and not before[-1:].isspace() and not text[:1].isspace():
             if is_first_word and _ENDS_IN_XACRO.search(before):
                 message = "missing space between 'xacro' and the file path"
-                return _problem(values.span(piece), message, "write 'xacro ' with a space")
+                return values.problem(piece, message, "write 'xacro ' with a space")
             if match := _BEGINS_WITH_ARGUMENT.match(text):
                 word = match.group()
                 message = f"missing space before '{word}'"
-                return _problem(
-                    values.span(piece), message, f"write ' {word}' with a space before it"
-                )
+                return values.problem(piece, message, f"write ' {word}' with a space before it")
         is_first_word = is_first_word and re.search(r"\s", text) is None
         before = text
     return None
-
-
-def _problem(span: Span, message: str, help: str) -> Problem:
-    return Problem("LAU010", span, message, help, severity=Severity.ERROR)
 
 
 def _text(values: Values, piece: ast.expr | None) -> str:

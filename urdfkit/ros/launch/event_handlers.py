@@ -37,13 +37,9 @@ def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
         if waiting is None or f"{package}/{name}" not in _LASTING:
             continue
         if any(_is_action(item, values) for item in _listed(waiting, values)):
-            yield Problem(
-                "LAU010",
-                values.span(waiting),
-                f"started when {name} exits, but it runs until shutdown",
-                "use the preceding spawner as target_action, or use OnProcessStart",
-                severity=Severity.WARNING,
-            )
+            message = f"started when {name} exits, but it runs until shutdown"
+            help = "use the preceding spawner as target_action, or use OnProcessStart"
+            yield values.problem(waiting, message, help, Severity.WARNING)
 
 
 def waits_for_itself(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
@@ -58,27 +54,20 @@ def waits_for_itself(calls: list[ast.Call], values: Values) -> Iterator[Problem]
             if _is_action(item, values) and values.resolved(item) is action:
                 message = "starts when it has exited itself: launch starts an action only once"
                 help = "name the preceding action as target_action"
-                span = values.span(target)
-                yield Problem("LAU010", span, message, help, severity=Severity.WARNING)
+                yield values.problem(target, message, help, Severity.WARNING)
 
 
 def wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Event handlers of a process for an action that is no process."""
     for call in calls:
         target = argument(call, 0, "target_action")
-        action = values.resolved(target)
-        is_action = isinstance(action, ast.Call) and called(action) in (*ACTIONS, *TRIGGERS)
-        if called(call) not in _OF_PROCESS or target is None or not is_action:
+        name = called(values.resolved(target))
+        if called(call) not in _OF_PROCESS or target is None:
             continue
-        name = called(action) if isinstance(action, ast.Call) else ""
-        if name not in _PROCESSES:
-            yield Problem(
-                "LAU010",
-                values.span(target),
-                f"{called(call)} waits for a process, but its target_action is {name}",
-                "name the Node whose process it is, such as the one that spawns the robot",
-                severity=Severity.ERROR,
-            )
+        if name in (*ACTIONS, *TRIGGERS) and name not in _PROCESSES:
+            message = f"{called(call)} waits for a process, but its target_action is {name}"
+            help = "name the Node whose process it is, such as the one that spawns the robot"
+            yield values.problem(target, message, help)
 
 
 def endless(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
@@ -89,16 +78,14 @@ def endless(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
         if waiting is None or call.args or not given.isdisjoint((None, *_ONCE)):
             continue
         for item in _listed(waiting, values):
-            action = values.resolved(item)
-            if isinstance(action, ast.Call) and called(action) in _PROCESSES:
+            if called(values.resolved(item)) in _PROCESSES:
                 event = called(call).removeprefix("OnProcess").lower()
-                yield Problem(
-                    "LAU010",
-                    values.span(call.func),
+                yield values.problem(
+                    call.func,
                     f"{called(call)} has no target_action: the {event} of each process starts the "
                     "action, which launch starts only once",
                     "write target_action=..., or handle_once=True",
-                    severity=Severity.WARNING,
+                    Severity.WARNING,
                 )
                 break
 
@@ -114,13 +101,9 @@ def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
         later = (name for item in listed for name in _later(values.resolved(item), values))
         for name in later:
             if name.id in direct and _is_action(name, values):
-                yield Problem(
-                    "LAU010",
-                    values.span(direct[name.id]),
-                    f"'{name.id}' is started twice: launch stops at the second start",
-                    "keep it in the event handler only",
-                    severity=Severity.ERROR,
-                )
+                message = f"'{name.id}' is started twice: launch stops at the second start"
+                help = "keep it in the event handler only"
+                yield values.problem(direct[name.id], message, help)
 
 
 def _later(action: ast.expr | None, values: Values) -> Iterator[ast.Name]:
@@ -144,5 +127,4 @@ def _listed(node: ast.expr, values: Values) -> list[ast.expr]:
 
 
 def _is_action(node: ast.expr, values: Values) -> bool:
-    action = values.resolved(node)
-    return isinstance(action, ast.Call) and called(action) in ACTIONS
+    return called(values.resolved(node)) in ACTIONS

@@ -58,7 +58,7 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
     """Actions that are assigned to an unused name, without those that only others of them use."""
     inner = {name.id for call in calls for name in ast.walk(call) if isinstance(name, ast.Name)}
     for call in calls:
-        if not isinstance(call, ast.Call) or called(call) not in (*ACTIONS, *TRIGGERS):
+        if called(call) not in (*ACTIONS, *TRIGGERS):
             continue
         span = values.span(call)
         name = values.source.data[: span.start].decode("utf-8", "replace").split()[-2]
@@ -66,4 +66,4 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
             continue
         message = f"'{name}' is created but never started"
         help = f"add {name} to the LaunchDescription, or remove it"
-        yield Problem("LAU010", span, message, help, severity=Severity.INFO)
+        yield values.problem(call, message, help, Severity.INFO)

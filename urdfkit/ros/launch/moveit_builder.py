@@ -249,5 +249,5 @@ def _builder(call: ast.Call) -> ast.Call | None:
     node: ast.expr = call
     while isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
         node = node.func.value
-    is_builder = isinstance(node, ast.Call) and called(node) == "MoveItConfigsBuilder"
+    is_builder = called(node) == "MoveItConfigsBuilder"
     return node if isinstance(node, ast.Call) and is_builder and node is not call else None

@@ -121,7 +121,7 @@ class _Reader:
             node.name
             for node in file.tree.body
             if isinstance(node, ast.FunctionDef)
-            and any(isinstance(n, ast.Call) and called(n) in _LOADS for n in ast.walk(node))
+            and any(called(n) in _LOADS for n in ast.walk(node))
         }
 
     def keys(self, node: ast.expr | None) -> set[str]:

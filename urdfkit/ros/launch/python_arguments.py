@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.launch_description import ACTIONS
-from urdfkit.ros.launch.python_expressions import missing_slash, rejected
+from urdfkit.ros.launch.python_expressions import missing_slash
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import string
@@ -67,22 +67,21 @@ def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
     for keyword in call.keywords:
         new = _FORMER.get(keyword.arg or "")
         if new and b"ROS_DISTRO" not in values.source.data:  # otherwise it depends on the version
-            span = values.span(keyword.value)
             message = f"Node has no argument '{keyword.arg}' (supported up to Foxy)"
-            yield Problem("LAU010", span, message, f"write {new}=", severity=Severity.INFO)
+            yield values.problem(keyword.value, message, f"write {new}=", Severity.INFO)
 
 
 def _action_list(call: ast.Call, values: Values) -> Iterator[Problem]:
     position, name = _HOLDERS[called(call)]
     node = argument(call, position, name)
     value = values.resolved(node)
-    if node is not None and isinstance(value, ast.Call) and called(value) in ACTIONS:
+    if node is not None and called(value) in ACTIONS:
         message = f"{name} of {called(call)} is not a list of actions"
-        yield rejected(node, message, "write it in [ ]", values)
+        yield values.problem(node, message, "write it in [ ]")
     for item in values.items(node) if isinstance(value, ast.List) else ():
         if item is not None and isinstance(values.resolved(item), ast.List):
             message = f"{name} of {called(call)} contains a list, but launch expects actions"
-            yield rejected(item, message, "write a * before it, or + between the lists", values)
+            yield values.problem(item, message, "write a * before it, or + between the lists")
 
 
 def _process(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -96,10 +95,10 @@ def _process(call: ast.Call, values: Values) -> Iterator[Problem]:
     text = string(first[0]) if first else None
     if (line := string(command)) is not None:
         message = "cmd of ExecuteProcess is a string, which launch splits into letters"
-        yield rejected(node, message, f"write {line.split()}", values)
+        yield values.problem(node, message, f"write {line.split()}")
     elif text and " " in text.strip() and first[0] is not None:
         message = f"'{text}' is one word, so launch looks for a program with this name"
-        yield rejected(first[0], message, "write one item for each word, or shell=True", values)
+        yield values.problem(first[0], message, "write one item for each word, or shell=True")
 
 
 def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -110,7 +109,7 @@ def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
     for matching_source, suffixes in _SOURCES.items():
         if node is not None and path.endswith(suffixes) and not path.endswith(_SOURCES[name]):
             message = f"{name} does not read '{path.rpartition('/')[2]}'"
-            yield rejected(call.func, message, f"write {matching_source}", values)
+            yield values.problem(call.func, message, f"write {matching_source}")
     yield from missing_slash(values.items(node), values)
 
 
@@ -126,7 +125,7 @@ def _choice(call: ast.Call, values: Values) -> Iterator[Problem]:
     same = next((choice for choice in known if choice.lower() == default.lower()), None)
     help = f"write '{same}'" if same else f"add '{default}' to choices, or write one of them"
     message = f"default_value '{default}' is not one of the choices: {', '.join(known)}"
-    yield Problem("LAU010", values.span(node), message, help, severity=Severity.ERROR)
+    yield values.problem(node, message, help)
 
 
 def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -134,13 +133,13 @@ def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
         node = argument(call, None, name)
         value = values.resolved(node)
         if node is not None and (string(value) is not None or isinstance(value, ast.Dict)):
-            yield rejected(node, f"{name} of Node is not {expected}", "write it in [ ]", values)
+            yield values.problem(node, f"{name} of Node is not {expected}", "write it in [ ]")
     pairs = argument(call, None, "remappings")
     for pair in values.items(pairs) if isinstance(values.resolved(pairs), ast.List) else ():
         if pair is not None and (text := string(pair)) is not None:
             names = tuple(text.split(":="))
             help = f"write {names}" if len(names) == 2 else "write ('from', 'to')"
-            yield rejected(pair, f"'{text}' in remappings is not a pair", help, values)
+            yield values.problem(pair, f"'{text}' in remappings is not a pair", help)
 
 
 def _sets(node: ast.expr | None, values: Values) -> Iterator[Problem]:
@@ -148,7 +147,7 @@ def _sets(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     for item in values.items(node) if node else ():
         if item is not None and isinstance(values.resolved(item), ast.Set):
             message = "this is a set, but launch expects a dictionary of parameters"
-            yield rejected(item, message, 'write a colon: {"name": value}', values)
+            yield values.problem(item, message, 'write a colon: {"name": value}')
 
 
 def _without_package(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -159,7 +158,7 @@ def _without_package(call: ast.Call, values: Values) -> Iterator[Problem]:
     for package, executables in data("launch")["executables"].items():
         if name in executables.split():
             message = f"'{name}' has no package: launch looks for a program of this name"
-            yield rejected(call.func, message, f'write package="{package}"', values)
+            yield values.problem(call.func, message, f'write package="{package}"')
 
 
 def _documents(node: ast.expr | None, values: Values) -> Iterator[Problem]:
@@ -170,10 +169,10 @@ def _documents(node: ast.expr | None, values: Values) -> Iterator[Problem]:
             is_method = isinstance(text, ast.Attribute) and text.attr in _TEXTS
             if is_method and isinstance(text, ast.Attribute):
                 message = f"{text.attr} is a method, but launch expects a string"
-                yield rejected(value, message, f"write {text.attr}()", values)
-            elif isinstance(text, ast.Call) and called(text) in _DOCUMENTS:
+                yield values.problem(value, message, f"write {text.attr}()")
+            elif called(text) in _DOCUMENTS:
                 message = f"{called(text)}() returns an XML document, but launch expects a string"
-                yield rejected(value, message, "append .toxml()", values)
+                yield values.problem(value, message, "append .toxml()")
 
 
 def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
@@ -181,7 +180,7 @@ def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
         yield from _text(item, "a word of the command line", values)
         if isinstance(item, ast.Constant) and _JOINED.match(source := values.span(item).text):
             message = f"{source} is one word: Python joins strings without a comma between them"
-            yield rejected(item, message, "write a comma between the two", values)
+            yield values.problem(item, message, "write a comma between the two")
 
 
 def _text(node: ast.expr | None, subject: str, values: Values) -> Iterator[Problem]:
@@ -194,15 +193,15 @@ def _text(node: ast.expr | None, subject: str, values: Values) -> Iterator[Probl
     kind = type(value.value).__name__
     written = ast.unparse(node) if not isinstance(node, ast.Name) else value.value
     text = str(written).lower() if kind == "bool" else str(written)
-    yield rejected(
-        node, f"{subject} is a {kind}, but launch expects a string", f"write '{text}'", values
+    yield values.problem(
+        node, f"{subject} is a {kind}, but launch expects a string", f"write '{text}'"
     )
 
 
 def _passed(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     arguments = values.resolved(node)
     if node is not None and isinstance(arguments, ast.Dict):
-        yield rejected(node, "launch_arguments is a dictionary", "append .items()", values)
+        yield values.problem(node, "launch_arguments is a dictionary", "append .items()")
     if isinstance(arguments, ast.Call) and isinstance(arguments.func, ast.Attribute):
         dictionary = arguments.func.value if arguments.func.attr == "items" else None
         for _, value in values.pairs(dictionary):
@@ -213,4 +212,4 @@ def _condition(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     text = string(values.resolved(node))
     if node is not None and text is not None and not _BOOLEAN.fullmatch(text):
         help = f"write LaunchConfiguration('{text}')"
-        yield rejected(node, f"condition '{text}' is neither true nor false", help, values)
+        yield values.problem(node, f"condition '{text}' is neither true nor false", help)

@@ -91,7 +91,7 @@ def _wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
         node = argument(call, None, "target_container")
         text = values.text(node) if called(call) == "LoadComposableNodes" else None
         if node is not None and text and (wrong := wrong_container(text, containers)):
-            yield _error(node, *wrong, values)
+            yield values.problem(node, *wrong)
 
 
 def _text_or_none(node: ast.expr | None, values: Values) -> str | None:
@@ -130,7 +130,7 @@ def _keywords(call: ast.Call, values: Values) -> Iterator[Problem]:
             if owner and not (match and (given in match or is_typo(given, match))):
                 help = f"remove it: it is an argument of {owner}"
             message = f"{name} has no argument '{given}'"
-            yield _error(keyword.value, message, help, values)
+            yield values.problem(keyword.value, message, help)
 
 
 def _missing(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -144,7 +144,7 @@ def _missing(call: ast.Call, values: Values) -> Iterator[Problem]:
     if missing:
         message = f"{called(call)} has no {' and no '.join(missing)}"
         help = "write " + ", ".join(f"{name}=..." for name in missing)
-        yield _error(call.func, message, help, values)
+        yield values.problem(call.func, message, help)
 
 
 def _positional(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -160,7 +160,7 @@ def _positional(call: ast.Call, values: Values) -> Iterator[Problem]:
     message += f"and {len(call.args)} {'is' if len(call.args) == 1 else 'are'} given"
     takes_list = name in facts["lists"].split() or not names
     help = "write them in [ ]" if takes_list else f"write {', '.join(names)}"
-    yield _error(call.args[most], message, help, values)
+    yield values.problem(call.args[most], message, help)
 
 
 def _is_open(call: ast.Call) -> bool:
@@ -180,11 +180,10 @@ def _no_list(call: ast.Call, tree: ast.Module, values: Values) -> Iterator[Probl
         if not isinstance(node, ast.FunctionDef) or node.name != name:
             continue
         for returned in _returned(node):
-            value = values.resolved(returned)
-            kind = called(value) if isinstance(value, ast.Call) else ""
+            kind = called(values.resolved(returned))
             if kind in _RETURNED:
                 message = f"{name}() returns a {kind}, but launch expects a list of actions"
-                yield _error(returned, message, "write it in [ ]", values)
+                yield values.problem(returned, message, "write it in [ ]")
 
 
 def _returned(function: ast.FunctionDef) -> Iterator[ast.expr]:
@@ -205,7 +204,7 @@ def _output(call: ast.Call, values: Values) -> Iterator[Problem]:
     text = string(values.resolved(node))
     if node is not None and text is not None and text not in known:
         message = f"output is '{text}', which launch does not know"
-        yield _error(node, message, f"write {' or '.join(known)}", values)
+        yield values.problem(node, message, f"write {' or '.join(known)}")
 
 
 def _conditions(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -213,18 +212,18 @@ def _conditions(call: ast.Call, values: Values) -> Iterator[Problem]:
     modules = data("launch_python")["modules"]
     conditions, substitutions = (modules[f"launch.{kind}"].split() for kind in _KINDS)
     node = argument(call, None, "condition")
-    value = values.resolved(node)
-    if node is not None and isinstance(value, ast.Call) and called(value) in substitutions:
-        message = f"{called(value)} is no condition, but a substitution"
-        yield _error(node, message, f"write IfCondition({called(value)}(...))", values)
+    name = called(values.resolved(node))
+    if node is not None and name in substitutions:
+        message = f"{name} is no condition, but a substitution"
+        yield values.problem(node, message, f"write IfCondition({name}(...))")
     if called(call) not in (*conditions, *substitutions):
         return
     for item in call.args:
-        inner = values.resolved(item)
-        if isinstance(inner, ast.Call) and called(inner) in conditions:
-            message = f"{called(call)} takes a substitution, but {called(inner)} is a condition"
-            help = _SUBSTITUTES.get(called(inner), "write what the condition asks")
-            yield _error(item, message, help, values)
+        inner = called(values.resolved(item))
+        if inner in conditions:
+            message = f"{called(call)} takes a substitution, but {inner} is a condition"
+            help = _SUBSTITUTES.get(inner, "write what the condition asks")
+            yield values.problem(item, message, help)
 
 
 def _component(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -233,7 +232,7 @@ def _component(call: ast.Call, values: Values) -> Iterator[Problem]:
         return
     package = values.text(argument(call, None, "package"))
     if wrong := wrong_component(package, values.text(node)):
-        yield _error(node, *wrong, values)
+        yield values.problem(node, *wrong)
 
 
 def _no_actions(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -244,11 +243,10 @@ def _no_actions(call: ast.Call, values: Values) -> Iterator[Problem]:
     value = values.resolved(node)
     items = [node] if isinstance(value, ast.Call) else values.items(node) if node else []
     for item in items:
-        action = values.resolved(item)
-        name = called(action) if isinstance(action, ast.Call) else ""
+        name = called(values.resolved(item))
         if item is not None and name in _TAKEN_BY:
             message, help = f"{name} is not an action", f"write {_TAKEN_BY[name]}({name}(...))"
-            yield _error(item, message, help, values)
+            yield values.problem(item, message, help)
 
 
 def _without_effect(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -267,13 +265,8 @@ def _without_effect(call: ast.Call, values: Values) -> Iterator[Problem]:
     while names and names[-1][1] in scopes:
         item, name = names.pop()
         if any(before in actions for _, before in names):
-            yield Problem(
-                "LAU010",
-                values.span(item),
-                f"{name} has no effect: it applies to the actions after it",
-                "move it above the nodes",
-                severity=Severity.WARNING,
-            )
+            message = f"{name} has no effect: it applies to the actions after it"
+            yield values.problem(item, message, "move it above the nodes", Severity.WARNING)
 
 
 def _compared(tree: ast.Module, values: Values) -> Iterator[Problem]:
@@ -285,7 +278,7 @@ def _compared(tree: ast.Module, values: Values) -> Iterator[Problem]:
                     message = f"{_UNKNOWN} is compared before it has a value"
                     help = "compare its .perform(context) in an OpaqueFunction, or write "
                     help += "EqualsSubstitution(configuration, text)"
-                    yield _always_same(node, message, help, values)
+                    yield values.problem(node, message, help, Severity.WARNING)
         elif isinstance(node, (ast.If, ast.IfExp)):
             test = node.test
             if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
@@ -293,10 +286,12 @@ def _compared(tree: ast.Module, values: Values) -> Iterator[Problem]:
             if _is_configuration(test, values):
                 message = f"a {_UNKNOWN} is always true in Python: it has no value yet"
                 help = "pass condition=IfCondition(...), or ask its .perform(context) in an "
-                yield _always_same(test, message, f"{help}OpaqueFunction", values)
+                yield values.problem(test, message, f"{help}OpaqueFunction", Severity.WARNING)
             elif text := _performed(test, values):
                 message = f"the text '{text}' is true in Python, and 'false' is, too"
-                yield _always_same(test, message, "compare its .lower() with 'true'", values)
+                yield values.problem(
+                    test, message, "compare its .lower() with 'true'", Severity.WARNING
+                )
 
 
 def _performed(node: ast.expr, values: Values) -> str:
@@ -322,19 +317,9 @@ def _evaluated(call: ast.Call, values: Values) -> Iterator[Problem]:
         if item is not None and is_name and _is_configuration(item, values):
             message = f"the expression contains {text}, which is no name of Python"
             help = "write it in quotes, and compare: \"'\", ..., \"' == 'true'\""
-            yield _error(item, message, help, values)
+            yield values.problem(item, message, help)
         before = text
 
 
 def _is_configuration(node: ast.expr, values: Values) -> bool:
-    value = values.resolved(node)
-    return isinstance(value, ast.Call) and called(value) == _UNKNOWN
-
-
-def _error(node: ast.expr, message: str, help: str, values: Values) -> Problem:
-    return Problem("LAU010", values.span(node), message, help, severity=Severity.ERROR)
-
-
-def _always_same(node: ast.expr, message: str, help: str, values: Values) -> Problem:
-    """A condition with one result, which may be the right one."""
-    return Problem("LAU010", values.span(node), message, help, severity=Severity.WARNING)
+    return called(values.resolved(node)) == _UNKNOWN

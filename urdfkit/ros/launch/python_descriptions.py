@@ -16,7 +16,7 @@ def untyped_commands(file: PythonLaunchFile) -> Iterator[ast.expr]:
         for item in file.values.items(parameters) if parameters else ():
             for _, value in file.values.pairs(item):
                 command = file.values.resolved(value)
-                if isinstance(command, ast.Call) and called(command) == "Command":
+                if command is not None and called(command) == "Command":
                     yield command
 
 

@@ -57,10 +57,10 @@ def _joined(call: ast.Call, values: Values) -> Problem | None:
     if function not in _OF_TEXTS:
         return None
     for part in call.args if function == "os.path.join" else call.args[:1]:
-        value = values.resolved(part)
-        if isinstance(value, ast.Call) and called(value) in _SUBSTITUTIONS:
-            message = f"{function} rejects {called(value)}: its value is known only at run time"
-            return rejected(part, message, _OF_TEXTS[function], values)
+        name = called(values.resolved(part))
+        if name in _SUBSTITUTIONS:
+            message = f"{function} rejects {name}: its value is known only at run time"
+            return values.problem(part, message, _OF_TEXTS[function])
     return None
 
 
@@ -70,24 +70,23 @@ def _added(node: ast.expr, values: Values) -> Problem | None:
         return None
     sides = [values.resolved(side) for side in (node.left, node.right)]
     has_text = any(string(side) is not None for side in sides)
-    names = [called(side) if isinstance(side, ast.Call) else "" for side in sides]
-    substitution = next((name for name in names if name in _SUBSTITUTIONS), "")
+    substitution = next((name for name in map(called, sides) if name in _SUBSTITUTIONS), "")
     if not (substitution and has_text):
         return None
     message = f"a string and a {substitution} cannot be added: its value is known only at run time"
-    return rejected(node, message, "write both into a list, with a comma between them", values)
+    return values.problem(node, message, "write both into a list, with a comma between them")
 
 
 def _formatted(node: ast.expr, values: Values) -> Problem | None:
     """A substitution in an f-string, which has the name of its class and not its value."""
     for part in node.values if isinstance(node, ast.JoinedStr) else ():
         value = values.resolved(part.value) if isinstance(part, ast.FormattedValue) else None
-        if isinstance(value, ast.Call) and called(value) in _SUBSTITUTIONS:
+        if called(value) in _SUBSTITUTIONS:
             message = (
                 f"an f-string does not have the value of {called(value)}, which is known only "
             )
             message += "at run time"
-            return rejected(node, message, "write a list: [text, substitution]", values)
+            return values.problem(node, message, "write a list: [text, substitution]")
     return None
 
 
@@ -96,11 +95,7 @@ def missing_slash(pieces: Collection[ast.expr | None], values: Values) -> Iterat
     for before, piece in pairwise(pieces):
         directory = values.resolved(before)
         text = string(piece) or ""
-        is_package = isinstance(directory, ast.Call) and called(directory) in PACKAGE_DIRECTORY
+        is_package = called(directory) in PACKAGE_DIRECTORY
         if piece is not None and is_package and text[:1].isalpha():
             message = f"'{text}' follows the directory of a package without a slash"
-            yield rejected(piece, message, f"write '/{text}'", values)
-
-
-def rejected(node: ast.expr, message: str, help: str, values: Values) -> Problem:
-    return Problem("LAU010", values.span(node), message, help, severity=Severity.ERROR)
+            yield values.problem(piece, message, f"write '/{text}'")

@@ -93,7 +93,7 @@ class PythonLaunchFile:
             text = self.values.text(predicate) or ""
             is_true = {"true": True, "1": True, "false": False, "0": False}.get(text.lower())
             holds = None if is_true is None else is_true is (name == "IfCondition")
-            is_choice = isinstance(predicate, ast.Call) and called(predicate) in COMPUTED
+            is_choice = called(predicate) in COMPUTED
         else:
             holds, is_choice = self._equals(condition), True
         return None if is_choice and holds is False else holds

@@ -38,7 +38,7 @@ def wrong_names(tree: ast.Module, values: Values) -> Iterator[Problem]:
         if isinstance(node, ast.Name) and is_read and node.id not in known:
             known.add(node.id)  # each name is reported once
             message = f"name '{node.id}' is not defined"
-            problem = _error(node, message, _how_to_define(node.id, suggester), values)
+            problem = values.problem(node, message, _how_to_define(node.id, suggester))
             yield problem if is_sure else problem._replace(severity=Severity.WARNING)
 
 
@@ -68,7 +68,7 @@ def _wrong_imports(tree: ast.Module, values: Values) -> Iterator[Problem]:
             continue
         for alias in node.names:
             if help := _right_import(module, alias.name):
-                yield _error(node, f"module {module} has no {alias.name}", help, values)
+                yield values.problem(node, f"module {module} has no {alias.name}", help)
 
 
 def _right_import(module: str, name: str) -> str:
@@ -151,7 +151,3 @@ def _names_below(node: ast.AST) -> Iterator[str]:
             yield child.id
         if not isinstance(child, _FUNCTIONS):
             stack += ast.iter_child_nodes(child)
-
-
-def _error(node: ast.expr | ast.stmt, message: str, help: str, values: Values) -> Problem:
-    return Problem("LAU010", values.span(node), message, help, severity=Severity.ERROR)

@@ -9,6 +9,7 @@ from urdfkit.ros.launch.computed import computed
 from urdfkit.ros.launch.contents import LaunchedFile, Word
 from urdfkit.ros.launch.scopes import scopes
 from urdfkit.text import python_source
+from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import Span
 
 #: Greatest depth of nested expressions that are evaluated.
@@ -109,6 +110,16 @@ class Values:
             node = self._scopes.value(node)
         return None
 
+    def problem(
+        self,
+        node: ast.expr | ast.stmt,
+        message: str,
+        help: str,
+        severity: Severity = Severity.ERROR,
+    ) -> Problem:
+        """A problem of an expression or a statement of the launch file."""
+        return Problem("LAU010", self.span(node), message, help, severity=severity)
+
     def pairs(self, node: ast.expr | None) -> list[tuple[ast.expr | None, ast.expr]]:
         """The keys and values of a dictionary; empty for any other expression."""
         node = self.resolved(node)
@@ -178,7 +189,7 @@ class Values:
             return self.text(default, depth + 1) if name != "get" or is_mapping else None
         if name == "find" and isinstance(call.func, ast.Attribute):
             package = call.func.value  # FindPackageShare(...).find(...): its argument counts
-            is_one = isinstance(package, ast.Call) and called(package) in PACKAGE_DIRECTORY
+            is_one = called(package) in PACKAGE_DIRECTORY
             return self._package_directory(call, depth) if is_one else None
         return None
 
@@ -211,8 +222,9 @@ class Values:
         return self.configuration(name, depth)
 
 
-def called(call: ast.Call) -> str:
-    function = call.func
+def called(node: ast.AST | None) -> str:
+    """The name of the function or method that an expression calls; empty for another one."""
+    function = node.func if isinstance(node, ast.Call) else None
     if isinstance(function, ast.Attribute):
         return function.attr
     return function.id if isinstance(function, ast.Name) else ""
