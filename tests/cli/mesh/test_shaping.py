@@ -54,9 +54,13 @@ def test_decompose(angle: Path, capsys: pytest.CaptureFixture[str]) -> None:
     out = angle.with_name("piece.stl")
     words = ["mesh", "decompose", str(angle), "--most", "2", "-o", str(out)]
     assert main([*words, "--split"]) == 0
-    assert "piece 2:" in capsys.readouterr().out
+    page = capsys.readouterr().out
+    assert "piece 2:" in page
+    assert "its convex hull sticks out by " in page  # which one piece would do
     assert all(trimesh.load_mesh(angle.with_name(f"piece_{n}.stl")).is_convex for n in (1, 2))
     assert not out.exists()
+    assert main(words[:-2]) == 0
+    assert capsys.readouterr().out.endswith("nothing written; use --output OUT\n")
     assert main(words) == 0
     assert out.exists()
 

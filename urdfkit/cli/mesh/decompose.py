@@ -11,6 +11,7 @@ from urdfkit.cli.mesh.saving import FORCE, destination, save
 from urdfkit.cli.progress import working
 from urdfkit.mesh.containment import missing, protrusion
 from urdfkit.mesh.convex_decomposition import ENGINES, decompose
+from urdfkit.mesh.convex_hull import hull
 from urdfkit.mesh.geometry import Mesh
 from urdfkit.mesh.health import examine, examine_mesh
 from urdfkit.mesh.io.load import load
@@ -48,6 +49,10 @@ def command(file: str, out: str | None, split: bool, most: int, engine: str, for
         health = examine(part.vertices, part.faces)
         lines.append(f"  piece {number}: {health.faces} triangles, {tables.volume(health.volume)}")
     lines += tables.beyond(protrusion(result, mesh), missing(result, mesh))
+    if len(result.parts) > 1:
+        lines.append(
+            f"its convex hull sticks out by     {tables.length(protrusion(hull(mesh), mesh))}"
+        )
     if split and out:
         stem, suffix = os.path.splitext(out)
         pieces = {f"{stem}_{n}{suffix}": Mesh((part,)) for n, part in enumerate(result.parts, 1)}
@@ -55,6 +60,8 @@ def command(file: str, out: str | None, split: bool, most: int, engine: str, for
             destination(file, name, False, force)  # before the first of them is written
         for name, piece in pieces.items():
             lines += save(piece, name)
+    elif path is None:
+        lines.append("nothing written; use --output OUT")
     else:
         lines += save(result, path)
     output.page(lines)
