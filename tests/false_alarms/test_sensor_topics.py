@@ -71,6 +71,22 @@ def test_a_bridge_for_the_lidars_of_all_arguments(tmp_path: Path, topic: str, co
     assert len(found) == count
 
 
+CALLED = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="base"/>
+<xacro:macro name="lidar" params="link topic"><gazebo reference="${link}">
+<sensor name="front" type="gpu_lidar">%s</sensor></gazebo></xacro:macro>
+<xacro:macro name="lidars" params="link topic">
+<xacro:lidar link="${link}" topic="${topic}"/></xacro:macro>
+<xacro:lidars link="base" topic="/scan"/></robot>"""
+
+
+@pytest.mark.parametrize(("tag", "count"), [("<topic>${topic}</topic>", 0), ("", 1)])
+def test_a_topic_that_a_macro_is_called_with(tmp_path: Path, tag: str, count: int) -> None:
+    """It is no topic of other arguments, so it does not excuse a macro that forgets it."""
+    files = {"urdf/r.urdf.xacro": CALLED % tag}
+    found = reported(tmp_path / "arm", "LAU020", "a.launch.py", BRIDGE % "/scan", files)
+    assert [one.help for one in found] == ["write <topic>/scan</topic> into the sensor"] * count
+
+
 @pytest.mark.parametrize(
     ("topic", "count"),
     [("/world/default/dynamic_pose/info", 0), ("/world/default/pose/info", 0), ("/pose", 1)],

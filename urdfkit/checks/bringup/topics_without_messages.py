@@ -12,7 +12,7 @@ from urdfkit.ros.gazebo.worlds import read_world
 from urdfkit.ros.launch.bridges import FROM_GAZEBO, SIGNS, TO_GAZEBO, BridgedTopic
 from urdfkit.ros.launch.worlds import worlds
 from urdfkit.text.comments import blank_comments
-from urdfkit.text.document import CallFrame
+from urdfkit.text.document import CallFrame, Element
 
 #: Topics that Gazebo itself publishes: the simulation time, and the poses of all models.
 _OF_GAZEBO = (
@@ -158,13 +158,23 @@ def _topics_of_other_arguments(context: Context) -> Iterator[str]:
     for _, robot in context.described_robots:
         if robot.reading.xacro is None:
             continue
-        used = {
-            element.text.strip().strip("/")
-            for element in robot.document.root.walk()
-            if "topic" in element.tag
-        }
+        elements = list(robot.document.root.walk())
+        used = {at.text.strip().strip("/") for at in elements if "topic" in at.tag}
+        called = _expanded_calls(elements)
         for source in robot.reading.xacro.sources:
-            for tag, argument in re.findall(_TOPIC, blank_comments(source.data)):
-                name = (tag or argument).decode("utf-8", "replace").strip("/")
-                if name not in used:
+            data = blank_comments(source.data)
+            for match in re.finditer(_TOPIC, data):
+                name = match[match.lastindex or 0].decode("utf-8", "replace").strip("/")
+                is_called = (source.path, data.rfind(b"<", 0, match.start())) in called
+                if name not in used and not is_called:
                     yield name
+
+
+def _expanded_calls(elements: list[Element]) -> set[tuple[str, int]]:
+    """Path and offset of the macro calls from which elements come."""
+    calls: set[tuple[str, int]] = set()
+    frames = {element.frame for element in elements}
+    while frames := {frame for frame in frames if frame}:
+        calls.update((frame.call.source.path, frame.call.start) for frame in frames)
+        frames = {frame.outer for frame in frames}
+    return calls
