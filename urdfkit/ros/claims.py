@@ -1,7 +1,19 @@
-"""Command interfaces of joints that a controller claims exclusively."""
+"""What a controller needs of the hardware: command interfaces of joints, and sensors."""
 
 from urdfkit.ros.controllers import Controller
 from urdfkit.text.located_yaml import Value
+
+#: The parameters of controllers that name a sensor, and those that name an interface of one.
+_SENSORS = {
+    "admittance_controller/AdmittanceController": "ft_sensor.name",
+    "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster": "sensor_name",
+    "gps_sensor_broadcaster/GPSSensorBroadcaster": "sensor_name",
+    "imu_sensor_broadcaster/IMUSensorBroadcaster": "sensor_name",
+    "magnetometer_broadcaster/MagnetometerBroadcaster": "sensor_name",
+    "pose_broadcaster/PoseBroadcaster": "pose_name",
+    "range_sensor_broadcaster/RangeSensorBroadcaster": "sensor_name",
+}
+_INTERFACES = [f"interface_names.{kind}.{axis}" for kind in ("force", "torque") for axis in "xyz"]
 
 _BY_PACKAGE = {f"{kind}_controllers": kind for kind in ("position", "velocity", "effort")}
 
@@ -38,3 +50,12 @@ def commanded_joints(controller: Controller) -> list[Value]:
     kind = controller.kind
     commanded = controller.values(["command_joints"])
     return commanded or (controller.values(kind.joints) if kind else [])
+
+
+def named_sensors(controller: Controller) -> dict[str, Value]:
+    """The sensors that a controller reads, also those of which it names an interface."""
+    if (parameter := _SENSORS.get(controller.type)) is None:
+        return {}
+    interfaces = reversed(controller.values(_INTERFACES))  # the first place of each name remains
+    named = {value.text.rpartition("/")[0]: value for value in interfaces}
+    return {**named, **{value.text: value for value in controller.values([parameter])}}

@@ -4,8 +4,10 @@ from pathlib import Path
 
 import pytest
 
+from tests.controls import GZ, ROBOT, control, driven
 from tests.launched import reported
 from tests.naming import naming
+from urdfkit.lint.rule_examples import whole_robot
 
 ROS_1 = {"config/c.yaml": "ns:\n  arm_controller:\n    type: effort_controllers/X\n"}
 ROS_2 = {
@@ -162,3 +164,39 @@ def test_controllers_in_a_chain(tmp_path: Path, prefix: str, words: str, message
     files = {"config/c.yaml": CHAINED % prefix}
     found = reported(tmp_path / "arm", "LAU013", "a.launch.py", text, files)
     assert [one.message.endswith(message) for one in found] == [True] * bool(message)
+
+
+BROADCASTER = """controller_manager:
+  ros__parameters:
+    imu: {type: imu_sensor_broadcaster/IMUSensorBroadcaster}
+imu:
+  ros__parameters: {sensor_name: base_imu, frame_id: base}
+"""
+DESCRIBED = """from launch_ros.actions import Node
+
+nodes = [
+    Node(package="robot_state_publisher", executable="robot_state_publisher",
+         parameters=[{"robot_description": open("../r.urdf").read()}]),
+]
+"""
+
+
+@pytest.mark.parametrize(
+    ("plugin", "parts", "count"),
+    [
+        (GZ, "", 1),
+        (GZ, '<sensor name="base_imu"><state_interface name="orientation.x"/></sensor>', 0),
+        (GZ, '<sensor name="other"/>', 0),  # RCT032 compares the names
+        ("mine/Hardware", "", 0),  # which may offer more than it lists
+    ],
+)
+def test_a_broadcaster_without_a_sensor(
+    tmp_path: Path, plugin: str, parts: str, count: int
+) -> None:
+    files = {
+        "r.urdf": whole_robot(ROBOT + control(driven("swing"), parts, plugin=plugin)),
+        "config/c.yaml": BROADCASTER,
+    }
+    text = DESCRIBED + HEAD_2 + LOAD_2 + SPAWN_2.format("'imu'")
+    found = reported(tmp_path / "arm", "LAU013", "a.launch.py", text, files)
+    assert ["reads sensor 'base_imu'" in one.message for one in found] == [True] * count

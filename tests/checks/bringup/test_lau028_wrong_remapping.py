@@ -41,3 +41,29 @@ def test_a_filter_that_reads_its_output(tmp_path: Path, to: str, count: int) -> 
     files = {"ekf.yaml": EKF.format(f"odom0: odom, odom0_config: {rows(2)}")}
     found = reported(tmp_path / "arm", "LAU028", "a.launch.xml", text, files)
     assert ["own output" in one.message for one in found] == [True] * count
+
+
+DRIVES = "controller_manager: {ros__parameters: {drive: {type: diff_drive_controller/%s}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("kind", "remapped", "count"),
+    [
+        ("DiffDriveController", "/base/cmd_vel", 1),
+        ("DiffDriveController", "/drive/cmd_vel", 0),
+        ("DiffDriveController", "/base/own", 0),
+        ("DiffDriveController", '/drive/cmd_vel", "/a"), ("/base/cmd_vel', 0),  # for another one
+        ("Own", "/base/cmd_vel", 0),
+    ],
+)
+def test_a_remapping_for_another_drive(
+    tmp_path: Path, kind: str, remapped: str, count: int
+) -> None:
+    node = (
+        'Node(package="controller_manager", executable="ros2_control_node", '
+        f'parameters=["../c.yaml"], remappings=[("{remapped}", "/x")])'
+    )
+    text = f"from launch_ros.actions import Node\n\nnodes = [{node}]\n"
+    files = {"c.yaml": DRIVES % kind}
+    found = reported(tmp_path / "arm", "LAU028", "a.launch.py", text, files)
+    assert ["no controller is called 'base'" in one.message for one in found] == [True] * count

@@ -23,6 +23,7 @@ def rejected(directory: Path, yaml: str, text: str = NODE) -> list[tuple[int, st
     ("yaml", "line", "words"),
     [
         ("deadzone: 0.1\n", 1, "'deadzone' is not below"),
+        (f"{GOOD}   rate: 1.0\n", 4, ""),
         ("joy_node:\n  deadzone: 0.1\n", 2, "'deadzone' is not below"),
         ("joy_node:\n  ros_parameters:\n    deadzone: 0.1\n", 2, "but 'ros_parameters'"),
         ("joy_node:\n  ros__parameters:\n  deadzone: 0.1\n", 2, "has no values"),

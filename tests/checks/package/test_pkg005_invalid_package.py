@@ -6,6 +6,7 @@ import pytest
 
 from tests.launched import MANIFEST
 from tests.naming import naming
+from tests.workspaces import add_files
 from urdfkit import Diagnostic, check
 
 ROBOT = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"/>{}</robot>'
@@ -432,3 +433,20 @@ def test_a_package_that_is_found_and_not_declared(
     (robot / "CMakeLists.txt").write_text(FINDS.format(command))
     found = reported(robot, MANIFEST.replace("</package>", f"{depend}</package>"))
     assert ["does not declare" in one.message for one in found] == [True] * count
+
+
+def test_the_package_of_a_node_that_is_started(tmp_path: Path) -> None:
+    files = {
+        "talk/package.xml": OF_PYTHON.replace("<name>arm", "<name>talk"),
+        "talk/resource/talk": "",
+        "talk/talk/talker.py": "def main(): ...",
+        "talk/setup.cfg": CONFIG.replace("lib/arm", "lib/talk"),
+        "talk/setup.py": RUNNING.replace("arm.talker", "talk.talk").replace("arm", "talk"),
+        "arm/package.xml": MANIFEST,
+        "arm/launch/a.launch.xml": '<launch><node pkg="talk" exec="talk"/></launch>',
+        ".git/HEAD": "",
+    }
+    add_files(tmp_path, files)
+    report = check(tmp_path / "arm" / "launch" / "a.launch.xml", select=["PKG005"])
+    (found,) = report.diagnostics
+    assert "no module talk.talk;" in found.message

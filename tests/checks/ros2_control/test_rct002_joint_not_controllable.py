@@ -109,5 +109,17 @@ def test_parameter_that_is_read_or_unknown_joint(joint: str, hardware: str) -> N
 
 
 def test_a_joint_that_mimics_needs_no_parameter() -> None:
-    assert reported("RCT002", ROBOT + control(driven("follow", more=FOLLOWS), plugin=GZ)) == []
+    state = f'<joint name="follow">{FOLLOWS}<state_interface name="position"/></joint>'
+    assert reported("RCT002", ROBOT + control(state, plugin=GZ)) == []
     assert reported("RCT002", ROBOT + control(driven("slide"), plugin=GZ)) == []
+
+
+@pytest.mark.parametrize(
+    ("targets", "count"), [(("gz-harmonic",), 1), (("gz-harmonic", "gz-fortress"), 0)]
+)
+def test_a_follower_with_a_command_and_the_parameter_of_humble(
+    targets: tuple[str, ...], count: int
+) -> None:
+    """Robotiq's gripper, whose controller manager stops on Jazzy."""
+    text = ROBOT + control(driven("swing"), driven("follow", more=FOLLOWS))
+    assert len(reported("RCT002", text, targets=targets)) == count

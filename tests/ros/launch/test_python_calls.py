@@ -193,7 +193,7 @@ COMPONENT = "from launch_ros.descriptions import ComposableNode\n"
         ("image_proc", "image_proc::RectifyNod", "write image_proc::RectifyNode"),
         ("image_proc", "image::RectifyNode", "write image_proc::RectifyNode"),
         ("image_proc", "image_proc::RectifyNode", ""),
-        ("image_proc", "image_proc::Other", ""),
+        ("usb_cam", "usb_cam::Other", ""),
         ("mine", "mine::Node", ""),
     ],
 )
@@ -297,3 +297,15 @@ def test_handlers_of_any_process(tmp_path: Path, handler: str, count: int) -> No
     text = text.replace("DeclareLaunchArgument,", "DeclareLaunchArgument, EmitEvent, Shutdown,", 1)
     found = reported(tmp_path, "LAU010", "a.launch.py", text)
     assert sum("no target_action" in one.message for one in found) == count
+
+
+@pytest.mark.parametrize(
+    ("plugin", "known"), [("image_proc::Other", False), ("image_proc::ResizeNode", True)]
+)
+def test_a_package_all_of_whose_components_are_known(
+    tmp_path: Path, plugin: str, known: bool
+) -> None:
+    call = f"ComposableNode(package='image_proc', plugin='{plugin}')"
+    text = COMPONENT + program("node", f"    print({call})\n")
+    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert ["image_proc::RectifyNode" in one.help for one in found] == [True] * (not known)

@@ -4,7 +4,7 @@ The spawner waits, or stops: "The 'type' param was not defined for 'arm_controle
 differs from the name in the YAML file, or the file does not define the controller. In ROS 2, the
 type must be in the section of the controller manager, not in the controller's own. A controller
 that commands another one, as in `pid/wheel_joint`, needs that one, which must be active before
-(warning). The YAML files
+(warning), and a broadcaster needs the sensor that it reads. The YAML files
 of the package and of the packages that the launch file references are searched. If one of these
 packages is not found, only typos of known names are reported. A launch file that names parameters
 itself, for example with the `ns` of a `<rosparam>`, is not checked.
@@ -30,6 +30,8 @@ from urdfkit.lint.rules import (
     Severity,
     rule,
 )
+from urdfkit.ros.catalog.ros_control import simulated_hardware
+from urdfkit.ros.claims import named_sensors
 from urdfkit.ros.controllers import Controller, read
 from urdfkit.ros.launch.spawned_controllers import SpawnedController, spawned_controllers
 from urdfkit.ros.ros_control import components
@@ -69,6 +71,7 @@ def check(context: Context) -> Findings:
     defined = defined_controllers(context)
     yield from _typed_by_themselves(spawned, defined)
     yield from _chained(context, spawned, defined)
+    yield from _without_sensor(context, spawned, defined)
     loaded = set(defined)
     known = loaded.union(*(_defined(context, path) for path in _package_files(context)))
     # A name with a substitution is known only when the launch file runs.
@@ -120,6 +123,23 @@ def _chained(
                 at = spawned[names.index(user.name)].at
                 help = f"name {other} first, or pass {_TOGETHER}"
                 yield Finding(at, message, help, severity=Severity.WARNING)
+
+
+def _without_sensor(
+    context: Context, spawned: list[SpawnedController], defined: dict[str, Controller]
+) -> Findings:
+    """Broadcasters of sensors of a simulated robot that has none; RCT032 compares the names."""
+    robots = list(context.described_robots)
+    blocks = [block for _, robot in robots for block in components(robot.model)]
+    is_simulated = bool(blocks) and all(one.hardware in simulated_hardware() for one in blocks)
+    has_sensors = any(part.kind == "sensor" for block in blocks for part in block.parts)
+    is_known = is_simulated and not has_sensors and all(one.is_whole for one, _ in robots)
+    names = {one.name for one in spawned if one.is_activated} if is_known else set()
+    for user in filter(None, map(defined.get, sorted(names))):
+        for name, value in named_sensors(user).items():
+            message = f"controller '{user.name}' reads sensor '{name}', which no <ros2_control> has"
+            help = f'add <sensor name="{name}"> with its state interfaces to <ros2_control>'
+            yield Finding(value.span, message, help)
 
 
 def _is_later(name: str, other: str, spawned: list[SpawnedController]) -> bool:

@@ -17,8 +17,9 @@
   Nav2 (warning).
 - A costmap layer has an unknown class or an unsupported `data_type`.
 - A behaviour tree has no full path, or the default one calls a behaviour that is not in
-  `behavior_plugins` (warnings). The frames of the map and of odometry are swapped
-  (warning).
+  `behavior_plugins` (warnings). A behaviour tree has a node or a port that Nav2 does not have
+  (warnings), a decorator without exactly one child, or the name of a tree that is not there.
+- The frames of the map and of odometry are swapped (warning).
 - The `frame_prefix` of robot_state_publisher begins with a slash, or is the namespace without one
   behind it (warnings).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
@@ -34,6 +35,7 @@ Sources:
 """
 
 from urdfkit.checks.bringup import costmap_parameters, parameter_types, parameter_values
+from urdfkit.checks.bringup.behavior_trees import invalid_trees
 from urdfkit.checks.bringup.invalid_maps import invalid_maps, missing_graphs, missing_maps
 from urdfkit.checks.bringup.plugin_parameters import missing_in_default_trees, unloadable_plugins
 from urdfkit.checks.bringup.read_parameters import (
@@ -90,6 +92,7 @@ def check(context: Context) -> Findings:
         yield from costmap_parameters.mixed_names(own)
     yield from parameter_values.invalid_prefixes(context.launch.programs)
     yield from missing_in_default_trees(context, sections)
+    yield from invalid_trees(context, sections)
     yield from parameter_values.missing_of_programs(context)
     yield from rejected_files(context)
     yield from invalid_maps(context)

@@ -5,6 +5,7 @@
 - A remapping is the wrong way round: from another name to that of the node.
 - The node has no such topic: navsat_transform_node reads `imu`, not `imu/data` as in ROS 1.
 - `cmd_vel_unstamped` of a drive is remapped, which it has only with `use_stamped_vel: false`.
+- Gazebo's control plugin, or ros2_control_node, remaps a topic of a drive that is not there.
 - `odometry/filtered` of robot_localization is remapped to its own input.
 
 Sources:
@@ -15,6 +16,7 @@ Sources:
 from urdfkit.checks.bringup.unread_remappings import (
     read_own_output,
     reversed_remappings,
+    unknown_controllers,
     unknown_topics,
     unread_remappings,
     unstamped_commands,
@@ -44,3 +46,4 @@ def check(context: Context) -> Findings:
     yield from unknown_topics(context)
     yield from read_own_output(context)
     yield from unstamped_commands(context)
+    yield from unknown_controllers(context)

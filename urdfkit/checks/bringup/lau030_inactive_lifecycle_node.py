@@ -1,7 +1,7 @@
 """A lifecycle node stays unconfigured, or what activates it waits for a node that is not started.
 
-- A lifecycle manager of Nav2 waits for a node that nothing starts, or `autostart` of the manager is
-  false, as it is by default.
+- A lifecycle manager of Nav2 waits for a node that nothing starts, or for one that is not a
+  lifecycle node. Or `autostart` of the manager is false, as it is by default.
 - No manager activates a node of Nav2, or of slam_toolbox since Jazzy, which stays unconfigured. Or
   no launch file of the workspace starts a lifecycle manager for a server of Nav2.
 - A launch file of Nav2 waits for a container of composable nodes that nothing starts.
@@ -95,7 +95,7 @@ def _may_start_container(launch: Launch) -> bool:
 
 
 def _not_activated(context: Context) -> Findings:
-    """Managed nodes that are not started, and started nodes that are not managed."""
+    """Managed nodes that are not started or not lifecycle nodes, and those that are not managed."""
     launch = context.launch
     programs = launch.programs
     managers = [node for node in programs if node.package == _MANAGER]
@@ -116,6 +116,14 @@ def _not_activated(context: Context) -> Findings:
                 node.at,
                 f"'{name}' stays unconfigured: no lifecycle manager has it in {_NAMES}",
                 f"add it to {_NAMES} of the lifecycle manager",
+            )
+    for name in sorted(filter(None, names.intersection(nodes))):
+        node = nodes[name]
+        if f"{node.package}/{node.executable}" in data("nodes")["plain"].split():
+            yield Finding(
+                node.at,
+                f"the lifecycle manager waits for '{name}' for ever, which is not a lifecycle node",
+                f"remove it from {_NAMES}",
             )
     started = {*nodes, *(node.title for node in programs_of(others))}
     own = (name for name in _managed(launch) if name and name not in started)

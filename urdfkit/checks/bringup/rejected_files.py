@@ -32,11 +32,17 @@ def rejected_files(context: Context) -> Findings:
     has_robots = bool(context.launch.descriptions)
     for path, node in readers.items():
         source = context.resolver.readable(path)
-        if source is None or syntax_error(source):  # RCT026, which says where YAML ends
+        if source is None:
+            continue
+        note = Related(node.span, f"'{node.title}' stops at it")
+        if error := syntax_error(source):
+            if not has_robots:  # else RCT026 reports it
+                at, reason = error
+                yield Finding(at, f"invalid YAML: {reason}", "fix the file", related=(note,))
             continue
         is_of_robot = has_robots and MANAGER in mapping(load(source))
         for finding in _rejected(source, is_of_robot=is_of_robot, is_rewritten=is_rewritten):
-            yield finding._replace(related=(Related(node.span, f"'{node.title}' stops at it"),))
+            yield finding._replace(related=(note,))
 
 
 def _rejected(source: Source, *, is_of_robot: bool, is_rewritten: bool) -> Iterator[Finding]:

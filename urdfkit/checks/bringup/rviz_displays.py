@@ -5,6 +5,7 @@ Humble to Rolling; kobuki-base/kobuki_ros#51.
 """
 
 import os
+import re
 from collections.abc import Iterator
 
 from urdfkit.checks.bringup.workspace_launches import all_launches, workspace_launches
@@ -13,10 +14,10 @@ from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import FileUse, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter, topic_of_program
-from urdfkit.ros.launch.rviz import DISPLAYS, displays, tools, topic_of
+from urdfkit.ros.launch.rviz import displays, other_classes, tools, topic_of
 from urdfkit.ros.launch.spawned_controllers import resolve_name
 from urdfkit.text.located_yaml import Node, Value, scalar
-from urdfkit.text.source import Span
+from urdfkit.text.source import Source, Span
 
 _PLUGINS, _POLICY = "rviz_default_plugins", "Reliability Policy"
 #: The topic of goals in ROS 1.
@@ -27,18 +28,21 @@ _READ_BY_NAV2 = {"SetGoal": "goal_pose", "SetInitialPose": "initialpose"}
 
 def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], str]]:
     """The displays in the configurations of RViz in ROS 2: the file, the display, its class."""
-    if not any(node.package == "rviz2" for node in context.launch.started):
-        return
-    seen: set[str] = set()
-    for file in context.launch.files:
-        if file.path in seen or not (file.exists and file.path.endswith(".rviz")):
-            continue
-        seen.add(file.path)
-        source = context.resolver.readable(file.path)
-        for display in displays(source) if source else ():
+    for file, source in _configurations(context):
+        for display in displays(source):
             kind = scalar(display, "Class")
             if kind:
                 yield file, display, kind.text
+
+
+def _configurations(context: Context) -> Iterator[tuple[FileUse, Source]]:
+    """The configurations of RViz in ROS 2, each once."""
+    is_started = any(node.package == "rviz2" for node in context.launch.started)
+    files = {file.path: file for file in reversed(context.launch.files) if is_started}
+    for path, file in reversed(files.items()):
+        source = context.resolver.readable(path) if path.endswith(".rviz") and file.exists else None
+        if source:
+            yield file, source
 
 
 def has_other_topics(context: Context) -> bool:
@@ -52,9 +56,10 @@ def has_other_topics(context: Context) -> bool:
 def unknown_classes(context: Context) -> Findings:
     """Display classes of RViz in ROS 1, and misspelt classes."""
     reported: set[str] = set()
+    displays = data("rviz")["displays"].split()
     for file, display, name in read_by_rviz(context):
         package, _, kind = name.partition("/")
-        suggested = kind if kind in DISPLAYS else nearest(kind, DISPLAYS, TYPO)
+        suggested = kind if kind in displays else nearest(kind, displays, TYPO)
         is_known = package not in ("rviz", _PLUGINS) or name == f"{_PLUGINS}/{suggested}"
         class_name = display["Class"]
         if is_known or not suggested or name in reported or not isinstance(class_name, Value):
@@ -62,6 +67,24 @@ def unknown_classes(context: Context) -> Findings:
         reported.add(name)
         message, help = f"RViz has no display '{name}'", f"write {_PLUGINS}/{suggested}"
         yield _finding(class_name.span, message, help, file)
+    yield from _misspelt_parts(context)
+
+
+def _misspelt_parts(context: Context) -> Findings:
+    """Panels, tools and views whose package has a class of almost the same name."""
+    for file, source in _configurations(context):
+        for name in other_classes(source):
+            package, _, kind = name.text.partition("/")
+            known: list[str] = data("rviz")["others"].get(package, [])
+            same = {_plain(other): other for other in known}
+            suggested = same.get(_plain(kind)) or nearest(kind, known, TYPO)
+            if suggested and kind not in known:
+                message, help = f"RViz has no '{name.text}'", f"write {package}/{suggested}"
+                yield _finding(name.span, message, help, file)
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"\W", "", name).lower()
 
 
 def volatile_maps(context: Context) -> Findings:

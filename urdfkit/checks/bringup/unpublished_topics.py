@@ -54,7 +54,8 @@ _NAVSAT, _OF_NAVSAT = "navsat_transform_node", "odometry/gps"
 _TOPICS_OF_NAVSAT = frozenset(
     ("imu", "gps/fix", "odometry/filtered", "odometry/gps", "gps/filtered")
 )
-_PUBLISHERS = (_CONTROLLERS, _FILTER, "ros_gz_bridge", "ros_gz_image")
+_BRIDGE = "ros_gz_bridge"
+_PUBLISHERS = (_CONTROLLERS, _FILTER, _BRIDGE, "ros_gz_image")
 _ODOMETRY, _IMU = "Odometry", "Imu"
 #: Topics of programs of robot_localization, and the start of the help.
 _STARTED = {
@@ -210,8 +211,8 @@ def _is_known(program: StartedProgram, message: str) -> bool:
         known = _TOPICS_OF_NAVSAT
     renamed = program.remappings
     is_remapped = renamed is None or not {name.strip("~/") for name in renamed} <= known
-    is_plain = program.is_sure and not is_remapped and program.namespace == ""
-    return is_plain and package in _PUBLISHERS
+    is_placed = program.namespace == "" or (package == _BRIDGE and program.namespace is not None)
+    return program.is_sure and not is_remapped and is_placed and package in _PUBLISHERS
 
 
 def _publications(program: StartedProgram) -> dict[str, str] | None:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.checks.bringup.defined_controllers import defined_controllers, robots_of_workspace
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.catalog import data
@@ -36,6 +36,8 @@ _OF_ALL = re.compile(
     r"/(tf|tf_static|clock|rosout|parameter_events|diagnostics)$|/_|~"
     r"|/(compressed|compressedDepth|theora|zstd|ffmpeg)$"
 )
+#: Topics that drives have, and the end of the names of their classes.
+_OF_DRIVES, _DRIVE = ("cmd_vel", "cmd_vel_unstamped", "odom", "odometry", "reference"), "Drive"
 _MAX_NAMED = 5
 _SPAWNERS = ("spawner", "spawner.py")
 _HELP = (
@@ -85,14 +87,7 @@ def renamed_topics(context: Context) -> dict[str, str]:
 def unstamped_commands(context: Context) -> Findings:
     """Remappings of a topic that a drive has only without stamps, up to Iron."""
     defined = defined_controllers(context)
-    robots = (robot for _, robot in context.described_robots)
-    renamed: list[tuple[str, Location | Element]] = [
-        (old, element) for old, _, element in remappings_of_plugins(robots)
-    ]
-    for node in context.launch.started:
-        if node.package == MANAGER and node.executable not in _SPAWNERS:
-            renamed += ((old, node.at) for old in node.remappings or ())
-    for old, at in renamed:
+    for old, at in _renamed(context):
         name, _, topic = old.strip("/~").rpartition("/")
         controller = defined.get(name)
         if topic != _UNSTAMPED or controller is None or controller.ros != 2:
@@ -106,6 +101,39 @@ def unstamped_commands(context: Context) -> Findings:
                 f"remap /{name}/cmd_vel, and publish TwistStamped; up to Iron, or set "
                 f"{_STAMPED}: false",
             )
+
+
+def unknown_controllers(context: Context) -> Findings:
+    """Remappings of topics of a drive that is not there, while that of the robot has others."""
+    drives = [name for name, one in defined_controllers(context).items() if _DRIVE in one.type]
+    renamed = [(old, at, *_owner(old)) for old, at in _renamed(context)]
+    for old, at, name, topic in renamed if len(drives) == 1 else ():
+        served = {owner for _, _, owner, other in renamed if other == topic}
+        if name and topic in _OF_DRIVES and served.isdisjoint(drives):
+            yield Finding(
+                at,
+                f"remapping of '{old}' has no effect: no controller is called '{name}'"
+                f"{did_you_mean(name, drives)}",
+                f"remap /{drives[0]}/{topic}",
+            )
+
+
+def _owner(topic: str) -> tuple[str, str]:
+    """The node in the full name of a topic, and the rest."""
+    owner, _, name = topic.strip("/~").rpartition("/")
+    return owner.rpartition("/")[2], name
+
+
+def _renamed(context: Context) -> list[tuple[str, Location | Element]]:
+    """The topics that the programs with controllers remap: Gazebo's plugin, ros2_control_node."""
+    robots = (robot for _, robot in context.described_robots)
+    renamed: list[tuple[str, Location | Element]] = [
+        (old, element) for old, _, element in remappings_of_plugins(robots)
+    ]
+    for node in context.launch.started:
+        if node.package == MANAGER and node.executable not in _SPAWNERS:
+            renamed += ((old, node.at) for old in node.remappings or ())
+    return renamed
 
 
 def reversed_remappings(context: Context) -> Findings:

@@ -34,7 +34,8 @@ resolve.
   creates the file with a deprecation warning; a Debian package lacks it (warning).
   Without `<build_type>ament_python</build_type>` in `<export>`, colcon looks for a CMakeLists.txt.
 
-Only launch files, and descriptions that refer to packages, are checked.
+Only launch files, with the packages of the nodes that they start, and descriptions that refer to
+packages are checked.
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
@@ -101,25 +102,40 @@ def check(context: Context) -> Findings:
     if not (is_launch(path) or have_references(context.document.sources)):
         return
     home = resolver.packages.enclosing(path)
-    if home and not is_ignored(home[1]):
-        others = list(other_name(*home))
-        yield from others or not_registered(*home)  # which has the name of package.xml
-        yield from missing_directories(*home)
-        yield from finds_catkin(home[1])
-        yield from not_finished(home[1])
-        yield from other_build_type(home[1])
-        if build_file(home[1]).endswith(".py"):
-            from urdfkit.checks.package.python_executables import not_runnable  # for few robots
-
-            yield from not_runnable(*home)
-        yield from undeclared_packages(*home, resolver)
-        yield from not_generated(home[1])
-        for directory in packages_with_interfaces(context):
-            yield from not_generated(directory)
-            yield from _of_manifest(os.path.join(directory, "package.xml"), resolver)
+    packages = {home[0]: home[1]} if home else {}
+    for name, directory in (packages | _started(context)).items():
+        if not is_ignored(directory):
+            yield from _of_package(name, directory, resolver)
+    for directory in packages_with_interfaces(context) if home and not is_ignored(home[1]) else ():
+        yield from not_generated(directory)
+        yield from _of_manifest(os.path.join(directory, "package.xml"), resolver)
     file = nearest_manifest(path)
     if file is not None:
         yield from _of_manifest(file, resolver)
+
+
+def _started(context: Context) -> dict[str, str]:
+    """The packages of this workspace whose programs a launch file starts, with directories."""
+    started = context.launch.started if is_launch(context.source.path) else ()
+    names = sorted({node.package for node in started if not comes_with_ros(node.package)})
+    known = context.resolver.packages.known(context.source.path) if names else {}
+    return {name: known[name] for name in names if known.get(name)}
+
+
+def _of_package(name: str, directory: str, resolver: Resolver) -> Findings:
+    """Mistakes in the build file of a package."""
+    others = list(other_name(name, directory))
+    yield from others or not_registered(name, directory)  # which has the name of package.xml
+    yield from missing_directories(name, directory)
+    yield from finds_catkin(directory)
+    yield from not_finished(directory)
+    yield from other_build_type(directory)
+    if build_file(directory).endswith(".py"):
+        from urdfkit.checks.package.python_executables import not_runnable  # for few robots
+
+        yield from not_runnable(name, directory)
+    yield from undeclared_packages(name, directory, resolver)
+    yield from not_generated(directory)
 
 
 def _of_manifest(file: str, resolver: Resolver) -> Findings:

@@ -53,7 +53,7 @@ def check(context: Context) -> Findings:
         for part in component.joints:
             joint = context.model.joints_by_name.get(part.name)
             if joint and joint.mimic:
-                yield from _commanded_mimic(part, joint.leader, targets.among(_HUMBLE))
+                yield from _commanded_mimic(part, joint.leader, targets.among(_HUMBLE), is_jazzy)
             elif joint and is_jazzy and (leader_at := parameter(part.at, "mimic")):
                 yield Finding(
                     leader_at,
@@ -88,11 +88,14 @@ def _has_other_reader(joint: Element) -> bool:
     return bool(names) and names.isdisjoint(known)
 
 
-def _commanded_mimic(part: ControlPart, leader: str, humble: tuple[str, ...]) -> Findings:
-    """A mimic joint with a command interface, unless it has Humble's ``mimic`` parameter."""
+def _commanded_mimic(
+    part: ControlPart, leader: str, humble: tuple[str, ...], is_jazzy: bool
+) -> Findings:
+    """A mimic joint with a command interface; Humble allows it with its ``mimic`` parameter."""
     commands = part.of("command")
     has_motor = (part.at.get("mimic") or "").lower() == "false"
-    if commands and not has_motor and not parameter(part.at, "mimic"):
+    is_of_humble = parameter(part.at, "mimic") is not None and not is_jazzy
+    if commands and not has_motor and not is_of_humble:
         yield Finding(
             commands[0].at,
             f"mimic joint '{part.name}' (of '{leader}') has command interface '{commands[0].name}'",

@@ -20,13 +20,12 @@ from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import element_xml, robot_xml
 from urdfkit.ros.catalog.ros_control import simulated_hardware
-from urdfkit.ros.controllers import Controller
+from urdfkit.ros.claims import named_sensors
 from urdfkit.ros.gazebo.samples import control_xml, gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.ros_control import Component, components
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
-from urdfkit.text.located_yaml import Value
 
 BAD = robot_xml(
     solid_xml("base"),
@@ -40,17 +39,6 @@ FIXED = GOOD = BAD.replace("base_immu", "base_imu")
 
 #: State interfaces of the sensors that Gazebo's hardware reads.
 _SIMULATED = re.compile(r"(orientation|angular_velocity|linear_acceleration|force|torque)\.[xyzw]")
-#: The parameters of controllers that name a sensor, and those that name an interface of one.
-_SENSORS = {
-    "admittance_controller/AdmittanceController": "ft_sensor.name",
-    "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster": "sensor_name",
-    "gps_sensor_broadcaster/GPSSensorBroadcaster": "sensor_name",
-    "imu_sensor_broadcaster/IMUSensorBroadcaster": "sensor_name",
-    "magnetometer_broadcaster/MagnetometerBroadcaster": "sensor_name",
-    "pose_broadcaster/PoseBroadcaster": "pose_name",
-    "range_sensor_broadcaster/RangeSensorBroadcaster": "sensor_name",
-}
-_INTERFACES = [f"interface_names.{kind}.{axis}" for kind in ("force", "torque") for axis in "xyz"]
 
 
 @rule(Severity.WARNING)
@@ -86,7 +74,7 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
         return  # the broadcaster may be for another robot, and not be started
     exported = {part.name for part in parts}
     for file, controller in context.controllers:
-        for name, value in _named(controller).items():
+        for name, value in named_sensors(controller).items():
             # A namespace before the name may be added by the broadcaster.
             is_known = any(other == name or other.endswith(f"/{name}") for other in exported)
             if name and not is_expression(name) and not is_known:
@@ -98,12 +86,3 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
                     related=(file.note,),
                     confidence=Confidence.INFERRED,
                 )
-
-
-def _named(controller: Controller) -> dict[str, Value]:
-    """The sensors that a controller reads, also those of which it names an interface."""
-    if (parameter := _SENSORS.get(controller.type)) is None:
-        return {}
-    interfaces = reversed(controller.values(_INTERFACES))  # the first place of each name remains
-    named = {value.text.rpartition("/")[0]: value for value in interfaces}
-    return {**named, **{value.text: value for value in controller.values([parameter])}}

@@ -11,6 +11,7 @@ from functools import cache
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram, Word
+from urdfkit.ros.launch.spawned_controllers import resolve_name
 from urdfkit.text.located_yaml import Value, load, mapping
 from urdfkit.text.source import Span
 from urdfkit.workspace.resolve import Resolver
@@ -101,7 +102,15 @@ def config_path(program: StartedProgram) -> str | None:
 
 
 def bridged_topics(program: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:
-    """Topics of a bridge of ros_gz; empty for other programs."""
+    """Topics of a bridge of ros_gz, with the namespace of the bridge; empty for other programs."""
+    for topic in _topics(program, resolver):
+        if program.namespace and not topic.ros_topic.startswith("/"):
+            yield topic._replace(ros_topic=resolve_name(topic.ros_topic, program.namespace))
+        else:
+            yield topic
+
+
+def _topics(program: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:
     if program.executable == "image_bridge" and program.package in _IMAGE_PACKAGES:
         yield from _images(program)
     if not is_bridge(program):

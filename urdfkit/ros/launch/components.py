@@ -5,6 +5,9 @@ from collections.abc import Iterable
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.ros.catalog import data
 
+#: The mark of a package all of whose classes are known.
+_ALL = "+"
+
 
 def wrong_component(package: str | None, plugin: str | None) -> tuple[str, str] | None:
     """Message and help for a class that a container does not find; None if it may exist."""
@@ -16,8 +19,10 @@ def wrong_component(package: str | None, plugin: str | None) -> tuple[str, str] 
         return message, f"write {plugin.replace('/', '::')}"
     match = nearest(plugin, known, CLOSE_TYPO) if plugin not in known else None
     same = [name for name in known if name.rpartition("::")[2] == plugin.rpartition("::")[2]]
-    if plugin not in known and (match or same):
-        return f"package '{package}' has no component '{plugin}'", f"write {match or same[0]}"
+    if plugin not in known and (match or same or _ALL in known):
+        message = f"package '{package}' has no component '{plugin}'"
+        others = ", ".join(name for name in known if name != _ALL)
+        return message, f"write {match or (same[0] if same else f'one of {others}')}"
     return None
 
 

@@ -180,18 +180,21 @@ def unknown_file(included: IncludedFile) -> Problem | None:
 def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
     """Arguments that a launch file of these packages does not declare.
 
-    roslaunch rejects them. ``ros2 launch`` ignores them: then only typos are reported, and a world
-    that is not opened.
+    roslaunch rejects them. ``ros2 launch`` ignores them: then only typos, former names and a world
+    that is not opened are reported.
     """
     package, name = _name(included)
     known = data("launch")["launch_files"].get(package, {}).get(name, "").split()
     is_ros_1 = name.endswith(".launch")
     has_args = any(passed.endswith("_args") for passed, _ in _passed(included))
+    former: dict[str, list[str]] = data("node_parameters")["renamed"].get(package, {})
     for argument, word in _passed(included) if known else ():
         is_world = argument in _WORLDS and not has_args
-        if argument in known or not (is_ros_1 or is_world or nearest(argument, known, TYPO)):
+        is_reported = is_ros_1 or is_world or argument in former or nearest(argument, known, TYPO)
+        if argument in known or not is_reported:
             continue
-        suggested = "gz_args" if is_world and not is_ros_1 else nearest(argument, known)
+        suggested = former[argument][0] if argument in former else nearest(argument, known)
+        suggested = "gz_args" if is_world and not is_ros_1 else suggested
         hint = f"; did you mean '{suggested}'?" if suggested else ""
         message = f"'{name}': unknown argument '{argument}'{hint}"
         severity = Severity.ERROR if is_ros_1 else Severity.WARNING

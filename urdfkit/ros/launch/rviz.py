@@ -5,15 +5,6 @@ from collections.abc import Iterator
 from urdfkit.text.located_yaml import Node, Value, load, mapping, scalar
 from urdfkit.text.source import Source
 
-#: The displays of rviz_default_plugins, Humble to Rolling.
-DISPLAYS = (
-    "AccelStamped", "Axes", "Camera", "CameraInfo", "DepthCloud", "Effort", "FluidPressure", "Grid",
-    "GridCells", "Illuminance", "Image", "InteractiveMarkers", "LaserScan", "Map", "Marker",
-    "MarkerArray", "Odometry", "Path", "PointCloud", "PointCloud2", "PointStamped", "Polygon",
-    "Pose", "PoseArray", "PoseWithCovariance", "Range", "RelativeHumidity", "RobotModel", "TF",
-    "Temperature", "TwistStamped", "Wrench", "WrenchStamped",
-)  # fmt: skip
-
 
 def manager_of(source: Source) -> dict[str, Node]:
     """The section of a configuration that contains the displays; empty if it is missing."""
@@ -38,6 +29,14 @@ def tools(source: Source) -> list[dict[str, Node]]:
     """The tools of a configuration."""
     listed = manager_of(source).get("Tools")
     return [mapping(tool) for tool in listed] if isinstance(listed, list) else []
+
+
+def other_classes(source: Source) -> list[Value]:
+    """The classes of the panels, the tools and the view."""
+    panels = mapping(load(source)).get("Panels")
+    view = mapping(manager_of(source), "Views").get("Current")
+    parts = [*(panels if isinstance(panels, list) else ()), *tools(source), view]
+    return [kind for part in parts if (kind := scalar(mapping(part), "Class"))]
 
 
 def topic_of(display: dict[str, Node], name: str = "Topic") -> Value | None:
