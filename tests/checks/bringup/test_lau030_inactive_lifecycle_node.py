@@ -99,5 +99,5 @@ def test_without_a_manager(tmp_path: Path, node: str, more: str, count: int) -> 
 def test_a_node_that_is_not_a_lifecycle_node(tmp_path: Path, package: str, count: int) -> None:
     text = MANAGER.format(", 'autostart': True").replace("'a'", "'ekf'")
     text += f"ekf = Node(package='{package}', executable='ekf_node', name='ekf')\n"
-    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text)
+    found = reported(tmp_path / "arm", "LAU030", "a.launch.py", text)
     assert ["waits for 'ekf' for ever" in one.message for one in found] == [True] * count

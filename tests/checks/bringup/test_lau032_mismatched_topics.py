@@ -28,9 +28,9 @@ EKF = "ekf_filter_node:\n  ros__parameters:\n    imu0: imu\n    imu0_config: []\
     [
         (IMU.format("/imu", "") + FILTER.format(""), 0),
         (IMU.format("/imu/data", "") + FILTER.format(""), 1),
-        (BRIDGE.format("imu", "], namespace='robot', parameters=[") + FILTER.format(""), 1),
-        (BRIDGE.format("/imu", "], namespace='robot', parameters=[") + FILTER.format(""), 0),
-        (BRIDGE.format("imu", "], namespace=name, parameters=[") + FILTER.format(""), 0),
+        (IMU.format("imu", "], namespace='robot', parameters=[") + FILTER.format(""), 1),
+        (IMU.format("/imu", "], namespace='robot', parameters=[") + FILTER.format(""), 0),
+        (IMU.format("imu", "], namespace=name, parameters=[") + FILTER.format(""), 0),
         (FILTER.format(""), 0),  # its publisher is unknown
         (IMU.format("/imu/data", "") + FILTER.format("") + NODE.format("a", "driver", ""), 0),
         (IMU.format("/imu/data", "") + FILTER.format(", remappings=[('imu', 'imu/data')]"), 0),
