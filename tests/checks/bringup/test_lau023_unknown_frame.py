@@ -6,6 +6,8 @@ import pytest
 
 from tests.launched import reported
 from tests.naming import naming
+from tests.workspaces import add_files
+from urdfkit import check
 
 ROBOT = """<robot name="r"><link name="base_link"/><link name="lidar"/>
 <joint name="j" type="fixed"><parent link="base_link"/><child link="lidar"/></joint></robot>"""
@@ -184,3 +186,32 @@ def test_frames_that_a_launch_file_rewrites(tmp_path: Path) -> None:
     text = "ekf:\n  ros__parameters:\n    base_link_frame: base_link\n"
     program = PUBLISHER.format(', "frame_prefix": "r/"') + FILTER.format("")
     assert messages(tmp_path, program + "# RewrittenYaml\n", f_yaml=text) == []
+
+
+@pytest.mark.parametrize(
+    ("build", "depends", "count"),
+    [("add_executable(driver driver.cpp)", "", 0), ("", "", 1), ("add_library(a)", "arm", 1)],
+)
+def test_the_frame_of_a_driver(tmp_path: Path, build: str, depends: str, count: int) -> None:
+    """Ouster's and Livox's drivers in the workspace of a robot: RViz shows their own frames."""
+    (tmp_path / "LICENSE").touch()
+    files = {"r.urdf": ROBOT}
+    text = HEAD + PUBLISHER.format("")
+    assert reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files) == []
+    depend = f"<exec_depend>{depends}</exec_depend>" if depends else ""
+    driver = {
+        "package.xml": f"<package><name>lidar</name>{depend}</package>",
+        "CMakeLists.txt": f"project(lidar)\n{build}\n",
+        "v.rviz": VIEW.format("lidar_frame", "false", "base_link"),
+        "launch/v.launch.py": HEAD + RVIZ,
+    }
+    add_files(tmp_path / "lidar", driver)
+    report = check(tmp_path / "lidar" / "launch" / "v.launch.py", select=["LAU023"])
+    assert len(report.diagnostics) == count
+
+
+def test_a_robot_whose_base_an_argument_chooses(tmp_path: Path) -> None:
+    """A kit for several vehicles: without an argument, it has no base."""
+    part = ROBOT.replace('<link name="base_link"/>', "")
+    view = VIEW.format("base_link", "false", "base_link")
+    assert messages(tmp_path, PUBLISHER.format("") + RVIZ, v_rviz=view, r_urdf=part) == []

@@ -13,6 +13,9 @@ from urdfkit.lint.rules import Context
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.transforms import StaticTransform, has_unknown_child, static_transform
+from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.install_rules import build_file
+from urdfkit.workspace.manifest import MAX_BYTES, manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: Frames that programs other than those of the robot publish.
@@ -30,6 +33,8 @@ _OF_NAVIGATION = re.compile(
     r"nav2_\w+|slam_toolbox|robot_localization|robot_state_publisher|rviz2|twist_mux|joy"
     r"|teleop_twist_(joy|keyboard)|tf2_ros"
 )
+#: A program in the build file of a package.
+_PROGRAM = rb"(?i)\badd_(?:executable|library)\s*\(|console_scripts[\"']\s*:\s*\[\s*[\"']"
 _WORLD, _NAMES_WORLD = "world", re.compile(rb":\s*[\"']?/?world\b")
 #: Packages of ROS whose nodes publish other frames, of a sensor or a recording.
 _PUBLISHERS_OF_ROS = ("mavros", "realsense2_camera", "rosbag", "rosbag2")
@@ -45,6 +50,8 @@ def published_frames(context: Context) -> frozenset[str]:
         if _includes_unavailable(context) or _starts_publisher(launch):
             return frozenset()  # an included file may start another robot
         launches = workspace_launches(context)
+        if _is_of_driver(context, launches):
+            return frozenset()
     links = links_of_robots(context, launches)
     prefix = _prefix(launches)
     is_rewritten = bool(prefix) and _REWRITTEN.search(context.source.data)
@@ -59,6 +66,23 @@ def published_frames(context: Context) -> frozenset[str]:
     if _has_map_alone(context) and all(transform.parent.name != _WORLD for transform in transforms):
         well_known -= {_WORLD}
     return links.union(children, above, well_known)
+
+
+def _is_of_driver(context: Context, launches: tuple[Launch, ...]) -> bool:
+    """True for a launch file of a package with programs that knows none of the robots.
+
+    A driver publishes frames of its own, which its examples show without a robot.
+    """
+    path, resolver = context.source.path, context.resolver
+    package, manifest = resolver.packages.enclosing(path), manifest_of(resolver, path)
+    if package is None or manifest is None:
+        return False
+    described = (description.path for launch in launches for description in launch.descriptions)
+    robots = {found[0] for found in map(resolver.packages.enclosing, described) if found}
+    if not robots.isdisjoint({package[0], *manifest.dependencies}):
+        return False
+    file = build_file(package[1])
+    return bool(file) and re.search(_PROGRAM, read_head(file, MAX_BYTES)) is not None
 
 
 def _has_map_alone(context: Context) -> bool:
@@ -77,6 +101,8 @@ def links_of_robots(context: Context, launches: tuple[Launch, ...]) -> frozenset
     descriptions = distinct_descriptions(launches)
     robots = [robot for _, robot in context.expanded(descriptions)]
     if len(robots) < len(descriptions) or not all(one.is_whole for one in descriptions):
+        return frozenset()
+    if not all(robot.tree.has_base for robot in robots):  # an argument chooses the base
         return frozenset()
     return frozenset(name.lstrip("/") for robot in robots for name in robot.model.links_by_name)
 
