@@ -15,34 +15,14 @@ from urdfkit.core.suggest import did_you_mean
 #: Commands by section of the help. ``urdfkit.cli.<name>`` defines ``command``, a click.Command
 #: that returns the exit code.
 SECTIONS = {
-    "Check and fix": ("check", "fix", "format", "migrate", "scan"),
-    "Expand xacro": ("expand", "trace"),
+    "Check and fix": "check fix format migrate scan".split(),
+    "Expand xacro": "expand trace".split(),
     "Inspect a robot": (
-        "info",
-        "tree",
-        "kinematics",
-        "mass",
-        "inertia",
-        "statics",
-        "collisions",
-        "simulate",
-        "importers",
-        "gazebo",
-        "diff",
-    ),
-    "Show a robot": ("render", "view", "report"),
-    "Mesh files and copies": ("mesh", "bundle", "convert"),
-    "Rules and set-up": (
-        "rules",
-        "explain",
-        "new",
-        "init",
-        "doctor",
-        "clean",
-        "completion",
-        "lsp",
-        "mcp",
-    ),
+        "info tree kinematics mass inertia statics collisions simulate importers gazebo diff"
+    ).split(),
+    "Show a robot": "render view report".split(),
+    "Mesh files and copies": "mesh bundle convert".split(),
+    "Rules and set-up": "rules explain new init doctor clean completion lsp mcp".split(),
 }
 COMMANDS = tuple(chain.from_iterable(SECTIONS.values()))
 

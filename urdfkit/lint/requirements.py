@@ -26,9 +26,7 @@ def need_coal() -> None:
     try:
         import_module("coal")
     except ImportError as error:
-        from urdfkit.core.installation import install_command
-
-        raise Unavailable(f"coal is not installed: {install_command('dynamics')}") from error
+        raise Unavailable(_not_installed("coal", error)) from error
 
 
 def need_pinocchio() -> None:
@@ -38,7 +36,7 @@ def need_pinocchio() -> None:
         Unavailable: Pinocchio is not installed.
     """
     if libraries.find("pinocchio") is None:
-        raise Unavailable(_without_pinocchio("no module 'pinocchio'"))
+        raise Unavailable(_not_installed("Pinocchio", "no module 'pinocchio'"))
 
 
 def dynamics_of(tree: KinematicTree) -> Dynamics:
@@ -50,7 +48,7 @@ def dynamics_of(tree: KinematicTree) -> Dynamics:
     try:
         from urdfkit.physics.dynamics.robot import Dynamics, Unsuitable
     except ImportError as error:
-        raise Unavailable(_without_pinocchio(error)) from error
+        raise Unavailable(_not_installed("Pinocchio", error)) from error
     try:
         return Dynamics(tree)
     except Unsuitable as reason:
@@ -68,8 +66,7 @@ def need_few_bodies(model: RobotModel) -> None:
         raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
 
 
-def _without_pinocchio(why: object) -> str:
-    """The message if Pinocchio cannot be imported."""
+def _not_installed(library: str, why: object) -> str:
     from urdfkit.core.installation import install_command
 
-    return f"Pinocchio is not installed ({why}): {install_command('dynamics')}"
+    return f"{library} is not installed ({why}): {install_command('dynamics')}"

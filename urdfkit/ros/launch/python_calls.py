@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import is_typo, nearest
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.components import wrong_component, wrong_container
+from urdfkit.ros.launch.python_names import modules_with
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import nodes, string
@@ -18,20 +19,11 @@ _HOLDERS = {
     "add_action": (0, "action"),
     "add_entity": (0, "entity"),
 }
-#: The action that takes what is no action itself, by class or the end of its name.
+#: The action that takes what is no action itself, by the modules of launch with such classes.
 _TAKEN_BY = {
-    "OnExecutionComplete": "RegisterEventHandler",
-    "OnProcessExit": "RegisterEventHandler",
-    "OnProcessIO": "RegisterEventHandler",
-    "OnProcessStart": "RegisterEventHandler",
-    "OnShutdown": "RegisterEventHandler",
-    "OnStateTransition": "RegisterEventHandler",
-    "AnyLaunchDescriptionSource": "IncludeLaunchDescription",
-    "FrontendLaunchDescriptionSource": "IncludeLaunchDescription",
-    "PythonLaunchDescriptionSource": "IncludeLaunchDescription",
-    "XMLLaunchDescriptionSource": "IncludeLaunchDescription",
-    "YAMLLaunchDescriptionSource": "IncludeLaunchDescription",
-    "ComposableNode": "ComposableNodeContainer",
+    "launch.event_handlers": "RegisterEventHandler",
+    "launch_ros.event_handlers": "RegisterEventHandler",
+    "launch.launch_description_sources": "IncludeLaunchDescription",
 }
 #: What functions return in place of a list of actions.
 _RETURNED = (
@@ -244,9 +236,16 @@ def _no_actions(call: ast.Call, values: Values) -> Iterator[Problem]:
     items = [node] if isinstance(value, ast.Call) else values.items(node) if node else []
     for item in items:
         name = called(values.resolved(item))
-        if item is not None and name in _TAKEN_BY:
-            message, help = f"{name} is not an action", f"write {_TAKEN_BY[name]}({name}(...))"
+        if item is not None and (action := _taken_by(name)):
+            message, help = f"{name} is not an action", f"write {action}({name}(...))"
             yield values.problem(item, message, help)
+
+
+def _taken_by(name: str) -> str:
+    """The action that takes an object of a class; empty for an action, and for another class."""
+    if name == "ComposableNode":
+        return "ComposableNodeContainer"
+    return next((_TAKEN_BY[one] for one in modules_with(name) if one in _TAKEN_BY), "")
 
 
 def _without_effect(call: ast.Call, values: Values) -> Iterator[Problem]:

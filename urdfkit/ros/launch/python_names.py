@@ -54,7 +54,7 @@ def _how_to_define(name: str, suggester: Suggester) -> str:
     """How to define a name: by an import, or the name that it stands for."""
     if name in _PLAIN_IMPORTS:
         return f"write import {name}"
-    module = next(iter(_modules_with(name)), None)
+    module = next(iter(modules_with(name)), None)
     if module:
         return f"write from {module} import {name}"
     suggested = suggester.suggested(name)
@@ -74,7 +74,7 @@ def _wrong_imports(tree: ast.Module, values: Values) -> Iterator[Problem]:
 def _right_import(module: str, name: str) -> str:
     """What to write instead of an import that fails; empty if it may not fail."""
     known = data("launch_python")["modules"].get(module, "").split()
-    modules = _modules_with(name)
+    modules = modules_with(name)
     # Other modules also have what they import themselves.
     if modules and module not in modules and (known or nearest(module, modules, CLOSE_TYPO)):
         return f"write from {modules[0]} import {name}"
@@ -83,7 +83,8 @@ def _right_import(module: str, name: str) -> str:
     return f"write {suggested}" if suggested else ""
 
 
-def _modules_with(name: str) -> list[str]:
+def modules_with(name: str) -> list[str]:
+    """The modules of launch that have a name."""
     modules: dict[str, str] = data("launch_python")["modules"]
     return [module for module, names in modules.items() if name in names.split()]
 
