@@ -101,7 +101,8 @@ def write(text: str) -> bytes:
 def write_diff(text: str) -> None:
     """Write a diff, in the colours of git if colours are enabled (`has_color`).
 
-    In a file it stays a patch even with FORCE_COLOR, which CI servers set.
+    In a file it stays a patch even with FORCE_COLOR, which CI servers set. A note says where
+    ``patch`` takes it, if files outside of the current directory change.
 
     Raises:
         UnwritableFile: standard output is closed, or its disk is full.
@@ -109,6 +110,19 @@ def write_diff(text: str) -> None:
     if has_color() and (is_terminal() or _color == "always"):
         text = "\n".join(map(_colored_diff, text.split("\n")))
     write(text)
+    if not is_terminal() and (directory := _directory_for_patch(text)):
+        note(f"patch rejects absolute paths: run this in {directory}")
+
+
+def _directory_for_patch(text: str) -> str:
+    """The directory of the files of a diff that has absolute paths; else empty."""
+    names = [line[4:] for line in text.split("\n") if line.startswith("+++ ")]
+    if not any(map(os.path.isabs, names)):
+        return ""
+    try:
+        return os.path.commonpath([os.path.dirname(os.path.abspath(name)) for name in names])
+    except ValueError:  # on several drives
+        return ""
 
 
 def _colored_diff(line: str) -> str:
