@@ -89,6 +89,8 @@ class DescriptionFile:
         self.resolver = resolver  # finds packages and files
         self.arguments = dict(arguments or {})  # ``name:=value`` for xacro
         self.trust = trust  # True if the model's expressions and files are not sandboxed
+        #: True for the robot that rules check; rules about others require them whole.
+        self.is_checked = False
         self._frame = frame
         resolver.admit(source.path, trust=trust)
 
@@ -140,6 +142,12 @@ class DescriptionFile:
         return [problem for problem in self.reading.problems if problem.code == code]
 
     @property
+    def part(self) -> Document | None:
+        """What a checked robot is without packages that are not found; None if it is whole."""
+        xacro = self.reading.xacro if self.is_checked else None
+        return xacro.without_packages if xacro is not None else None
+
+    @property
     def xacro(self) -> Xacro:
         """The expansion.
 
@@ -149,7 +157,7 @@ class DescriptionFile:
         """
         if self.reading.xacro is None:
             raise NotApplicable("not a xacro")
-        if self.reading.document is None:
+        if self.reading.document is None and self.part is None:
             raise Unavailable("the xacro does not expand")
         return self.reading.xacro
 
@@ -160,6 +168,8 @@ class DescriptionFile:
         Raises:
             Unavailable: it could not be read.
         """
+        if self.part is not None:
+            return self.part
         if self.reading.document is None:
             reason = "xacro does not expand" if self.reading.xacro else "description cannot be read"
             raise Unavailable(f"the {reason}")
@@ -174,6 +184,8 @@ class DescriptionFile:
         """
         if self.reading.xacro is None:
             return self.source.data
+        if self.reading.document is None:
+            raise Unavailable("the xacro does not expand")
         return self.xacro.text().encode("utf-8", "replace")
 
     @cached_property

@@ -57,6 +57,7 @@ def run_rules(
         options: resolved; its configuration changes severities and options of rules, and
             suppresses findings.
     """
+    context.is_checked = True
     context.run = RunState(options.config.options)
     run = _RuleRun(context, options)
     # The rules about the checking itself read the findings of the others.
@@ -242,6 +243,8 @@ class _RuleRun:
     def result(self) -> FileResult:
         diagnostics = self._unsuppressed()
         suppressed = len(self.diagnostics) - len(diagnostics)
+        if self.context.part is not None:  # what is missing may be in a package that is not found
+            diagnostics = tuple(d for d in diagnostics if not self._rules[d.code].reports_missing)
         diagnostics, superseded = _without_consequences(diagnostics, self._rules)
         targets = self.context.targets if "targets" in vars(self.context) else None
         return FileResult(

@@ -67,6 +67,19 @@ class Xacro:
         self.document: Document | None = None
         if self._dom is not None:
             self.document = dom.to_document(self._dom, self.sources)
+        self._lacking = run.document if self.first_error and log.lacks_only_packages else None
+
+    @cached_property
+    def without_packages(self) -> Document | None:
+        """The part of the document that needs no package that is not found; None if it is whole.
+
+        None also after another error, and if the place of a link is not known.
+        """
+        if self._lacking is None:
+            return None
+        from urdfkit.xacro.partial import without_failed_values
+
+        return without_failed_values(self._lacking, self.sources)
 
     @cached_property
     def usage(self) -> Usage:

@@ -276,7 +276,7 @@ class ExpansionRun:
         log = self.log
         log.first_error = log.first_error or str(error) or repr(error)
         if not log.is_full and not log.is_consequence(error):
-            log.add(diagnosis.problem(self.defined, error, located or used, used, frame))
+            log.add_error(diagnosis.problem(self.defined, error, located or used, used, frame))
 
 
 def _tracer(defined: Definitions) -> Tracer:

@@ -18,6 +18,8 @@ MAX_MESSAGES = 1000
 MAX_MESSAGE = 1000
 #: Most uses of a failing property that are reported.
 MAX_RELATED = 5
+#: Code of the rule about packages that are not found.
+PACKAGE_NOT_FOUND = "XAC011"
 #: Stands for all names, in the undefined names of a missing file.
 ANY = "*"
 
@@ -42,6 +44,8 @@ class ExpansionLog:
 
     def __init__(self) -> None:
         self.first_error: str | None = None  # as in stock xacro; None without an error
+        #: True unless an error is reported that is no package that is not found.
+        self.lacks_only_packages = True
         self.messages: list[Message] = []  # of xacro and of the model in the last run, in order
         self._undefined: set[str] = set()  # names whose definition failed
         #: Tags that failed and were reported, as (path, offset).
@@ -80,6 +84,11 @@ class ExpansionLog:
     def add_message(self, message: Message) -> None:
         if len(self.messages) < MAX_MESSAGES:
             self.messages.append(message)
+
+    def add_error(self, problem: Problem) -> None:
+        """Add a problem that stops stock xacro."""
+        self.lacks_only_packages &= problem.code == PACKAGE_NOT_FOUND
+        self.add(problem)
 
     def add(self, problem: Problem) -> None:
         """Add a problem; a repeated problem only adds its location to the first one."""

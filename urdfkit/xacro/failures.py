@@ -54,7 +54,7 @@ def _report(run: ExpansionRun, error: BaseException, failure: _Failure) -> bool:
     log = run.log
     log.first_error = log.first_error or _stock_message(error)
     for problem in failure.problems:
-        log.add(problem)
+        log.add_error(problem)
     node = failure.node
     return node is not None and log.remove(node.tag_at, _defined_names(node))
 

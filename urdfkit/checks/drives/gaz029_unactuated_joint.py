@@ -36,6 +36,7 @@ _MAX_NAMED = 4
     Severity.INFO,
     needs=(Need.MODEL, Need.GAZEBO),
     help="add a drive plugin or ros2_control, unless they are intended to turn freely",
+    reports_missing=True,
 )
 def check(context: Context) -> Findings:
     model = context.model

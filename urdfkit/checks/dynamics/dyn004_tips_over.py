@@ -55,6 +55,7 @@ _TOLERANCE = 1e-3
     Severity.WARNING,
     needs=(Need.MODEL, Need.MESHES),
     help="move wheels, casters or heavy parts until it stands (urdfkit statics)",
+    reports_missing=True,
 )
 def check(context: Context) -> Findings:
     if context.is_part or not context.tree.is_sound or _is_serial(context.tree):

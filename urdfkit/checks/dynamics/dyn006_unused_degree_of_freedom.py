@@ -19,7 +19,11 @@ BAD = robot_xml(solid_xml("base"), link_xml("arm"), joint_xml("continuous"))
 GOOD = BAD.replace("continuous", "fixed")
 
 
-@rule(Severity.INFO, help='make it type="fixed", or give the link below it a mass')
+@rule(
+    Severity.INFO,
+    help='make it type="fixed", or give the link below it a mass',
+    reports_missing=True,
+)
 def check(context: Context) -> Findings:
     if context.is_part or not any(link.mass for link in context.model.links):
         return

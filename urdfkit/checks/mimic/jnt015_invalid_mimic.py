@@ -35,7 +35,7 @@ _MAX_NAMES = 6
 _IMMOBILE = frozenset(JOINT_TYPES) - frozenset(SINGLE_DOF)
 
 
-@rule(Severity.ERROR)
+@rule(Severity.ERROR, reports_missing=True)
 def check(context: Context) -> Findings:
     for cycle in _cycles(context.model):
         yield _cycle_finding(cycle)

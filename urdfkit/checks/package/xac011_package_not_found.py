@@ -2,6 +2,8 @@
 
 Without the package a xacro cannot be expanded, and programs on this machine cannot load its meshes:
 an error if the workspace has a package with nearly the same name, one for all meshes of a package.
+What the xacro defines without the package is checked, if the places of its links are known; names
+that the package may define are not reported as missing.
 Other packages may be missing on this machine only, and exist where the robot runs: a warning. It is
 an info if only meshes cannot be checked and `package.xml` declares the package, ROS has it, or a
 submodule that is not checked out may contain it.
@@ -56,7 +58,9 @@ def check(context: Context) -> Findings:
         if not is_declared and manifest_of(context.resolver, path) is not None:
             reason += " and not declared in package.xml"
         if severity and context.reading.document is None:
-            reason += ", so the robot is not checked"
+            is_part = context.part is not None
+            part = "only the rest of the robot is" if is_part else "the robot is not"
+            reason += f", so {part} checked"
         yield finding._replace(
             message=finding.message.replace("is not found", reason, 1),
             help=finding.help + ("" if severity else did_you_mean(name, alike)),

@@ -47,6 +47,7 @@ _SDF = (".sdf", ".sdf.xacro")
     Severity.WARNING,
     help="add the control plugin of the simulator once, in a <gazebo> block without reference",
     depends_on_arguments=True,
+    reports_missing=True,
 )
 def check(context: Context) -> Findings:
     plugins = control_plugins(context.model)

@@ -67,7 +67,7 @@ _USUAL = frozenset(("position", "velocity", "acceleration", "effort"))
 _Offered = dict[str, set[str]]
 
 
-@rule(Severity.ERROR)
+@rule(Severity.ERROR, reports_missing=True)
 def check(context: Context) -> Findings:
     yield from _without_command(context)
     states = _offered(context, "state")

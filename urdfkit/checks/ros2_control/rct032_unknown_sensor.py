@@ -41,7 +41,7 @@ FIXED = GOOD = BAD.replace("base_immu", "base_imu")
 _SIMULATED = re.compile(r"(orientation|angular_velocity|linear_acceleration|force|torque)\.[xyzw]")
 
 
-@rule(Severity.WARNING)
+@rule(Severity.WARNING, reports_missing=True)
 def check(context: Context) -> Findings:
     blocks = components(context.model)
     if not context.is_part:

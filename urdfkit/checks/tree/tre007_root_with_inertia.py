@@ -24,7 +24,11 @@ FIXED = GOOD = robot_xml(
 TARGETS = ("kdl",)
 
 
-@rule(Severity.INFO, help="for KDL, add an empty link above it with a fixed joint")
+@rule(
+    Severity.INFO,
+    help="for KDL, add an empty link above it with a fixed joint",
+    reports_missing=True,
+)
 def check(context: Context) -> Findings:
     if context.given_targets and not context.targets.that("builds_kdl"):
         return

@@ -47,7 +47,11 @@ _MAX_RISE = 2.0
 MAX_FOOTPRINTS = 10
 
 
-@rule(Severity.WARNING, help="raise the robot by that height in the joint below base_footprint")
+@rule(
+    Severity.WARNING,
+    help="raise the robot by that height in the joint below base_footprint",
+    reports_missing=True,
+)
 def check(context: Context) -> Findings:
     tree = context.tree
     if len(tree.roots) != 1:
