@@ -133,15 +133,16 @@ def wheels(left: str, right: str, rpy: str = "0 0 0") -> str:
 
 
 @pytest.mark.parametrize(
-    ("right", "reason"),
+    ("right", "rpy", "reason"),
     [
-        ("0.1 0.2 -0.05", "same place"),
-        ("-0.1 -0.2 -0.05", "also in x"),
-        ("0.1 -0.2 0.05", "also in z"),
+        ("0.1 0.2 -0.05", "0 0 0", "same place"),
+        ("0.1 0.2 -0.05", "0 0 -1.7e-15", "same place"),  # written by an exporter
+        ("-0.1 -0.2 -0.05", "0 0 0", "also in x"),
+        ("0.1 -0.2 0.05", "0 0 0", "also in z"),
     ],
 )
-def test_a_typo_of_a_sign(right: str, reason: str) -> None:
-    assert messages("JNT025", wheels("0.1 0.2 -0.05", right)) == [
+def test_a_typo_of_a_sign(right: str, rpy: str, reason: str) -> None:
+    assert messages("JNT025", wheels("0.1 0.2 -0.05", right, rpy)) == [
         naming("right_joint", f"{right} m", reason, "left_joint", "0.1 0.2 -0.05 m")
     ]
 
@@ -216,11 +217,23 @@ HIP, KNEE, ARM = "0.3 -0.1 0", "0 -0.05 -0.2", "0 -0.2 0.4"
             ["hip_joint", "0.05 m", "forward", "left_hip_joint"],
         ),  # and not the knee
         ((HIP, "0.02 -0.05 -0.25", "0 -0.25 0.4"), []),  # a robot that is no mirror image
+        (("0.35 -0.1 0", "-0.05 -0.05 -0.2", ARM), []),  # igus_op: along the axis of the hip
     ],
 )
 def test_one_pair_of_several(rights: tuple[str, ...], found: list[str]) -> None:
     expected = [naming(f"right_{found[0]}", *found[1:])] if found else []
     assert messages("JNT025", legs(*rights)) == expected
+
+
+@pytest.mark.parametrize(("toe", "count"), [("0.301 -0.3 0", 1), ("0.303 -0.3 0", 0)])
+def test_next_to_a_pair_that_is_slightly_asymmetric(toe: str, count: int) -> None:
+    """Sigmaban: the thighs differ by 1 mm."""
+    text = legs(HIP, "0 -0.05 -0.22", ARM)
+    for side, xyz in (("left", "0.3 0.3 0"), ("right", toe)):
+        inside = f'<origin xyz="{xyz}"/><parent link="base"/><child link="{side}_toe"/>'
+        text += f'<link name="{side}_toe"/><joint name="{side}_toe" type="continuous">{inside}'
+        text += "</joint>"
+    assert len(messages("JNT025", text)) == count
 
 
 @pytest.mark.parametrize(("right", "count"), [("0 0.2 0.01", 0), ("0 0.2 0.015", 1)])

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from urdfkit.checks.joints.mirrored_siblings import (
     TOLERANCE,
     is_equal,
+    is_equally_turned,
     is_left_misplaced,
     mirror_image,
     misplaced_siblings,
@@ -21,6 +22,9 @@ from urdfkit.robot.symmetry import have_same_meshes
 
 #: In m: tolerance, as robots are not quite symmetric.
 _ASYMMETRY = 0.004
+
+#: Least ratio of the distance of a misplaced pair to that of any symmetric one.
+_MIN_RATIO = 10.0
 
 #: Cosine of the angle below which two axes are different, not rounded.
 _MAX_COSINE = 0.5
@@ -97,16 +101,19 @@ def _asymmetric(
 ) -> list[_Pair]:
     """The pairs that are not mirror images although their parents are."""
     known = {pair.right.child_name: pair.distance for pair in counterparts}
-    asymmetric, inherited = [], 0
+    # A joint may be anywhere along its axis, if the joint below it makes up for that.
+    compensated = {p.right.parent_name for p in counterparts if p.distance <= _ASYMMETRY}
+    asymmetric = []
     for pair in counterparts:
         is_shared = pair.left.parent_name == pair.right.parent_name
         above = 0.0 if is_shared else known.get(pair.right.parent_name, 0.0)
-        if above > TOLERANCE:
-            inherited += 1
-        elif pair.distance > _ASYMMETRY:
+        if pair.distance > _ASYMMETRY >= above and pair.right.child_name not in compensated:
             asymmetric.append(pair)
     exact = sum(pair.distance <= TOLERANCE for pair in counterparts)
-    is_single = len(asymmetric) == 1 and exact + inherited + 1 == len(counterparts)
+    others = [pair.distance for pair in counterparts if pair.distance <= _ASYMMETRY]
+    is_single = len(asymmetric) == 1 and asymmetric[0].distance >= _MIN_RATIO * max(
+        others, default=0
+    )
     if is_single and exact >= _SYMMETRIC_PAIRS:
         x, _, z = asymmetric[0].offset
         if max(abs(x), abs(z)) > _ASYMMETRY and not _is_turned_copy(asymmetric[0], context):
@@ -146,7 +153,7 @@ def _is_turned_copy(pair: _Pair, context: Context) -> bool:
     """True for the same origin in frames that are turned: both arms are the same product."""
     left, right = pair.left, pair.right
     frames = [context.tree.frames.get(joint.parent_name) for joint in (left, right)]
-    if None in frames or left.origin.rotation != right.origin.rotation:
+    if None in frames or not is_equally_turned(left, right):
         return False
     first, second = (frame.rotation for frame in frames if frame)
     is_turned = any(dot(a, b) < _MAX_COSINE for a, b in zip(first, second, strict=True))
@@ -156,7 +163,7 @@ def _is_turned_copy(pair: _Pair, context: Context) -> bool:
 def _is_shifted_along_one_axis(pair: _Pair) -> bool:
     """True for counterparts on one link that differ in x alone, or in z."""
     left, right = pair.left, pair.right
-    if left.origin.rotation != right.origin.rotation or left.parent_name != right.parent_name:
+    if not is_equally_turned(left, right) or left.parent_name != right.parent_name:
         return False
     is_zero = [abs(part) <= TOLERANCE for part in pair.offset]
     return is_zero[1] and sum(is_zero) == 2

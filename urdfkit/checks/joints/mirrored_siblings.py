@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.core.spatial import Rotation, Vector
+from urdfkit.core.spatial import Vector
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.symmetry import pairs
@@ -24,10 +24,10 @@ def misplaced_siblings(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
         and first.parent_name
         and first.kind == second.kind
     ]
-    rotations = {_parent_and_rotations(*pair) for pair in siblings if _is_mirrored_in_y(*pair)}
+    mirrored = [pair for pair in siblings if _is_mirrored_in_y(*pair)]
     for first, second in siblings:
-        is_alike = first.origin.rotation == second.origin.rotation
-        if not is_alike and _parent_and_rotations(first, second) not in rotations:
+        is_alike = is_equally_turned(first, second)
+        if not is_alike and not any(_are_turned_like(pair, (first, second)) for pair in mirrored):
             continue
         if reason := _wrong_position(first, second):
             is_left = is_left_misplaced(model, first, second)
@@ -48,8 +48,15 @@ def _wrong_position(left: Joint, right: Joint) -> str:
     return f"is mirrored in y and also in {others[0]} from" if len(others) == 1 else ""
 
 
-def _parent_and_rotations(left: Joint, right: Joint) -> tuple[str, Rotation, Rotation]:
-    return left.parent_name, left.origin.rotation, right.origin.rotation
+def _are_turned_like(one: tuple[Joint, Joint], other: tuple[Joint, Joint]) -> bool:
+    return one[0].parent_name == other[0].parent_name and all(
+        is_equally_turned(a, b) for a, b in zip(one, other, strict=True)
+    )
+
+
+def is_equally_turned(one: Joint, other: Joint) -> bool:
+    """True for origins with the same rotation; exporters write it with rounding errors."""
+    return all(map(is_equal, one.origin.rotation, other.origin.rotation))
 
 
 def _is_mirrored_in_y(left: Joint, right: Joint) -> bool:
