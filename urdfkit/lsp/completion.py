@@ -13,7 +13,7 @@ from urdfkit.lsp.completion_in_text import (
     last_word,
     named_items,
 )
-from urdfkit.lsp.grammar import REFERENCES, REFERRING_ELEMENTS, grammar_of
+from urdfkit.lsp.grammar import REFERRING_ELEMENTS, grammar_of, kind_of_reference
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
 from urdfkit.lsp.names import parameters, path_in, plugin_parameters
 from urdfkit.lsp.open_robot import OpenRobot
@@ -195,9 +195,7 @@ def _kinds_of_names(node: TagNode, attribute: str) -> tuple[str, ...]:
         return ("material",)
     if key in (("link", "name"), ("joint", "name")) and node.ancestor(*REFERRING_ELEMENTS):
         return (node.name,)
-    grammar = grammar_of(node)
-    rule = grammar.attributes.get(attribute) if grammar else None
-    kind = REFERENCES.get(key) or (rule.type if rule and rule.type in (LINK, JOINT) else "")
+    kind = kind_of_reference(node, attribute)
     return (LINK, JOINT) if kind == "frame" else (kind,)
 
 

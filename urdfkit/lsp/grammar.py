@@ -1,6 +1,6 @@
 """Grammar of elements in a text: URDF, SRDF and Gazebo."""
 
-from urdfkit.lsp.markup import TagNode, WrittenAttribute
+from urdfkit.lsp.markup import TagNode
 from urdfkit.text.schema import JOINT, LINK, ROBOT, Grammar
 
 
@@ -50,10 +50,9 @@ REFERENCES = {
 REFERRING_ELEMENTS = ("transmission", "ros2_control", "group", "group_state")
 
 
-def kind_of_value(node: TagNode, written: WrittenAttribute) -> str:
-    """``link`` or ``joint`` for a reference by URDF's grammar; empty for other attributes."""
-    parent = node.parent.name if node.parent else ""
-    grammar = ROBOT.children.get(parent)
-    inner = grammar.children.get(node.name) if grammar else None
-    rule = inner.attributes.get(written.name) if inner else None
-    return rule.type if rule and rule.type in (LINK, JOINT) else ""
+def kind_of_reference(node: TagNode, attribute: str) -> str:
+    """What an attribute refers to: ``link``, ``joint`` or ``frame``; empty for other attributes."""
+    grammar = grammar_of(node)
+    rule = grammar.attributes.get(attribute) if grammar else None
+    kind = rule.type if rule and rule.type in (LINK, JOINT) else ""
+    return REFERENCES.get((node.name, attribute), kind)

@@ -161,8 +161,8 @@ def _mesh(robot: OpenRobot, here: Cursor) -> Iterator[str]:
         return
     if node.name not in ("mesh", "texture"):
         return
-    values = [attribute.value for attribute in robot.expanded(node.source, node.start, "filename")]
-    for value in list(dict.fromkeys(values or [written.value]))[:MAX_SHOWN]:
+    values = robot.names.expanded(node, "filename") or [written.value]
+    for value in values[:MAX_SHOWN]:
         yield "\n".join(_file(robot, node, value))
 
 

@@ -12,7 +12,7 @@ from functools import cached_property
 from html import unescape
 
 from urdfkit.core.record import Record
-from urdfkit.lsp.grammar import REFERENCES, REFERRING_ELEMENTS, kind_of_value
+from urdfkit.lsp.grammar import REFERRING_ELEMENTS, kind_of_reference
 from urdfkit.lsp.markup import Page, TagNode
 from urdfkit.ros.catalog import plugins
 from urdfkit.text.document import Document
@@ -27,7 +27,8 @@ _WORD = re.compile(rb"(?<![\w.'\"])[A-Za-z_]\w*")
 _QUOTED = re.compile(rb"'[^']*'|\"[^\"]*\"")
 _PREFIX = b"xacro:"
 _PACKAGE = re.compile(rb"\b(?:package|model)://([\w-]+)")
-_PARAMETER = re.compile(rb"([*\w]+)\s*(?::=[^\s]*|=[^\s]*)?")
+_PARAMETER = re.compile(rb"\**(\w+)\s*(?::=[^\s]*|=[^\s]*)?")
+_PLUGIN_WORD = re.compile(rb"[^\s,]+")
 _OWN_TAGS = frozenset((*XACRO_TAGS, "call", "element", "attribute"))
 
 #: Kinds that may refer to the same thing.
@@ -179,11 +180,8 @@ class NameIndex:
         if not (written and written.value_span):
             return
         source, start, end = written.value_span
-        for match in _PARAMETER.finditer(source.data[start:end]):
-            word = match[1]
-            text = word.lstrip(b"*")
-            at = start + match.start(1) + len(word) - len(text)
-            span = Span(source, at, at + len(text))
+        for match in _PARAMETER.finditer(source.data, start, end):
+            span = Span(source, *match.span(1))
             yield NameUse("parameter", span.text, span, True, macro, "", _id(macro))
 
     def _inserted_block(self, node: TagNode) -> Iterator[NameUse]:
@@ -211,8 +209,7 @@ class NameIndex:
             defined = any(child.name in ("color", "texture") for child in node.children)
             yield from self._value(node, "material", "name", is_definition=defined)
         for written in node.attributes:
-            kind = REFERENCES.get((node.name, written.name)) or kind_of_value(node, written)
-            if kind:
+            if kind := kind_of_reference(node, written.name):
                 yield from self._value(node, kind, written.name, is_definition=False)
         yield from self._in_plugin(node)
 
@@ -235,25 +232,22 @@ class NameIndex:
         for _, parameter in plugin_parameters(node):
             if parameter.type in (*plugins.REFERENCES, "frame"):
                 kind = "joint" if parameter.type.startswith("joint") else "link"
-                for word in re.finditer(rb"[^\s,]+", span.source.data[span.start : span.end]):
-                    at = Span(span.source, span.start + word.start(), span.start + word.end())
+                for word in _PLUGIN_WORD.finditer(span.source.data, span.start, span.end):
+                    at = Span(span.source, *word.span())
                     yield NameUse(kind, at.text, at, False, node)
                 return
 
     def _in_text(self, node: TagNode, span: Span) -> Iterator[NameUse]:
         """The names in the expressions of a text, and its package names."""
         source, start, end = span
-        data = source.data[start:end]
-        for match in _PACKAGE.finditer(data):
-            at = Span(source, start + match.start(1), start + match.end(1))
+        for match in _PACKAGE.finditer(source.data, start, end):
+            at = Span(source, *match.span(1))
             yield NameUse("package", at.text, at, False, node)
-        if b"$" not in data:
-            return
-        for match in _EXPRESSION.finditer(data):
+        for match in _EXPRESSION.finditer(source.data, start, end):
             if match[1] is not None:
-                yield from self._in_expression(node, source, start + match.start(1), match[1])
+                yield from self._in_expression(node, source, match.start(1), match[1])
             elif match[2] in (b"arg", b"find"):
-                at = Span(source, start + match.start(3), start + match.end(3))
+                at = Span(source, *match.span(3))
                 yield NameUse("arg" if match[2] == b"arg" else "package", at.text, at, False, node)
 
     def _in_expression(
@@ -273,7 +267,7 @@ class NameIndex:
 
 def parameters(macro: TagNode) -> list[str]:
     words = _PARAMETER.findall(macro.get("params").encode())
-    return [word.decode("utf-8", "replace").lstrip("*") for word in words]
+    return [word.decode() for word in words]
 
 
 def _id(macro: TagNode) -> tuple[str, int]:

@@ -22,6 +22,7 @@ from urdfkit.workspace.resolve import Resolver
 _JOINTS, _LINKS = re.compile(r"joint|wheel"), re.compile(r"frame|link")
 #: Keys whose children are keyed by joint: of controllers, MoveIt, and ros2_control's mock hardware.
 _BY_JOINT = re.compile(r"joint_limits|gains|constraints|initial_positions|default_positions")
+_WORD = re.compile(rb"\S+")
 #: The executable whose arguments are frames.
 _PUBLISHER = "static_transform_publisher"
 
@@ -129,9 +130,8 @@ def _in_launch(source: Source) -> Iterator[NameReference]:
                 yield NameReference(kind, value.value_span)
         elif args and args.value_span and _PUBLISHER in (node.get("exec"), node.get("type")):
             span = args.value_span
-            for word in re.finditer(rb"\S+", source.data[span.start : span.end]):
-                at = Span(source, span.start + word.start(), span.start + word.end())
-                yield NameReference("link", at)
+            for word in _WORD.finditer(source.data, span.start, span.end):
+                yield NameReference("link", Span(source, *word.span()))
 
 
 def _in_python(source: Source) -> Iterator[NameReference]:

@@ -21,6 +21,7 @@ from itertools import accumulate
 from typing import Any, TypeVar
 
 from lsprotocol import types as lsp
+from pygls.capabilities import get_capability
 from pygls.lsp.server import LanguageServer
 
 from urdfkit import __version__
@@ -103,18 +104,17 @@ class Server(LanguageServer):
         path = to_path(uri)
         return os.path.realpath(path) if path != uri and "\0" not in path else uri
 
+    def _client_supports(self, capability: str) -> bool:
+        return bool(get_capability(self.client_capabilities, capability))
+
     @property
     def supports_snippets(self) -> bool:
         """True if completions may contain a placeholder for the cursor."""
-        text = self.client_capabilities.text_document
-        items = text.completion.completion_item if text and text.completion else None
-        return bool(items and items.snippet_support)
+        return self._client_supports("text_document.completion.completion_item.snippet_support")
 
     def watch(self) -> None:
         """Ask the client to report changes of files that are not open."""
-        workspace = self.client_capabilities.workspace
-        watching = workspace.did_change_watched_files if workspace else None
-        if not (watching and watching.dynamic_registration):
+        if not self._client_supports("workspace.did_change_watched_files.dynamic_registration"):
             return
         options = lsp.DidChangeWatchedFilesRegistrationOptions([lsp.FileSystemWatcher(WATCHED)])
         method = lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES
@@ -167,8 +167,7 @@ class Server(LanguageServer):
     @property
     def _pulls_diagnostics(self) -> bool:
         """True if the client pulls the findings of open files."""
-        capabilities = self.client_capabilities.text_document
-        return bool(capabilities and capabilities.diagnostic)
+        return self._client_supports("text_document.diagnostic")
 
     def clear_published(self, uri: str) -> None:
         """Clear the published findings of an opened file, which the client pulls from now on."""
@@ -177,9 +176,8 @@ class Server(LanguageServer):
 
     def _request_refresh(self) -> None:
         """Request that a pulling client refreshes its findings."""
-        workspace = self.client_capabilities.workspace
-        capabilities = workspace.diagnostics if workspace else None
-        if self._pulls_diagnostics and capabilities and capabilities.refresh_support:
+        can_refresh = self._client_supports("workspace.diagnostics.refresh_support")
+        if self._pulls_diagnostics and can_refresh:
             self.workspace_diagnostic_refresh(None)
 
     async def _publish_findings(self, uri: str, *, thorough: bool) -> None:
