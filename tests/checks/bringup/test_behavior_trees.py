@@ -84,3 +84,12 @@ def test_a_tree_in_the_parameters(tmp_path: Path) -> None:
     files = {"a.yaml": yaml, "trees/b.xml": GOOD.replace("spin_dist", "angle")}
     (found,) = reported(tmp_path / "arm", "LAU025", "a.launch.py", text, files)
     assert "no port 'angle'" in found.message
+
+
+@pytest.mark.parametrize(("node", "count"), [("Wait", 1), ("DriveOnHeadng", 1), ("GraspTheCup", 0)])
+def test_a_tree_without_a_navigator(tmp_path: Path, node: str, count: int) -> None:
+    """A mission has nodes of its own, and another NavigateToPose than Nav2's."""
+    text = NODE.replace("nav2_bt_navigator", "arm").replace("bt_navigator", "mission")
+    tree = GOOD.replace("Spin", node).replace("spin_dist", "phase")
+    found = reported(tmp_path / "arm", "LAU025", "a.launch.py", text, {"a.xml": tree})
+    assert len(found) == count

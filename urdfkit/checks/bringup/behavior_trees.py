@@ -36,7 +36,8 @@ def invalid_trees(context: Context, sections: list[NodeParameters]) -> Findings:
     for source in _trees(context, navigators):
         document, problems = read_xml(source)
         if document:
-            yield from _in_tree(document, is_whole=is_whole)
+            if navigators or _is_of_nav2(document):
+                yield from _in_tree(document, is_whole=is_whole)
         for problem in () if document else problems[:1]:
             yield Finding(problem.span, f"bt_navigator does not read the tree: {problem.message}")
 
@@ -59,6 +60,13 @@ def _trees(context: Context, navigators: list[NodeParameters]) -> Iterator[Sourc
             yield source
 
 
+def _is_of_nav2(document: Document) -> bool:
+    """False for the tree of another program, which has nodes of its own."""
+    known = _known(document)
+    names = {_name(node) for node in _nodes(document)}
+    return all(name in known or nearest(name, known, CLOSE_TYPO) for name in names)
+
+
 def _in_tree(document: Document, *, is_whole: bool) -> Findings:
     root = document.root
     trees = {tree.get("ID") or "": tree for tree in root.all("BehaviorTree")}
@@ -67,11 +75,10 @@ def _in_tree(document: Document, *, is_whole: bool) -> Findings:
         message = f"no tree is called '{main.value}'{did_you_mean(main.value, trees)}"
         yield Finding(main, message, "write the ID of a <BehaviorTree>")
     ports: dict[str, str] = data("behavior_trees")["ports"]
-    own = {model.get("ID") for models in root.all("TreeNodesModel") for model in models.children}
-    nodes = [node for tree in trees.values() for node in tree.walk() if node is not tree]
+    nodes = _nodes(document)
     if ports.keys().isdisjoint(map(_name, nodes)):
         return  # the tree of another program
-    known = {*ports, *data("behavior_trees")["built_in"].split(), *trees, *own, *_EXPLICIT}
+    known = _known(document)
     for node in nodes:
         name = _name(node)
         if name in ports:
@@ -79,6 +86,19 @@ def _in_tree(document: Document, *, is_whole: bool) -> Findings:
             yield from _wrong_children(node, name)
         elif name not in known:
             yield from _unknown(node, name, ports, is_whole=is_whole)
+
+
+def _nodes(document: Document) -> list[Element]:
+    trees = document.root.all("BehaviorTree")
+    return [node for tree in trees for node in tree.walk() if node is not tree]
+
+
+def _known(document: Document) -> set[str]:
+    """The names of nodes of Nav2 and BehaviorTree.CPP, and of those that the file defines."""
+    root, facts = document.root, data("behavior_trees")
+    trees = {tree.get("ID") or "" for tree in root.all("BehaviorTree")}
+    own = {model.get("ID") or "" for at in root.all("TreeNodesModel") for model in at.children}
+    return {*facts["ports"], *facts["built_in"].split(), *trees, *own, *_EXPLICIT}
 
 
 def _name(node: Element) -> str:

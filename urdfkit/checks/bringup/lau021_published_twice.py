@@ -1,9 +1,9 @@
 """Two programs of a launch file do what only one may do.
 
 - A static_transform_publisher and robot_state_publisher both publish the transform of a link: tf
-  keeps the last one, and the robot flickers if the two differ. Or it publishes the transform of the
-  frame that odometry moves, such as map to base_link next to odom to base_link, or that of odom
-  next to AMCL or slam_toolbox.
+  keeps the last one, and the robot flickers if the two differ (an info if they are equal). Or it
+  publishes the transform of the frame that odometry moves, such as map to base_link next to odom to
+  base_link, or that of odom next to AMCL or slam_toolbox.
 - joint_state_publisher and joint_state_broadcaster of ros2_control (joint_state_controller in
   ROS 1) publish on the same `joint_states`: the model jumps between the real positions and those of
   the sliders. The same holds for joint states that are bridged from Gazebo.
@@ -93,18 +93,20 @@ def _transforms(context: Context, programs: list[StartedProgram]) -> Findings:
         child = transform.child
         joints = [next(iter(tree.parents.get(child.name, ())), None) for tree in trees]
         joint = joints[0] if joints and all(joints) else None
-        if joint and not _repeats_joint(transform, joint, trees[0]):
+        if joint:
+            is_equal = _repeats_joint(transform, joint, trees[0])
             yield Finding(
                 Location(child.span, node.frame),
                 f"the transform of '{child.name}' is published twice: by this node, and by "
                 f"robot_state_publisher for joint '{joint.name}'",
                 "remove the static_transform_publisher, or the joint",
                 related=(Related(joint.at.span, f"joint '{joint.name}'"),),
+                severity=Severity.INFO if is_equal else None,
             )
 
 
 def _repeats_joint(transform: StaticTransform, joint: Joint, tree: KinematicTree) -> bool:
-    """True if the transform repeats that of a fixed link, which is harmless."""
+    """True if both are the same transform of a fixed link: it does not matter which one is used."""
     names = (transform.parent.name, transform.child.name)
     parent, child = (tree.frames.get(name) for name in names)
     if parent is None or child is None or joint.kind != "fixed":
