@@ -35,9 +35,8 @@ def invalid_trees(context: Context, sections: list[NodeParameters]) -> Findings:
     is_whole = bool(navigators) and all(one.text.startswith(_OF_NAV2) for one in libraries)
     for source in _trees(context, navigators):
         document, problems = read_xml(source)
-        if document:
-            if navigators or _is_of_nav2(document):
-                yield from _in_tree(document, is_whole=is_whole)
+        if document and (navigators or _is_of_nav2(document)):
+            yield from _in_tree(document, is_whole=is_whole)
         for problem in () if document else problems[:1]:
             yield Finding(problem.span, f"bt_navigator does not read the tree: {problem.message}")
 
