@@ -38,6 +38,14 @@ def test_a_name_that_is_all_expression_hides_nothing(tmp_path):
     assert len(discover(str(tmp_path), Config(), Resolver()).robots) == 2
 
 
+def test_any_robot_of_a_directory_is_checked_itself(tmp_path):
+    """AUBO's wrapper: an argument names one of 150 robots."""
+    write(tmp_path, "robot.xacro", include("${kind}.urdf") + '<link name="a"/>')
+    write(tmp_path, "big.urdf", '<link name="o"/>')
+    write(tmp_path, "small.urdf", '<link name="o"/>')
+    assert len(discover(str(tmp_path), Config(), Resolver()).robots) == 3
+
+
 def test_includes_in_comments_do_not_count(tmp_path):
     write(tmp_path, "robot.xacro", f"<!-- {include('other.xacro')} -->" + '<link name="a"/>')
     write(tmp_path, "other.xacro", '<link name="o"/>')

@@ -83,8 +83,9 @@ class IncludeGraph:
 
     def _alike(self, pattern: str, near: str) -> Iterator[str]:
         """The files of a package that a pattern may mean; ``*`` stands for expressions, too."""
-        if not any(os.path.splitext(word)[0].strip(".") for word in pattern.split("*")):
-            return  # nothing but an expression: it may mean any file
+        words = [os.path.splitext(word)[0].strip(".") for word in pattern.split("*")]
+        if not any(words) or pattern == "*.urdf":
+            return  # nothing but an expression: it may mean any file, or any whole robot
         directory = os.path.join(disk.real(_package_directory(near, self.resolver)), "")
         for path in self.names:
             if path.startswith(directory) and fnmatchcase(os.path.basename(path), pattern):

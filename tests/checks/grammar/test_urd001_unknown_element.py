@@ -317,3 +317,15 @@ def test_the_root_of_an_included_file(tmp_path: Path, root: str, count: int) -> 
     found = check(robot, select=["URD001"]).diagnostics
     assert len(found) == count
     assert ("wrap the" in found[0].help) is (root != "robot")
+
+
+@pytest.mark.parametrize(("count", "severity"), [(3, Severity.WARNING), (4, Severity.INFO)])
+def test_an_element_of_all_joints_is_for_another_program(count: int, severity: Severity) -> None:
+    """AUBO's arms: every joint has the constants of its motor."""
+    joints = "".join(
+        f'<link name="l{n}"/><joint name="j{n}" type="fixed"><parent link="base"/>'
+        f'<child link="l{n}"/><motor_constants k="1"/></joint>'
+        for n in range(count)
+    )
+    found = reported("URD001", f'<link name="base"/>{joints}')
+    assert {one.severity for one in found} == {severity}

@@ -8,8 +8,8 @@ namespace prefix, such as `drake:proximity_properties`, is an extension and is r
 Drake defines another tag with nearly the same name. xacro drops the root element of an included
 file: if it is a `<link>`, its shapes are directly in the `<robot>`. An info is an element that a
 program in the same package, in a neighbouring one or in a dependency reads, an old tag whose
-attributes are all zero, a tag in the axis of a fixed joint, and a tag that `<xacro:element>`
-creates.
+attributes are all zero, a tag in the axis of a fixed joint, a tag that `<xacro:element>` creates,
+and one that resembles no tag of URDF and occurs four times or more: it is for another program.
 
 It is an error if a required element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;
@@ -24,6 +24,7 @@ Sources:
 
 import os
 import re
+from collections import Counter
 from collections.abc import Sequence
 
 from urdfkit.core.words import more_like_this
@@ -50,6 +51,10 @@ _ROOT = rb"<([A-Za-z][\w:.-]*)(?=[^<>]*>)"
 _MAX_NAMED = 5
 
 
+#: So often an unknown element is not there by mistake: it is for another program.
+_OWN = 4
+
+
 @rule(Severity.WARNING, help="remove it, unless a program of yours reads it")
 def check(context: Context) -> Findings:
     misplaced: list[Element] = []
@@ -63,8 +68,11 @@ def check(context: Context) -> Findings:
             unknown.append((element, suggested))
     tags = {element.tag for element, suggested in unknown if not suggested}
     readers = xml_readers(tags, context.source.path, context.resolver) if tags else {}
+    counts = Counter(element.tag for element, suggested in unknown if not suggested)
     for element, suggested in unknown:
-        yield _unknown(element, suggested, readers.get(element.tag))
+        finding = _unknown(element, suggested, readers.get(element.tag))
+        is_own = counts[element.tag] >= _OWN and element.tag not in _INSTEAD
+        yield finding._replace(severity=Severity.INFO) if is_own else finding
     yield from _misplaced(misplaced)
 
 
