@@ -10,6 +10,7 @@ ROBOT = """\
   <parent link="{}"/>
   <child link="{}"/>
 </joint>"""
+from urdfkit.text.diagnostic import Severity
 
 
 def test_both_ends_are_looked_at() -> None:
@@ -149,3 +150,14 @@ def test_what_mimic_joints_agree_on_is_right(drives: int, right: str) -> None:
     names = [right] * (drives + 1)
     after = f'<robot name="example">\n{robot.format(*names)}\n</robot>\n'
     assert fixed("REF001", robot.format("sholder", *["shoulder"] * drives)) == after
+
+
+def test_a_link_that_an_argument_adds() -> None:
+    """A kit for several vehicles: each has its own base."""
+    text = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<xacro:arg name="big" default="false"/><link name="imu"/>
+<xacro:if value="$(arg big)"><link name="box"/></xacro:if>
+<joint name="j" type="fixed"><parent link="box"/><child link="imu"/></joint></robot>"""
+    (found,) = reported("REF001", text.encode(), "robot.xacro")
+    assert found.severity is Severity.WARNING
+    assert found.help == "pass the argument that adds the link"

@@ -19,6 +19,7 @@ Sources:
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
+from urdfkit.lint.switched_off import is_switched_off
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Link
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -66,10 +67,18 @@ def _links(context: Context) -> Findings:
             yield Finding(
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
-                _INCLUDE if is_awaited else "correct the name, or add the link",
+                _help(context, link.value, is_awaited),
                 _corrected(context, link, known.get(suggested)) or _added_world(joint, link),
                 severity=Severity.WARNING if is_awaited else None,
             )
+
+
+def _help(context: Context, name: str, is_awaited: bool) -> str:
+    if not is_awaited:
+        return "correct the name, or add the link"
+    if is_switched_off(context, name):
+        return "pass the argument that adds the link"
+    return _INCLUDE
 
 
 def _leaders(context: Context) -> Findings:
