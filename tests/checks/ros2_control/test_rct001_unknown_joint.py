@@ -101,3 +101,11 @@ def test_joints_of_a_broadcaster(tmp_path: Path, joints: str, other: str, count:
     )
     found = reported_with_file("RCT001", tmp_path, text, "")
     assert [one.message for one in found] == [naming("b", "unknown", "wheel")] * count
+
+
+@pytest.mark.parametrize(("name", "offered"), [("neck_stretch", False), ("neck_ptch", True)])
+def test_a_joint_with_an_entry_of_its_own_is_not_offered(name: str, offered: bool) -> None:
+    """Kate's neck: the joint of one of its transmissions is not in the robot any more."""
+    neck = robot(joint("neck_pitch", "continuous", limit("0", "0", "10", "2")))
+    (found,) = reported("RCT001", neck + control(driven(name), driven("neck_pitch")))
+    assert bool(found.fix) is ("did you mean" in found.message) is offered

@@ -9,7 +9,8 @@ Drake defines another tag with nearly the same name. xacro drops the root elemen
 file: if it is a `<link>`, its shapes are directly in the `<robot>`. An info is an element that a
 program in the same package, in a neighbouring one or in a dependency reads, an old tag whose
 attributes are all zero, a tag in the axis of a fixed joint, a tag that `<xacro:element>` creates,
-and one that resembles no tag of URDF and occurs four times or more: it is for another program.
+and one with data that resembles no tag of URDF and occurs four times or more: it is for another
+program.
 
 It is an error if a required element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;
@@ -68,7 +69,11 @@ def check(context: Context) -> Findings:
             unknown.append((element, suggested))
     tags = {element.tag for element, suggested in unknown if not suggested}
     readers = xml_readers(tags, context.source.path, context.resolver) if tags else {}
-    counts = Counter(element.tag for element, suggested in unknown if not suggested)
+    counts = Counter(
+        element.tag
+        for element, suggested in unknown
+        if not suggested and (element.attributes or element.children or element.text.strip())
+    )
     for element, suggested in unknown:
         finding = _unknown(element, suggested, readers.get(element.tag))
         is_own = counts[element.tag] >= _OWN and element.tag not in _INSTEAD

@@ -28,7 +28,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import Suggester, did_you_mean
+from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, nearest
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
@@ -76,13 +76,18 @@ def check(context: Context) -> Findings:
 
 
 def _unknown_joints(context: Context, suggester: Suggester) -> Findings:
-    for joint, owner in joints_and_owners(context):
+    entries = list(joints_and_owners(context))
+    listed = {(joint.parent and joint.parent.tag, joint.get("name")) for joint, _ in entries}
+    for joint, owner in entries:
         name = joint.attributes.get("name")
         if name is None or name.value in context.model.joints_by_name or is_expression(name.value):
             continue
         hint = suggester.hint(name.value)
-        message = f"{owner}: unknown joint '{name.value}'{hint}"
         suggested = suggester.suggested(name.value)
+        is_close = nearest(name.value, (suggested,), TYPO) is not None
+        if not is_close and (joint.parent and joint.parent.tag, suggested) in listed:
+            hint = suggested = ""  # it has an entry of its own
+        message = f"{owner}: unknown joint '{name.value}'{hint}"
         defined = context.model.joints_by_name.get(suggested)
         fix = corrected_definition(context, defined, name.value) or fix_value(name, suggested)
         help = ""
