@@ -68,6 +68,14 @@ def read(path: str | os.PathLike[str], most: int = -1) -> bytes:
     return data
 
 
+def contents(path: str, most: int = -1) -> bytes | None:
+    """The bytes of a file, as of `read`; None if it cannot be read."""
+    try:
+        return read(path, most)
+    except (OSError, ValueError):
+        return None
+
+
 def state(path: str) -> os.stat_result:
     """``os.stat`` of a file; links are followed.
 

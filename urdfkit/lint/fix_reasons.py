@@ -9,7 +9,7 @@ from urdfkit.core.record import Record
 from urdfkit.lint.report import Report
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.editing.apply import encoded
-from urdfkit.text.editing.rewriting import Rewrite, on_disk
+from urdfkit.text.editing.rewriting import Rewrite
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.ownership import Ownership
 from urdfkit.workspace.resolve import Resolver
@@ -78,7 +78,7 @@ class FixReasons:
         real = disk.real(source.path)
         if real not in self.originals:
             before = self._resolver.text(source.path)
-            before = on_disk(source.path) if before is None else before
+            before = disk.contents(source.path) if before is None else before
             if before is None:
                 return "file not found"
             self.originals[real] = Rewrite(shown(source.path), before, before)

@@ -13,7 +13,7 @@ from urdfkit.lint.discovery import descriptions
 from urdfkit.text.editing import rewriting
 from urdfkit.text.editing.apply import encoded
 from urdfkit.text.editing.formatter import WIDTH, formatted
-from urdfkit.text.editing.rewriting import Rewrite, on_disk
+from urdfkit.text.editing.rewriting import Rewrite
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.ownership import OUTSIDE, READ_ONLY, Ownership
@@ -123,7 +123,7 @@ def _below(directory: str, config: Config) -> list[str]:
 
 def _is_robot(path: str) -> bool:
     """True if a file contains ``<robot``."""
-    return b"<robot" in (on_disk(path) or b"")
+    return b"<robot" in (disk.contents(path) or b"")
 
 
 def _formatted(source: Source, width: int) -> Rewrite:

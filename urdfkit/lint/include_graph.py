@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator
 from fnmatch import fnmatchcase
 
 from urdfkit.core import disk
-from urdfkit.errors import UnreadableFile
 from urdfkit.text.comments import comments, without_comments
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
@@ -32,9 +31,8 @@ class IncludeGraph:
         self.names: dict[str, str] = {}
         self.closed: list[str] = []  # paths of descriptions that cannot be read
         for path in files:
-            try:
-                source = resolver.read(path)
-            except UnreadableFile:
+            source = resolver.readable(path)
+            if source is None:
                 self.closed += [path] if is_description(path) else []
                 continue
             # A .urdf is included even if it is empty or a Git LFS pointer.

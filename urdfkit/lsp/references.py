@@ -11,7 +11,6 @@ import re
 from collections.abc import Collection, Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page
 from urdfkit.text import python_source
 from urdfkit.text.located_yaml import Key, Value, load
@@ -56,11 +55,8 @@ def package_references(
     for path in _files(package[1], resolver):
         if os.path.realpath(path) in own:
             continue
-        try:
-            source = resolver.read(path)
-        except UrdfkitError:
-            continue
-        if not any(word in source.data for word in words):
+        source = resolver.readable(path)
+        if source is None or not any(word in source.data for word in words):
             continue
         if path.endswith(_ROBOTS):
             return []

@@ -15,7 +15,7 @@ from operator import itemgetter
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.errors import PackageNotFound, UrdfkitError
+from urdfkit.errors import PackageNotFound
 from urdfkit.ros import RosDescription
 from urdfkit.ros.catalog.ros_control import ControllerType, controller_types, simulated_hardware
 from urdfkit.ros.node_parameters import node_parameters
@@ -184,11 +184,8 @@ def readable_files(description: RosDescription) -> Iterator[tuple[ParameterFile,
         if file.meant:
             package, relative = file.meant
             path = os.path.join(resolver.package(package, near), relative)
-        if path and resolver.allows(path, near):
-            try:
-                source = resolver.read(path)
-            except UrdfkitError:
-                continue
+        allowed = path if path and resolver.allows(path, near) else None
+        if allowed and (source := resolver.readable(allowed)):
             yield file, source
 
 

@@ -48,13 +48,18 @@ class CallFrame:
         self.definition = definition
         self.outer = outer
 
-    def steps(self) -> tuple[Step, ...]:
-        steps: list[Step] = []
+    def outwards(self) -> Iterator[CallFrame]:
+        """This step and the outer ones."""
         frame: CallFrame | None = self
         while frame is not None:
-            definition = frame.definition.span if frame.definition else None
-            steps.append(Step(frame.kind, frame.name, frame.call.span, definition))
+            yield frame
             frame = frame.outer
+
+    def steps(self) -> tuple[Step, ...]:
+        steps = [
+            Step(step.kind, step.name, step.call.span, step.definition and step.definition.span)
+            for step in self.outwards()
+        ]
         return tuple(reversed(steps))
 
 

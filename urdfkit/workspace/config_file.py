@@ -19,7 +19,4 @@ def nearest(start: str) -> str | None:
 
 
 def _has_section(path: str) -> bool:
-    try:
-        return b"[tool.urdfkit" in disk.read(path)
-    except OSError:
-        return False
+    return b"[tool.urdfkit" in (disk.contents(path) or b"")

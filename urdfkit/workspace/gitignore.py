@@ -99,10 +99,7 @@ def _log_ignore_files(path: str) -> bool:
         disk.depends_on_more()
     lists = (os.path.join(at, ".gitignore") for at in directories if is_within(at, top))
     for file in (*lists, *_files_of_repository(top), *_files_of_user(variables)):
-        try:
-            text = disk.read(file).lower()
-        except OSError:
-            continue
+        text = (disk.contents(file) or b"").lower()
         if file.endswith("config") and (b"excludesfile" in text or b"[include" in text):
             disk.depends_on_more()  # the configuration refers to further files
     return True
@@ -128,9 +125,8 @@ def _files_of_user(variables: Mapping[str, str]) -> Iterator[str]:
 
 def _referenced_directory(file: str, directory: str) -> str:
     """The directory that a file of git refers to; empty if the file does not exist."""
-    try:
-        text = disk.read(file, 4096)
-    except OSError:
+    text = disk.contents(file, 4096)
+    if text is None:
         return ""
     return os.path.normpath(
         os.path.join(directory, os.fsdecode(text).removeprefix("gitdir:").strip())

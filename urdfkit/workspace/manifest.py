@@ -75,11 +75,9 @@ def manifest_of(resolver: Resolver, path: str) -> Manifest | None:
     file = os.path.join(directory, "package.xml")
     data = resolver.text(file)
     if data is None:
-        try:
-            data = disk.read(file, MAX_BYTES)
-        except OSError:
-            return None  # a rosbuild package
-    return Manifest(file, name, without_comments(data))
+        data = disk.contents(file, MAX_BYTES)
+    # A rosbuild package has none.
+    return None if data is None else Manifest(file, name, without_comments(data))
 
 
 def is_known_dependency(name: str, path: str, resolver: Resolver) -> bool:

@@ -172,9 +172,9 @@ def _topics_of_other_arguments(context: Context) -> Iterator[str]:
 
 def _expanded_calls(elements: list[Element]) -> set[tuple[str, int]]:
     """Path and offset of the macro calls from which elements come."""
-    calls: set[tuple[str, int]] = set()
-    frames = {element.frame for element in elements}
-    while frames := {frame for frame in frames if frame}:
-        calls.update((frame.call.source.path, frame.call.start) for frame in frames)
-        frames = {frame.outer for frame in frames}
-    return calls
+    innermost = {element.frame for element in elements if element.frame}
+    return {
+        (frame.call.source.path, frame.call.start)
+        for inner in innermost
+        for frame in inner.outwards()
+    }

@@ -126,10 +126,7 @@ def _not_in_rviz(context: Context, mesh: MeshReference) -> Findings:
 
 
 def _objects(mesh: MeshReference) -> int:
-    try:
-        return objects(disk.read(mesh.located.path or "", MAX_BYTES))
-    except OSError:
-        return 0
+    return objects(disk.contents(mesh.located.path or "", MAX_BYTES) or b"")
 
 
 def _is_mesh(format_name: str) -> bool:

@@ -33,7 +33,7 @@ from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import mesh_xml
 from urdfkit.ros.targets import TargetFacts
-from urdfkit.text.editing.edits import insert_first
+from urdfkit.text.editing.edits import escaped, insert_first
 from urdfkit.text.source import shown
 
 #: Where a program searches, by whether it searches all directories above the URDF.
@@ -162,8 +162,7 @@ def _directory(context: Context, wanted: list[MeshReference]) -> tuple[str, Fix 
         return "", None
     urdf = os.path.dirname(os.path.abspath(context.source.path))
     directory = os.path.relpath(directories.pop(), urdf).replace(os.sep, "/")
-    escaped = directory.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
-    element = f'<compiler meshdir="{escaped}" strippath="true"/>'
+    element = f'<compiler meshdir="{escaped(directory)}" strippath="true"/>'
     fix = None
     if context.reading.xacro is None:
         edits = insert_first(root, ("<mujoco>", f"  {element}", "</mujoco>"))

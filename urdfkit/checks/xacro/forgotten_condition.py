@@ -9,8 +9,8 @@ from functools import lru_cache
 from urdfkit.core.nested_intervals import NestedIntervals
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related, Severity
 from urdfkit.text.comments import blank_comments
-from urdfkit.text.document import Attribute, CallFrame, Element
-from urdfkit.text.source import Source, Span
+from urdfkit.text.document import Attribute, Element
+from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 #: Number of boolean arguments whose other value is tried.
@@ -115,11 +115,8 @@ def _references(root: Element) -> Iterator[Attribute]:
 
 def _conditions(element: Element) -> frozenset[str]:
     """The conditions around an element and around the calls that led to it."""
-    places: list[Span] = [element.span]
-    frame: CallFrame | None = element.frame
-    while frame is not None:
-        places.append(frame.call.span)
-        frame = frame.outer
+    calls = element.frame.outwards() if element.frame else ()
+    places = [element.span, *(frame.call.span for frame in calls)]
     return frozenset(
         condition for place in places for condition in _in_source(place.source).around(place.start)
     )

@@ -121,11 +121,10 @@ def _written(name: str, span: Span, frame: CallFrame | None) -> Span | None:
     """The literal source of a name: the use itself, or the macro call that passes it."""
     if span.text.strip() == name:
         return span
-    while frame is not None:
-        for given in frame.call.attribute_spans().values():
+    for call in frame.outwards() if frame else ():
+        for given in call.call.attribute_spans().values():
             if given.text == name:
                 return given
-        frame = frame.outer
     return None
 
 

@@ -11,7 +11,13 @@ from urdfkit.ros.moveit.srdf import Srdf, is_srdf, pair_of
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.apply import apply_edits
-from urdfkit.text.editing.edits import insert_after, insert_last, remove_elements, replace_value
+from urdfkit.text.editing.edits import (
+    escaped,
+    insert_after,
+    insert_last,
+    remove_elements,
+    replace_value,
+)
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
@@ -48,7 +54,7 @@ def compare(matrix: Matrix, srdf: Srdf) -> MatrixComparison:
 def new_srdf(matrix: Matrix) -> bytes:
     """A new SRDF that only contains the matrix."""
     lines = [f"  {line}\n" for pair in matrix.pairs if (line := _line(pair))]
-    name = _escaped(matrix.robot)
+    name = escaped(matrix.robot)
     return f'<?xml version="1.0"?>\n<robot name="{name}">\n{"".join(lines)}</robot>\n'.encode()
 
 
@@ -99,10 +105,6 @@ def _line(pair: PairResult) -> str:
     """The element that disables a pair; empty if the pair must be checked."""
     if not pair.verdict.reason:
         return ""
-    first, second = _escaped(pair.first), _escaped(pair.second)
+    first, second = escaped(pair.first), escaped(pair.second)
     reason = pair.verdict.reason
     return f'<disable_collisions link1="{first}" link2="{second}" reason="{reason}"/>'
-
-
-def _escaped(text: str) -> str:
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")

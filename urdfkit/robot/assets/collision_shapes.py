@@ -6,6 +6,7 @@ import os
 from collections.abc import Collection, Iterable
 from typing import TYPE_CHECKING
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, rotate, to_rpy
 from urdfkit.core.words import rounded
@@ -16,7 +17,7 @@ from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import rewriting
 from urdfkit.text.editing.edits import escaped, from_macro, insert_after, remove_elements
-from urdfkit.text.editing.rewriting import Rewrite, on_disk
+from urdfkit.text.editing.rewriting import Rewrite
 from urdfkit.workspace.resolve import OUTSIDE
 
 if TYPE_CHECKING:
@@ -179,7 +180,7 @@ def _exists_otherwise(path: str, mesh: Mesh) -> bool:
     """True if the file exists and is not the mesh to write."""
     from urdfkit.mesh.writers import encode
 
-    existing = on_disk(path)
+    existing = disk.contents(path)
     name = os.path.basename(path)
     return existing is not None and existing != encode(mesh, name)[name]
 

@@ -183,10 +183,8 @@ def _facts(path: str) -> MeshFacts:
 def _content(mesh: MeshReference) -> bytes:
     """The contents of a file; its unique path if it is unreadable."""
     path = mesh.located.path or ""
-    try:
-        return disk.read(path)
-    except OSError:
-        return path.encode("utf-8", "surrogateescape")
+    data = disk.contents(path)
+    return os.fsencode(path) if data is None else data
 
 
 def relative_path(path: str, directory: str) -> str:

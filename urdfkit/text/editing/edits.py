@@ -284,11 +284,7 @@ def lines_of(element: Element) -> list[str]:
 def from_macro(element: Element) -> bool:
     """True if a macro created the element, so that an edit would change all of its calls."""
     frame = element.frame
-    while frame is not None:
-        if frame.kind == "macro":
-            return True
-        frame = frame.outer
-    return False
+    return frame is not None and any(step.kind == "macro" for step in frame.outwards())
 
 
 def indent_of(span: Span) -> str | None:

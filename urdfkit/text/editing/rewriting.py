@@ -53,7 +53,7 @@ def write(rewrites: Iterable[Rewrite]) -> None:
 
     rewrites = tuple(rewrites)
     for rewrite in rewrites:
-        now = on_disk(rewrite.path)
+        now = disk.contents(rewrite.path)
         if now is None:
             raise UnwritableFile(f"{rewrite.path}: file not found")
         if now != rewrite.before:
@@ -68,15 +68,7 @@ def unchanged(source: Source) -> bytes:
     Raises:
         UnwritableFile: it has changed since it was read.
     """
-    now = on_disk(source.path)
+    now = disk.contents(source.path)
     if now is not None and Source(source.path, now).data != source.data:
         raise FileChanged(source.path)
     return now or b""
-
-
-def on_disk(path: str) -> bytes | None:
-    """The bytes of a file; None if it cannot be read."""
-    try:
-        return disk.read(path)
-    except (OSError, ValueError):
-        return None
