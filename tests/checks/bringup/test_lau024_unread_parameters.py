@@ -165,3 +165,20 @@ def test_misspelt_names_of_a_filter(tmp_path: Path, values: str, suggested: str)
     yaml = EKF.format(f"{values}, odom0: odom, odom0_config: {rows(2)}")
     found = messages("LAU024", tmp_path, yaml)
     assert [f"'{suggested}'" in one for one in found] == [True] * bool(suggested)
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ("FollowPath: {plugin: %s, controller_frequency: 30.0}", "of itself, not of its plugin"),
+        ("FollowPath: {plugin: %s, vx_max: 1.0}", ""),
+        ("vx_max: 1.0, FollowPath: {plugin: %s}", "of its plugin 'FollowPath', not of itself"),
+        ("vx_max: 1.0, FollowPath: {plugin: %s, vx_max: 1.0}", ""),
+        ("vx_max: 1.0, FollowPath: {plugin: 'a::B'}", ""),
+        ("FollowPath: {plugin: %s, use_sim_time: true}", ""),
+    ],
+)
+def test_a_parameter_at_another_level(tmp_path: Path, values: str, words: str) -> None:
+    values = values.replace("%s", "'nav2_mppi_controller::MPPIController'")
+    found = messages("LAU024", tmp_path, f"controller_server: {{ros__parameters: {{{values}}}}}\n")
+    assert [words in one for one in found] == [True] * bool(words)

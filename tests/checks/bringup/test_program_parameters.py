@@ -15,6 +15,7 @@ nodes = [Node({}, parameters=[{}])]
 """
 CAMERA = 'package="usb_cam", executable="usb_cam_node_exe"'
 REALSENSE = 'package="realsense2_camera", executable="realsense2_camera_node"'
+RTABMAP = 'package="rtabmap_slam", executable="rtabmap"'
 JOY = 'package="joy", executable="joy_node"'
 EKF = 'package="robot_localization", executable="ekf_node"'
 MADGWICK = 'package="imu_filter_madgwick", executable="imu_filter_madgwick_node"'
@@ -42,6 +43,8 @@ def found(directory: Path, node: str, given: str, yaml: str = "") -> list[str]:
         (CAMERA, '{"framrate": 30.0}', "did you mean 'framerate'"),
         (CAMERA, '{"camera_frame_id": "camera"}', "it is 'frame_id'"),
         (REALSENSE, '{"enable_pointcloud": True}', "it is 'pointcloud.enable'"),
+        (RTABMAP, '{"Rtabmap/DetectionRate": 2.0}', "must be a string"),
+        (RTABMAP, '{"subscribe_depth": 1}', "must be true or false"),
         (JOY, '{"dev": "/dev/input/js1"}', "it is 'device_id'"),
         (JOY, '{"device_name": "/dev/input/js0"}', "is a name, not a path"),
         (EKF, '{"frequency": 30.0}', "has no inputs"),

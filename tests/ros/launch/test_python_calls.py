@@ -309,3 +309,14 @@ def test_a_package_all_of_whose_components_are_known(
     text = COMPONENT + program("node", f"    print({call})\n")
     found = reported(tmp_path, "LAU010", "a.launch.py", text)
     assert ["image_proc::RectifyNode" in one.help for one in found] == [True] * (not known)
+
+
+@pytest.mark.parametrize(
+    ("value", "count"),
+    [("None", 1), ("[{'a': 1}]", 1), ("{'a': 1}", 0), ("[1, 2]", 0), ("''", 0)],
+)
+def test_values_that_launch_rejects(tmp_path: Path, value: str, count: int) -> None:
+    node = f"Node(package='p', executable='e', parameters=[{{'own': {value}}}])"
+    text = program("node", f"    print({node})\n")
+    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    assert ["own is" in one.message for one in found] == [True] * count

@@ -6,7 +6,7 @@ Sources: ``costmap_plugins.xml`` and ``obstacle_layer.cpp`` of nav2_costmap_2d (
 import re
 
 from urdfkit.checks.bringup.costmaps import COSTMAPS, has_default_plugins
-from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import plugin_class
@@ -45,17 +45,22 @@ def plugins(node: NodeParameters) -> Findings:
                 yield from _layer(layer)
 
 
-def misspelt_servers(node: NodeParameters) -> Findings:
-    """Misspelt planners, controllers and checkers of Nav2; ``/`` and ``::`` are accepted."""
-    known: list[str] = data("nodes")["plugins"].get(node.name, [])
-    for section in node.values.values() if known else ():
+def unknown_classes(node: NodeParameters) -> Findings:
+    """Classes of plugins that their package does not have; ``/`` and ``::`` are accepted."""
+    known: list[str] = data("nodes")["plugins"].split()
+    packages = {name.partition("::")[0] for name in known}
+    for section in node.values.values() if node.name not in COSTMAPS else ():
         plugin, name = scalar(section, "plugin"), plugin_class(section)
-        suggested = nearest(name, known, CLOSE_TYPO)
-        if plugin and suggested and suggested != name:
+        is_complete = name.partition("::")[0] in packages
+        suggested = nearest(name, known, TYPO if is_complete else CLOSE_TYPO)
+        if plugin is None or name in known or not (is_complete or suggested):
+            continue
+        hint = f"unknown plugin '{plugin.text}'"
+        help = f"write a class that {name.partition('::')[0]} has"
+        if suggested:
             suggested = suggested.replace("::", "/") if "/" in plugin.text else suggested
-            hint = f"unknown plugin '{plugin.text}'; did you mean '{suggested}'?"
-            at = plugin.span
-            yield Finding(at, hint, f"write {suggested}", severity=Severity.WARNING)
+            hint, help = f"{hint}; did you mean '{suggested}'?", f"write {suggested}"
+        yield Finding(plugin.span, hint, help, severity=Severity.WARNING)
 
 
 def mixed_names(sections: list[NodeParameters]) -> Findings:

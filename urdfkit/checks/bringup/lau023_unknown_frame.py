@@ -101,7 +101,7 @@ _PLAIN = re.compile(
     r"controller_manager|joint_state_publisher(_gui)?|joy(_linux)?|ros_gz_\w+|rviz2|tf2_ros"
     r"|twist_mux|teleop_twist_(joy|keyboard)|rplidar_ros|sllidar_ros2|ldlidar_stl_ros2|urg_node2"
     r"|ydlidar_ros2_driver|depthimage_to_laserscan|usb_cam|velodyne_\w+|laser_filters"
-    r"|pointcloud_to_laserscan|imu_filter_madgwick|explore_lite|bno055"
+    r"|pointcloud_to_laserscan|imu_filter_madgwick|explore_lite|bno055|rtabmap_(slam|odom|sync|viz)"
     r"|robot_state_publisher|robot_localization|slam_toolbox|nav2_\w+|micro_ros_agent|xacro"
 )
 _LOCATED = re.compile(r"robot_state_publisher|robot_localization|slam_toolbox|nav2_\w+")

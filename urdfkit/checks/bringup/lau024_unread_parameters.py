@@ -7,6 +7,7 @@
   Or the parameters of a plugin are below another name than the list of plugins has.
 - A parameter file is a list, such as the topics of ros_gz_bridge, which belong into `config_file`
   (error).
+- A parameter of a node of Nav2 is in the section of its plugin, or that of a plugin is not in it.
 - A parameter of a node or plugin of Nav2, of slam_toolbox or of a driver is misspelt, or has the
   name of an earlier release: `dev` of joy_node, `enable_pointcloud` of realsense2_camera.
 - A name is that of an earlier release, while other files are for Jazzy: `recoveries_server`,
@@ -34,9 +35,16 @@ from urdfkit.checks.bringup.read_parameters import (
 from urdfkit.checks.bringup.renamed_parameters import outdated
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, is_typo, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
-from urdfkit.ros.launch.known_parameters import CONFIGURATION, GivenValue, given_values
+from urdfkit.ros.launch.known_parameters import (
+    CONFIGURATION,
+    GivenValue,
+    given_values,
+    parameters_of_node,
+    parameters_of_plugin,
+    plugin_class,
+)
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Value, entries, load
+from urdfkit.text.located_yaml import Key, Value, entries, load, mapping
 
 NAME = "launch/filter.launch.py"
 BAD = """\
@@ -61,6 +69,8 @@ _CONFIG_FILE = 'write {"config_file": PATH} in its parameters'
 _BELOW_NODE = "write the parameters below the name of the node and ros__parameters"
 _INPUT = re.compile(r"(odom|imu|pose|twist)\d+")
 _FILTERS = ("ekf_node", "ukf_node")
+#: Parameters that all nodes have, and many plugins.
+_OF_ALL = ("use_sim_time", "plugin", "enabled")
 #: Letters of words that are not typos of each other.
 _SHORT = 3
 
@@ -80,6 +90,7 @@ def check(context: Context) -> Findings:
         yield from costmap_parameters.of_sources(section)
         yield from parameter_sections.unnumbered_filters(section)
         yield from _unread_inputs(section)
+        yield from _of_other_level(section)
     yield from outdated(context, [*sections, *started])
     yield from _without_inputs(context)
     yield from _lists(context)
@@ -113,6 +124,27 @@ def _misspelt(node: NodeParameters) -> Findings:
                 f"'{node.name}': unknown parameter '{given.at}'; did you mean '{suggested}'?",
                 f"write {suggested}",
             )
+
+
+def _of_other_level(node: NodeParameters) -> Findings:
+    """Parameters of a node in the section of its plugin, or the other way round."""
+    sections = {str(name): mapping(section) for name, section in node.values.items()}
+    known = {
+        name: parameters_of_plugin(plugin_class(section)) for name, section in sections.items()
+    }
+    own = parameters_of_node(node)
+    for name, section in sections.items():
+        for key in section if known[name] and own else ():
+            is_lost = isinstance(key, Key) and key not in known[name] and key not in _OF_ALL
+            if is_lost and isinstance(key, Key) and key in own:
+                message = f"'{node.name}' reads {key} of itself, not of its plugin '{name}'"
+                yield Finding(key.span, message, f"write it next to {name}, not in it")
+    for key, value in node.values.items() if own else ():
+        readers = [name for name in known if key in known[name] and key not in sections[name]]
+        is_lost = isinstance(value, Value | list) and key not in own
+        if is_lost and isinstance(key, Key) and len(readers) == 1:
+            message = f"'{node.name}' reads {key} of its plugin '{readers[0]}', not of itself"
+            yield Finding(key.span, message, f"move it into the section {readers[0]}")
 
 
 def _with_commas(node: NodeParameters) -> Findings:

@@ -83,7 +83,7 @@ def check(context: Context) -> Findings:
         yield from parameter_types.inputs_of_twist_mux(section)
         yield from parameter_types.outdated_motion_model(section)
         yield from parameter_types.wrong_sizes(section)
-        yield from costmap_parameters.misspelt_servers(section)
+        yield from costmap_parameters.unknown_classes(section)
     for section in whole_sections(sections):
         yield from costmap_parameters.plugins(section)
         yield from unloadable_plugins(section)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import plugin_class
@@ -90,10 +90,22 @@ def _incomplete(node: NodeParameters, name: Key, kind: str, section: dict[str, N
     known = data("node_parameters")["critics"].get(kind, "").split()
     for critic in scalars(section.get(_CRITICS)) if known else ():
         own = mapping(section.get(critic.text)).get("class")
-        suggested = nearest(critic.text, known, _MIN_SIMILARITY)
+        bare = critic.text.rpartition("/" if "/" in critic.text else "::")[2]
+        suggested = bare if bare in known else nearest(bare, known, _MIN_SIMILARITY)
         if own is None and critic.text not in _with_suffix(known) and suggested:
             message = f"'{node.name}' stops: unknown critic '{critic.text}'; did you mean "
             yield Finding(critic.span, f"{message}'{suggested}'?", f"write {suggested}")
+    listed = {value.text for value in scalars(section.get(_CRITICS))}
+    for key, value in section.items() if known else ():
+        suggested = nearest(key, listed - section.keys(), TYPO)
+        if isinstance(value, dict) and isinstance(key, Key) and key not in known and suggested:
+            message = f"'{node.name}': the parameters of '{key}' are not read: the critic is "
+            yield Finding(
+                key.span,
+                f"{message}'{suggested}'",
+                f"write {suggested}",
+                severity=Severity.WARNING,
+            )
 
 
 def _with_suffix(critics: list[str]) -> set[str]:

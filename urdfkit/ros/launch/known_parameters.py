@@ -12,6 +12,8 @@ from urdfkit.text.located_yaml import Key, Node, scalar
 
 #: The node of a costmap has the name of the costmap.
 _COSTMAP = "_costmap"
+#: Any parameter of a library that a node has, such as Rtabmap/DetectionRate.
+_WITH_SLASH = "*/*"
 #: What a node of robot_localization, which has any name, reads of an input.
 CONFIGURATION = re.compile(r"((odom|imu|pose|twist)\d+)_config")
 
@@ -29,19 +31,20 @@ class GivenValue(Record):
     @property
     def type(self) -> str | None:
         """The declared type; None if it is unknown, or differs between versions."""
-        declared = self.known.get(self.name) or self.known.get(self.at)
+        any_other = self.known.get(_WITH_SLASH) if "/" in self.at else None
+        declared = self.known.get(self.name) or self.known.get(self.at) or any_other
         return None if declared == "any" else declared
 
 
 def given_values(node: NodeParameters) -> Iterator[GivenValue]:
     """The parameters of a node, and those of its plugins."""
-    if known := _of_node(node):
+    if known := parameters_of_node(node):
         yield from _in_section(node.values, known, "", kind_of(node))
 
 
 def has_parameter(node: NodeParameters, name: str) -> bool:
     """True if a node declares a parameter, whether it is given or not."""
-    return name in _of_node(node)
+    return name in parameters_of_node(node)
 
 
 def _in_section(
@@ -54,7 +57,7 @@ def _in_section(
             # position of initial_pose, an observation source, a critic.
             if "plugin" in value:
                 name = plugin_class(value)
-                yield from _in_section(value, _types("plugins", name), "", name)
+                yield from _in_section(value, parameters_of_plugin(name), "", name)
             else:
                 yield from _in_section(value, known, f"{prefix}{key}.", owner)
         elif isinstance(key, Key) and known and key != "plugin":
@@ -67,7 +70,13 @@ def plugin_class(section: Node) -> str:
     return plugin.text.replace("/", "::") if plugin else ""
 
 
-def _of_node(node: NodeParameters) -> dict[str, str]:
+def parameters_of_plugin(name: str) -> dict[str, str]:
+    """The types of the parameters of a plugin of Nav2, by name; empty for an unknown class."""
+    return _types("plugins", name)
+
+
+def parameters_of_node(node: NodeParameters) -> dict[str, str]:
+    """The types of the parameters of a node by name; empty for an unknown node."""
     if inputs := [match.group(1) for key in node.values if (match := CONFIGURATION.fullmatch(key))]:
         by_type: dict[str, str] = data("node_parameters")["filter"]
         of_filter = [(name, kind) for kind, names in by_type.items() for name in names.split()]

@@ -44,7 +44,7 @@ def wrong_arguments(call: ast.Call, values: Values) -> Iterator[Problem]:
     if name == "Node":
         yield from _lists(call, values)
         yield from _words(argument(call, None, "arguments"), values)
-        yield from _documents(argument(call, None, "parameters"), values)
+        yield from _values(argument(call, None, "parameters"), values)
         yield from _sets(argument(call, None, "parameters"), values)
         yield from _without_package(call, values)
         yield from _former(call, values)
@@ -161,11 +161,18 @@ def _without_package(call: ast.Call, values: Values) -> Iterator[Problem]:
             yield values.problem(call.func, message, f'write package="{package}"')
 
 
-def _documents(node: ast.expr | None, values: Values) -> Iterator[Problem]:
-    """A parameter that is a document of xacro, or a method that is not called."""
+def _values(node: ast.expr | None, values: Values) -> Iterator[Problem]:
+    """A parameter that is None, a list of mappings, a document or a method that is not called."""
     for item in values.items(node) if node else ():
-        for _, value in values.pairs(item):
+        for key, value in values.pairs(item):
             text = values.resolved(value)
+            name = values.text(key) or "the parameter"
+            if isinstance(text, ast.Constant) and text.value is None:
+                message = f"{name} is None, which launch rejects as a parameter"
+                yield values.problem(value, message, "write a value, or remove it")
+            elif isinstance(text, ast.List) and any(isinstance(e, ast.Dict) for e in text.elts):
+                message = f"{name} is a list of dictionaries, which launch rejects as a parameter"
+                yield values.problem(value, message, "write a dictionary for each of them")
             is_method = isinstance(text, ast.Attribute) and text.attr in _TEXTS
             if is_method and isinstance(text, ast.Attribute):
                 message = f"{text.attr} is a method, but launch expects a string"
