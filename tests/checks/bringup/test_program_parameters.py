@@ -11,6 +11,7 @@ NODE = """from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterValue
 
+RATE = "2"
 nodes = [Node({}, parameters=[{}])]
 """
 CAMERA = 'package="usb_cam", executable="usb_cam_node_exe"'
@@ -45,6 +46,7 @@ def found(directory: Path, node: str, given: str, yaml: str = "") -> list[str]:
         (REALSENSE, '{"enable_pointcloud": True}', "it is 'pointcloud.enable'"),
         (RTABMAP, '{"Rtabmap/DetectionRate": 2.0}', "must be a string"),
         (RTABMAP, '{"subscribe_depth": 1}', "must be true or false"),
+        (RTABMAP, '{"subscribe_depth": "true"}', "must be true or false"),
         (JOY, '{"dev": "/dev/input/js1"}', "it is 'device_id'"),
         (JOY, '{"device_name": "/dev/input/js0"}', "is a name, not a path"),
         (EKF, '{"frequency": 30.0}', "has no inputs"),
@@ -75,6 +77,8 @@ def test_in_the_launch_file(tmp_path: Path, node: str, given: str, words: str) -
         (REALSENSE, '{"pointcloud.enable": True, "enable_pointcloud": True}'),
         (REALSENSE, '{"align_depth": {"enable": True}}'),
         (JOY, '{"device_id": 1}'),
+        (RTABMAP, "{'Rtabmap/DetectionRate': '2', 'Reg/Force3DoF': \"true\"}"),
+        (RTABMAP, '{"Rtabmap/DetectionRate": RATE}'),
         (EKF, '{"odom0": "odom", "odom0_config": [True] * 15}'),
         ('package="own", executable="usb_cam_node_exe"', '{"framerate": 30}'),
     ],

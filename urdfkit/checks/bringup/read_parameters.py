@@ -93,9 +93,13 @@ def _key(name: str, value: Value) -> Key:
 
 
 def _value(text: str, span: Span) -> Value:
-    """A value of YAML at the place of an expression; launch parses the text of a string, too."""
+    """A value of YAML at the place of an expression, as launch gives it to the node.
+
+    A string of Python stays a string: it keeps its quotes. Launch parses an attribute of XML.
+    """
+    is_python = span.source.path.endswith(".py")
     is_converted = span.text.startswith("ParameterValue")
-    trimmed = int(span.text[:1] in ("'", '"') and span.end - span.start > 1)
+    trimmed = int(not is_python and span.text[:1] in ("'", '"') and span.end - span.start > 1)
     start, end = (
         span.source.position(offset) for offset in (span.start + trimmed, span.end - trimmed)
     )

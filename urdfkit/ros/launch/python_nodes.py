@@ -148,7 +148,10 @@ def _parameters(
                 name = file.values.text(key)
                 is_whole = is_whole and name is not None
                 values[name or ""] = file.values.text(value)
-                at[name or ""] = file.values.span(value)
+                # A name may stand for a text, or for what launch parses.
+                known = file.values.resolved(value)
+                written = known if isinstance(known, ast.Constant) else value
+                at[name or ""] = file.values.span(written)
                 lists.update(_listed(file, name or "", value))
                 _record_file_of(file, name or "", value)
         elif (file.values.text(item) or "").endswith(_PARAMETER_FILES):
