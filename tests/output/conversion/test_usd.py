@@ -142,7 +142,9 @@ def test_the_namespace_of_a_robot_is_ignored(tmp_path: Path) -> None:
         b'<robot xmlns="http://a.b/urdf" xmlns:xsi="http://c.d/xsi" xsi:schemaLocation="urdf.xsd"'
     )
     text = arm(LIMIT).data.replace(b"<robot", schema)
-    assert convert(read(Source("arm.urdf", text)), tmp_path / "o", to="usd").proof.holds
+    found = convert(read(Source("arm.urdf", text)), tmp_path / "o", to="usd")
+    assert found.proof.holds
+    assert not any("xmlns" in entry.part for entry in found.entries)
 
 
 @pytest.mark.parametrize("kind", ["revolute", "planar"])

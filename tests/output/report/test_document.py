@@ -10,6 +10,7 @@ import pytest
 from tests.conftest import ARM, MODELS
 from urdfkit.errors import UnreadableFile, UnreadableRobot, UrdfkitError
 from urdfkit.lint.engine import check
+from urdfkit.lint.loading import read
 from urdfkit.lint.options import Options
 from urdfkit.output.report.document import describe
 from urdfkit.output.report.findings import excerpt
@@ -246,3 +247,15 @@ def test_the_suffix_is_the_form(name: str, form: str) -> None:
     assert form_of(name) == form
     with pytest.raises(UrdfkitError, match="the suffix is not one of"):
         form_of("a.pdf")
+
+
+def test_a_robot_without_visuals_is_drawn_by_its_collisions(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pytest.importorskip("PIL")
+    from urdfkit.output.report import data_uris, scene
+
+    monkeypatch.setattr(data_uris, "SHEET", (64, 36))
+    body = '<collision><geometry><sphere radius="1"/></geometry></collision>'
+    robot = read(Source("r.urdf", f'<robot name="r"><link name="a">{body}</link></robot>'.encode()))
+    assert [*data_uris.images(scene.surfaces(robot), robot, ())] == ["views"]

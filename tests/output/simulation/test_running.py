@@ -87,6 +87,13 @@ def test_neighbours_of_what_is_welded_collide_in_mujoco() -> None:
     assert "overlap" not in warnings(floating, base="free"), "there MuJoCo leaves the pair out"
 
 
+def test_an_effort_of_zero_moves_nothing() -> None:
+    still = robot(link("arm"), joint("arm", "world", "0 0 0", effort=0))
+    (verdict,) = [one for one in simulate(read(still)).verdicts if one.test == "drive"]
+    assert verdict.message == "joint 'arm': its effort of 0 N·m cannot move it"
+    assert verdict.rule == "JNT008"
+
+
 @pytest.mark.parametrize(("effort", "holds"), [(4.8, False), (5.0, True)])
 def test_a_joint_holds_with_its_effort(effort: float, holds: bool) -> None:
     """A mass of 1 kg at 0.5 m needs 4.905 N·m."""

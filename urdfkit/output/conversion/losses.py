@@ -98,7 +98,7 @@ class LossTable:
                     self._marks.setdefault(id(part.attributes[name]), (result, note))
 
     def entries(self, root: Element, otherwise: str, reasons: Mapping[str, str]) -> Iterator[Entry]:
-        """Every element and attribute of a robot, in the order of the document.
+        """Every element and attribute of a robot but namespaces, in the order of the document.
 
         Args:
             otherwise: the reason why an unrecorded part is lost.
@@ -113,6 +113,8 @@ class LossTable:
             yield Entry(element.path, f"<{element.tag}>", element.span, *mark)
             inherited = mark if mark[0] is Result.LOST else lost
             for name, attribute in element.attributes.items():
+                if name.startswith("xmlns"):
+                    continue  # a declaration, of xacro's namespace
                 reason = Result.LOST, reasons.get(f"@{name}", inherited[1])
                 own = self._marks.get(id(attribute), inherited if inherited != lost else reason)
                 yield Entry(f"{element.path}@{name}", name, attribute.span, *own)

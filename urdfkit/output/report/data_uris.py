@@ -31,10 +31,14 @@ def tree(context: Context) -> dict[str, str]:
 
 
 def images(built: Scene, context: Context, diagnostics: Sequence[Diagnostic]) -> dict[str, str]:
-    """Images of the robot from four sides, and with links of errors and warnings coloured."""
+    """Images of the robot from four sides, and with links of errors and warnings coloured.
+
+    A robot without visuals is drawn by its collisions.
+    """
     from urdfkit.render import marked, render_image
 
-    visuals = built._replace(items=tuple(item for item in built.items if item.role == "visual"))
+    items = tuple(item for item in built.items if item.role == "visual")
+    visuals = built._replace(items=items or built.items)
     if not visuals.items:
         return {}
     uris = {"views": webp(render_image(visuals, VIEWS, size=SHEET))}

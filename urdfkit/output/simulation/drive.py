@@ -46,6 +46,8 @@ def _driven(robot: SimulatedRobot, joint: Joint, effort: float, velocity: float)
     friction = float(model.dof_frictionloss[dof])
     if effort <= friction:  # in MuJoCo it creeps
         text = f"{pushed} does not overcome its friction of {friction:g} {force}"
+        if effort == 0:
+            text = f"{pushed} cannot move it"
         warns = effort == friction > 0  # as of Talos' grippers, where both are placeholders
         rule = "JNT041" if friction > 0 else "JNT008"
         return _verdict(joint, text, effort, friction, warns=warns)._replace(rule=rule)
