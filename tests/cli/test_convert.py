@@ -34,6 +34,18 @@ def test_losses_are_reported(capsys: pytest.CaptureFixture[str]) -> None:
     assert text.endswith("gripper.urdf:65:57, and 1 more place)")
 
 
+def test_lost_links_are_counted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A person of 48 links was one link in Gazebo, and the page began with its proof."""
+    mass = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+    (tmp_path / "r.urdf").write_text(
+        f'<robot name="r"><link name="a">{mass}</inertial></link><link name="b"/>'
+        '<joint name="j" type="revolute"><parent link="a"/><child link="b"/>'
+        '<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>'
+    )
+    assert main(["convert", "r.urdf", "--to", "sdf", "-o", "out"]) == 0
+    assert "\n  lost 1 of 2 links: see below\n" in capsys.readouterr().out
+
+
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert convert("--format", "json", "--base", "free") == 0
     found = json.loads(capsys.readouterr().out)

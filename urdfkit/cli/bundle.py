@@ -29,7 +29,7 @@ def command(inputs: dict[str, Any], out: str, consumer: str, force: bool) -> int
     which lists the source of each file and its changes. References are relative to the URDF; for
     ros, OUT is a package and they begin with package://.
 
-    Exit codes: 0 done, 1 the program still rejects the robot, 2 a file is missing or
+    Exit codes: 0 done, 1 the robot has errors for the program, 2 a file is missing or
     cannot be read or written, or FILE is a part of a robot.
 
     Examples:
@@ -56,6 +56,6 @@ def _summary(bundle: Bundle, out: str) -> Iterator[str]:
 
 def _reasons(consumer: str, rejections: tuple[TargetError, ...]) -> Iterator[str]:
     if rejections:
-        yield f"rejected by {CONSUMERS[consumer].title} anyway:"
+        yield f"errors for {CONSUMERS[consumer].title}:"
     for rejection in rejections:
         yield from output.indented(f"{rejection.span}: {rejection.message} ({rejection.code})")

@@ -64,6 +64,13 @@ def _page(conversion: Conversion, out: str) -> Iterator[str]:
     counts = (counted(number, thing) for thing, number in conversion.counts.items() if number)
     yield from output.indented(", ".join(counts))
     yield from output.indented(conversion.proof.agreed)
+    links = [
+        entry.result
+        for entry in conversion.entries
+        if entry.tag == "<link>" and entry.part.startswith("link/")
+    ]
+    if lost := links.count(Result.LOST):
+        yield from output.indented(f"lost {lost} of {counted(len(links), 'link')}: see below")
     for result in (Result.APPROXIMATED, Result.LOST):
         parts = list(conversion.grouped(result))
         if parts:
