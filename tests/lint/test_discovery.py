@@ -297,3 +297,27 @@ def test_a_file_that_is_called_a_template(
     (tmp_path / name).write_text(f'<robot name="b"><link name="BOX">{box}</link></robot>')
     found = discover(str(tmp_path), Config(), Resolver())
     assert [Path(path).name for path in found.others] == ([name] if is_template else [])
+
+
+@pytest.mark.parametrize(
+    ("file", "count"),
+    [
+        ("test/fail_double_joint.urdf", 1),
+        ("arm/tests/urdf/loader_invalid.urdf", 1),
+        ("test/two_joints.urdf", 2),
+        ("urdf/failsafe_arm.urdf", 2),
+    ],
+)
+def test_robots_of_tests_that_are_wrong_on_purpose(tmp_path, file, count):
+    write(tmp_path, "robot.urdf", '<link name="a"/>')
+    (tmp_path / file).parent.mkdir(parents=True)
+    write(tmp_path, file, '<link name="a"/>')
+    found = discover(str(tmp_path), Config(), Resolver())
+    assert len(found.robots) == count
+    assert len(found.others) == 2 - count
+
+
+def test_a_directory_of_wrong_robots_alone_is_checked(tmp_path):
+    (tmp_path / "test").mkdir()
+    write(tmp_path, "test/invalid.urdf", '<link name="a"/>')
+    assert len(discover(str(tmp_path), Config(), Resolver()).robots) == 1

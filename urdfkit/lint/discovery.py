@@ -47,6 +47,11 @@ _IN_CAPITALS = re.compile(
     rb"""\b(?:size|xyz|scale|radius|length|value)\s*=\s*["'][^"']*\b[A-Z]{3,}\d*\b"""
 )
 _TEMPLATE = "is a template: a program replaces its values"
+#: A robot in a directory of tests whose name says that it is wrong.
+_WRONG_ON_PURPOSE = (
+    r"(?i)(?:^|/)tests?/(?:.*/)?[^/]*(?:fail|invalid|broken|malformed|corrupt)[^/]*$"
+)
+_OF_TEST = "is for tests, and wrong on purpose: its name says so"
 _NOT_CONFIGURED = "no [[robot]] in the configuration for it"
 
 
@@ -65,7 +70,7 @@ def discover(directory: str, config: Config, resolver: Resolver) -> DirectoryCon
         reached = {path for robot in named for path in entry_points.graph.closure(robot)}
         left = [robot.file for robot in contents.robots if disk.real(robot.file) not in reached]
         return DirectoryContents(configured, (), others=dict.fromkeys(left, _NOT_CONFIGURED))
-    contents = _without_templates(contents)
+    contents = _without_broken_tests(_without_templates(contents), top)
     if not any(contents):
         excluded = f", not counting what 'exclude' in {config.path} names" if config.exclude else ""
         raise UnreadableFile(
@@ -81,6 +86,20 @@ def _without_templates(contents: DirectoryContents) -> DirectoryContents:
         robots=tuple(robot for robot in contents.robots if robot.file not in templates),
         others={**contents.others, **dict.fromkeys(sorted(templates), _TEMPLATE)},
     )
+
+
+def _without_broken_tests(contents: DirectoryContents, top: str) -> DirectoryContents:
+    """The contents without robots of tests that are wrong on purpose, if there are others."""
+    wrong = {
+        robot.file
+        for robot in contents.robots
+        if re.search(_WRONG_ON_PURPOSE, os.path.relpath(robot.file, top).replace(os.sep, "/"))
+    }
+    robots = tuple(robot for robot in contents.robots if robot.file not in wrong)
+    if not robots:
+        return contents
+    others = {**contents.others, **dict.fromkeys(sorted(wrong), _OF_TEST)}
+    return contents._replace(robots=robots, others=others)
 
 
 def _is_robot_template(path: str) -> bool:

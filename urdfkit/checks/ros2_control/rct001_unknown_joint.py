@@ -28,10 +28,11 @@ from collections.abc import Iterator
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, nearest
+from urdfkit.core.suggest import Suggester, did_you_mean
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
+from urdfkit.robot.assets.file_names import is_mistyped
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
@@ -84,8 +85,8 @@ def _unknown_joints(context: Context, suggester: Suggester) -> Findings:
             continue
         hint = suggester.hint(name.value)
         suggested = suggester.suggested(name.value)
-        is_close = nearest(name.value, (suggested,), TYPO) is not None
-        if not is_close and (joint.parent and joint.parent.tag, suggested) in listed:
+        entry = (joint.parent and joint.parent.tag, suggested)
+        if entry in listed and not is_mistyped(name.value, suggested):
             hint = suggested = ""  # it has an entry of its own
         message = f"{owner}: unknown joint '{name.value}'{hint}"
         defined = context.model.joints_by_name.get(suggested)

@@ -3,7 +3,7 @@
 import os
 from collections.abc import Iterable, Iterator
 
-from urdfkit.core.suggest import TYPO, did_you_mean, nearest
+from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import GivenParameters, IncludedFile, StartedProgram, Word
@@ -105,7 +105,8 @@ def _own_executable(program: StartedProgram, resolver: Resolver) -> Iterator[Pro
         help = f"write install(TARGETS {name} DESTINATION lib/${{PROJECT_NAME}})"
     else:
         message = f"{file} of '{program.package}' has no executable '{name}'"
-        message += did_you_mean(name, missing.others)
+        similar = nearest(name, missing.others, SIMILAR_FILE)
+        message += f"; did you mean '{similar}'?" if similar else ""
         command = "console_scripts" if file.endswith(".py") else "install(PROGRAMS ...)"
         help = f"fix the name, or add it to {command}"
     yield Problem("LAU003", program.span, message, help, program.frame)
