@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.gazebo.plugins import PluginUse
     from urdfkit.ros.importers.imported import Imported
     from urdfkit.ros.launch.contents import FileUse, LaunchedDescription
+    from urdfkit.ros.moveit.config import MoveItConfig
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.mujoco import Compiler
     from urdfkit.ros.targets import TargetFacts, Targets
@@ -271,6 +272,13 @@ class Context(DescriptionFile):
         from urdfkit.ros.moveit.srdf_reader import find
 
         return find(self)
+
+    @cached_property
+    def moveit_config(self) -> MoveItConfig:
+        """The configuration of MoveIt for the SRDF, which must exist."""
+        from urdfkit.ros.moveit.config import MoveItConfig
+
+        return MoveItConfig(self.required_srdf.path, self.resolver)
 
     @property
     def required_srdf(self) -> Srdf:

@@ -7,6 +7,7 @@ from urdfkit.robot import DescribedRobot
 
 if TYPE_CHECKING:
     from urdfkit.ros.launch.contents import FileUse
+    from urdfkit.ros.moveit.config import MoveItConfig
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.targets import Targets
 
@@ -23,6 +24,9 @@ class RosDescription(DescribedRobot, Protocol):
 
     @property
     def srdf(self) -> Srdf | None: ...
+
+    @property
+    def moveit_config(self) -> MoveItConfig: ...
 
     @property
     def targets(self) -> Targets: ...

@@ -7,18 +7,7 @@ from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
-from urdfkit.ros.moveit.config import (
-    MANAGER,
-    adapters,
-    controller_entries,
-    controller_manager,
-    group_entries,
-    joint_entries,
-    misplaced_controllers,
-    names_without_settings,
-    planner_entries,
-    planning_plugins,
-)
+from urdfkit.ros.moveit.config import MANAGER
 from urdfkit.ros.moveit.joint_limits import planned_limits
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_variant import names_of_other_robots
@@ -46,9 +35,9 @@ def unknown_names(context: Context, srdf: Srdf) -> Findings:
     yield from _joint_limits(context, srdf)
     yield from _groups(context, srdf)
     yield from _solvers(context, srdf)
-    yield from _planners(context, srdf)
-    yield from _planning_plugins(context, srdf)
-    yield from _adapters(context, srdf)
+    yield from _planners(context)
+    yield from _planning_plugins(context)
+    yield from _adapters(context)
     yield from _projections(context, srdf)
     yield from _controllers(context, srdf)
 
@@ -70,7 +59,7 @@ def _joint_limits(context: Context, srdf: Srdf) -> Findings:
 def _groups(context: Context, srdf: Srdf) -> Findings:
     known = srdf.known("group")
     groups = few([f"'{name}'" for name in sorted(known)], _MAX_NAMED)
-    entries = list(group_entries(srdf, context.resolver))
+    entries = list(context.moveit_config.group_entries())
     others = names_of_other_robots(context, srdf, {str(entry.name) for entry in entries} - known)
     for entry in entries:
         # If all of several groups are unknown, the file is for another robot.
@@ -87,7 +76,7 @@ def _groups(context: Context, srdf: Srdf) -> Findings:
 def _projections(context: Context, srdf: Srdf) -> Findings:
     """Joints of a projection that the robot does not have: OMPL has no projection then."""
     known = srdf.known("joint")
-    for entry in group_entries(srdf, context.resolver):
+    for entry in context.moveit_config.group_entries():
         value = scalar(entry.values, "projection_evaluator")
         match = _PROJECTION.fullmatch(value.text) if value else None
         if entry.name not in srdf.known("group") or match is None or value is None:
@@ -103,7 +92,7 @@ def _projections(context: Context, srdf: Srdf) -> Findings:
 def _solvers(context: Context, srdf: Srdf) -> Findings:
     """Misspelt solvers; other unknown solvers are assumed to be in the workspace."""
     solvers: list[str] = data("moveit")["solvers"]
-    for entry in group_entries(srdf, context.resolver):
+    for entry in context.moveit_config.group_entries():
         solver = scalar(entry.values, "kinematics_solver")
         if entry.name not in srdf.known("group") or solver is None:
             continue
@@ -117,10 +106,10 @@ def _solvers(context: Context, srdf: Srdf) -> Findings:
             yield Finding(solver.span, message, f"write {suggested}")
 
 
-def _planners(context: Context, srdf: Srdf) -> Findings:
+def _planners(context: Context) -> Findings:
     """Misspelt planners of groups."""
     of_ompl = [f"{planner}kConfigDefault" for planner in data("moveit")["ompl"].split()]
-    for name, defined in planner_entries(srdf, context.resolver):
+    for name, defined in context.moveit_config.planner_entries():
         known = {*defined, *of_ompl}
         match = None if name.text in known else _planner(name.text, sorted(known), defined)
         if match:
@@ -128,8 +117,8 @@ def _planners(context: Context, srdf: Srdf) -> Findings:
             yield Finding(name.span, message, f"write {match}", severity=Severity.WARNING)
 
 
-def _planning_plugins(context: Context, srdf: Srdf) -> Findings:
-    for plugin in planning_plugins(srdf, context.resolver):
+def _planning_plugins(context: Context) -> Findings:
+    for plugin in context.moveit_config.planning_plugins():
         match = nearest(plugin.text, data("moveit")["planners"], TYPO)
         is_of_ros1 = plugin.text == _PILZ_OF_ROS1 and context.targets.any_of(ROS1)
         if match and plugin.text != match and not is_of_ros1:
@@ -137,10 +126,10 @@ def _planning_plugins(context: Context, srdf: Srdf) -> Findings:
             yield Finding(plugin.span, message, f"write {match}")
 
 
-def _adapters(context: Context, srdf: Srdf) -> Findings:
+def _adapters(context: Context) -> Findings:
     keys = {name: key for key, names in data("moveit")["adapters"].items() for name in names}
     packages = {name.partition("/")[0] for name in keys}
-    for key, adapter, place, is_new in adapters(srdf, context.resolver):
+    for key, adapter, place, is_new in context.moveit_config.adapters():
         package, _, class_name = adapter.partition("/")
         is_known = package in packages or (is_new and package == _ADAPTERS_OF_HUMBLE)
         if is_known and keys.get(adapter) != key:
@@ -159,7 +148,7 @@ def _planner(name: str, known: list[str], defined: list[str]) -> str | None:
 
 def _controllers(context: Context, srdf: Srdf) -> Findings:
     known = srdf.known("joint")
-    joints = list(joint_entries(srdf, context.resolver))
+    joints = list(context.moveit_config.joint_entries())
     of_others = names_of_other_robots(context, srdf, {joint.text for _, joint in joints} - known)
     unknown = [(who, joint) for who, joint in joints if joint.text not in known | of_others]
     if 2 * len(unknown) > len(joints) > 2:
@@ -167,8 +156,8 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
     for who, joint in unknown:
         message = f"{who}: unknown joint '{joint.text}'{did_you_mean(joint.text, known)}"
         yield Finding(joint.span, message, "fix the name")
-    yield from _manager(context, srdf)
-    for name, others, is_outside in names_without_settings(srdf, context.resolver):
+    yield from _manager(context)
+    for name, others, is_outside in context.moveit_config.names_without_settings():
         hint = did_you_mean(name.text, others)
         if is_outside:
             hint = f" in {MANAGER}: they are at the top level of the file"
@@ -177,9 +166,9 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
         yield Finding(name.span, message, help)
 
 
-def _manager(context: Context, srdf: Srdf) -> Findings:
+def _manager(context: Context) -> Findings:
     """A misspelt controller manager, sections that it ignores, controllers without joints."""
-    plugin = controller_manager(srdf, context.resolver)
+    plugin = context.moveit_config.controller_manager()
     if plugin is None:
         return
     match = nearest(plugin.text, data("moveit")["managers"], CLOSE_TYPO)
@@ -188,10 +177,10 @@ def _manager(context: Context, srdf: Srdf) -> Findings:
         yield Finding(plugin.span, hint, f"write {match}")
     if match != _OF_MOVEIT:
         return
-    for key, section in misplaced_controllers(srdf, context.resolver):
-        message = f"MoveIt reads its controllers below {section}, not below '{key}'"
-        yield Finding(key.span, message, f"write {section}")
-    for key, entry in controller_entries(srdf, context.resolver):
+    for key in context.moveit_config.misplaced_controllers():
+        message = f"MoveIt reads its controllers below {MANAGER}, not below '{key}'"
+        yield Finding(key.span, message, f"write {MANAGER}")
+    for key, entry in context.moveit_config.controller_entries():
         if "type" in entry and "joints" not in entry:
             message = f"controller '{key}' has no joints, so MoveIt ignores it"
             yield Finding(key.span, message, "list the joints that it moves")

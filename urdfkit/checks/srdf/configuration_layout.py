@@ -13,20 +13,12 @@ from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.rviz import displays
-from urdfkit.ros.moveit.config import (
-    MANAGER,
-    PIPELINES,
-    controller_entries,
-    group_entries,
-    load_next_to,
-    servo_values,
-)
+from urdfkit.ros.moveit.config import CONTROLLERS, MANAGER, PIPELINES
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalar, scalars
 from urdfkit.workspace.launch_files import launch_files
 from urdfkit.workspace.manifest import manifest_of
 
-_CONTROLLERS = "moveit_controllers.yaml"
 _PLUGIN = "moveit_controller_manager"
 #: Most directories of a package that are searched for configurations of RViz.
 _MAX_DIRECTORIES = 200
@@ -38,15 +30,15 @@ _OUTPUT = ("command_out_topic", "command_out_type")
 
 
 def invalid_layout(context: Context, srdf: Srdf) -> Findings:
-    yield from _execution(context, srdf)
-    yield from _controllers(context, srdf)
-    yield from _unlisted(context, srdf)
+    yield from _execution(context)
+    yield from _controllers(context)
+    yield from _unlisted(context)
     yield from _without_manager(context, srdf)
     yield from _rviz_groups(context, srdf)
     yield from _sensors(context, srdf)
-    yield from _cartesian_limits(context, srdf)
-    yield from _pipelines(context, srdf)
-    yield from _planners_of_groups(context, srdf)
+    yield from _cartesian_limits(context)
+    yield from _pipelines(context)
+    yield from _planners_of_groups(context)
     yield from _servo(context, srdf)
 
 
@@ -55,10 +47,10 @@ def _warning(key: object, message: str, help: str) -> Findings:
         yield Finding(key.span, message, help, severity=Severity.WARNING)
 
 
-def _execution(context: Context, srdf: Srdf) -> Findings:
+def _execution(context: Context) -> Findings:
     """Parameters of trajectory execution outside of their section, or misspelt in it."""
     known = data("moveit")[_EXECUTION].split()
-    root = load_next_to(srdf, _CONTROLLERS, context.resolver)
+    root = context.moveit_config.load(CONTROLLERS)
     for key in root:
         if key in known:
             message = f"'{key}' is not read: it is a parameter of {_EXECUTION}"
@@ -69,24 +61,24 @@ def _execution(context: Context, srdf: Srdf) -> Findings:
             yield from _warning(key, f"{_EXECUTION} has no '{key}'", f"write {match}")
 
 
-def _controllers(context: Context, srdf: Srdf) -> Findings:
+def _controllers(context: Context) -> Findings:
     """Misspelt settings of controllers."""
     known = data("moveit")["controller"].split()
-    for name, entry in controller_entries(srdf, context.resolver):
+    for name, entry in context.moveit_config.controller_entries():
         for key in entry:
             match = nearest(key, known) if key not in known else None
             if match and match not in entry:
                 yield from _warning(key, f"controller '{name}' has no '{key}'", f"write {match}")
 
 
-def _unlisted(context: Context, srdf: Srdf) -> Findings:
+def _unlisted(context: Context) -> Findings:
     """A controller with settings that is not in the list: MoveIt ignores it."""
-    section = mapping(load_next_to(srdf, _CONTROLLERS, context.resolver), MANAGER)
+    section = mapping(context.moveit_config.load(CONTROLLERS), MANAGER)
     listed = section.get("controller_names")
     names = {value.text for value in scalars(listed)}
     if not names or not names <= section.keys():  # substituted or misspelt ones
         return
-    for key, entry in controller_entries(srdf, context.resolver):
+    for key, entry in context.moveit_config.controller_entries():
         if key not in names and "type" in entry and "joints" in entry:
             message = f"controller '{key}' is not in controller_names, so MoveIt ignores it"
             yield from _warning(key, message, f"add {key} to controller_names")
@@ -94,7 +86,7 @@ def _unlisted(context: Context, srdf: Srdf) -> Findings:
 
 def _without_manager(context: Context, srdf: Srdf) -> Findings:
     """Settings of the simple controller manager, which nothing tells move_group to load."""
-    root = load_next_to(srdf, _CONTROLLERS, context.resolver)
+    root = context.moveit_config.load(CONTROLLERS)
     key = next((key for key in root if key == MANAGER), None)
     directory = context.resolver.packages.workspace(srdf.path)
     if key is None or _PLUGIN in root or not mapping(root, MANAGER).get("controller_names"):
@@ -127,7 +119,7 @@ def _rviz_groups(context: Context, srdf: Srdf) -> Findings:
 
 def _sensors(context: Context, srdf: Srdf) -> Findings:
     """Sensors of the octomap that move_group does not load."""
-    root = load_next_to(srdf, _SENSORS, context.resolver)
+    root = context.moveit_config.load(_SENSORS)
     listed = root.get("sensors")
     if isinstance(listed, Value) and listed.text:
         message, help = f"sensors is '{listed.text}', not a list", f"write [{listed.text}]"
@@ -175,9 +167,9 @@ def _loads_sensors(context: Context, srdf: Srdf) -> bool:
     )
 
 
-def _cartesian_limits(context: Context, srdf: Srdf) -> Findings:
+def _cartesian_limits(context: Context) -> Findings:
     """A limit without which Pilz's planner plans no lines: "not fully set"."""
-    root = load_next_to(srdf, _CARTESIAN, context.resolver)
+    root = context.moveit_config.load(_CARTESIAN)
     limits = mapping(root, "cartesian_limits")
     missing = [name for name in data("moveit")["cartesian_limits"].split() if name not in limits]
     section = next((key for key in root if key == "cartesian_limits"), None)
@@ -186,10 +178,10 @@ def _cartesian_limits(context: Context, srdf: Srdf) -> Findings:
         yield from _warning(section, message, "add " + ", ".join(missing))
 
 
-def _pipelines(context: Context, srdf: Srdf) -> Findings:
+def _pipelines(context: Context) -> Findings:
     """Files of pipelines that are half of Humble and half of Jazzy."""
     for file in PIPELINES:
-        root = load_next_to(srdf, file, context.resolver)
+        root = context.moveit_config.load(file)
         is_new = "planning_plugins" in root
         for key in root:
             value = root[key]
@@ -207,9 +199,9 @@ def _has_lists(root: dict[str, Node]) -> bool:
     return any(isinstance(root.get(key), list) for key in _ADAPTERS)
 
 
-def _planners_of_groups(context: Context, srdf: Srdf) -> Findings:
+def _planners_of_groups(context: Context) -> Findings:
     """A single planner where a group has a list: move_group stops at the type."""
-    for entry in group_entries(srdf, context.resolver):
+    for entry in context.moveit_config.group_entries():
         value = scalar(entry.values, "planner_configs")
         if value and value.text:
             message = f"planner_configs of group '{entry.name}' is not a list"
@@ -219,7 +211,7 @@ def _planners_of_groups(context: Context, srdf: Srdf) -> Findings:
 def _servo(context: Context, srdf: Srdf) -> Findings:
     """A topic that its controller does not read, and a type that it does not read."""
     types: dict[str, str] = data("moveit")["servo_outputs"]
-    for source, values in servo_values(srdf, context.resolver):
+    for source, values in context.moveit_config.servo_values():
         topic, kind = (values.get(name) for name in _OUTPUT)
         file = os.path.basename(source.path)
         if topic is not None and (read := _read_topic(context, srdf, topic.text)):

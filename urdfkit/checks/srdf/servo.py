@@ -11,7 +11,6 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog.controllers import of_servo
-from urdfkit.ros.moveit.config import servo_values
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_variant import names_of_other_robots
 from urdfkit.ros.parameter_types import TYPES, correction, is_not_positive, type_of
@@ -27,7 +26,7 @@ _MAX_NAMED = 4
 
 def unknown_in_servo(context: Context, srdf: Srdf) -> Findings:
     above = {joint.get("parent_frame") or "" for joint in srdf.root.all("virtual_joint")}
-    for source, values in servo_values(srdf, context.resolver):
+    for source, values in context.moveit_config.servo_values():
         file = os.path.basename(source.path)
         known = {_GROUP: srdf.known("group"), **dict.fromkeys(_FRAMES, srdf.known("link") | above)}
         written = {key: values[key].text for key in known if key in values}

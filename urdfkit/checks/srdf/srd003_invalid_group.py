@@ -21,7 +21,6 @@ from urdfkit.robot.joint import Joint
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.tree import closed_loops
 from urdfkit.ros.catalog import data
-from urdfkit.ros.moveit.config import group_entries
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.parameter_types import type_of
@@ -57,7 +56,7 @@ def check(context: Context) -> Findings:
 def _integers(context: Context, srdf: Srdf) -> Findings:
     """Settings of solvers that ROS 2 declares as doubles."""
     manifest = manifest_of(context.resolver, srdf.path)
-    for entry in group_entries(srdf, context.resolver) if manifest and manifest.ros == 2 else ():
+    for entry in context.moveit_config.group_entries() if manifest and manifest.ros == 2 else ():
         for name in _DOUBLES:
             value = entry.values.get(name)
             if isinstance(value, Value) and type_of(value) == "int":
@@ -100,7 +99,7 @@ def _subgroups(name: str, srdf: Srdf) -> Iterator[tuple[str, str]]:
 def _unsolvable(context: Context, srdf: Srdf) -> Findings:
     """Groups that are not a chain, with a solver that requires one."""
     for_chains = tuple(data("moveit")["for_chains"])
-    for entry in group_entries(srdf, context.resolver):
+    for entry in context.moveit_config.group_entries():
         solver = scalar(entry.values, "kinematics_solver")
         if solver is None or not solver.text.startswith(for_chains):
             continue

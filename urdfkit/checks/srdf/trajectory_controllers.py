@@ -12,7 +12,6 @@ from urdfkit.ros.controllers import Controller, read
 from urdfkit.ros.launch.contents import Word
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import MANAGER, spawned_controllers
-from urdfkit.ros.moveit.config import controller_entries
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, scalars
 from urdfkit.workspace.launch_files import MAX_FILES, launch_files
@@ -34,7 +33,7 @@ def mismatched_controllers(context: Context, srdf: Srdf) -> Findings:
     manifest = manifest_of(context.resolver, srdf.path)
     if manifest is None or manifest.ros != 2:
         return
-    entries = list(controller_entries(srdf, context.resolver))
+    entries = list(context.moveit_config.controller_entries())
     controllers = defined_controllers(context, srdf) if entries else ()
     defined = by_key((controller.name, controller) for controller in controllers)
     served = {

@@ -11,8 +11,6 @@ from collections.abc import Iterator
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.errors import UrdfkitError
-from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, entries, load, mapping, scalars
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
@@ -23,8 +21,9 @@ _OF_GROUPS = {
     "kinematics.yaml": ("kinematics_solver",),
     _OMPL: ("planner_configs", "default_planner_config", "projection_evaluator"),
 }
+CONTROLLERS = "moveit_controllers.yaml"
 _OF_CONTROLLERS = (
-    "moveit_controllers.yaml",
+    CONTROLLERS,
     "simple_moveit_controllers.yaml",
     "fake_controllers.yaml",
 )
@@ -53,16 +52,147 @@ class GroupEntry(Record):
     is_alone: bool  # True if its file has no other group
 
 
-def group_entries(srdf: Srdf, resolver: Resolver) -> Iterator[GroupEntry]:
-    """The sections of planning groups in all files."""
-    for file, marks in _OF_GROUPS.items():
-        sections = [
-            (key, node)
-            for key, node in _mappings(_groups(load_next_to(srdf, file, resolver)))
-            if not node.keys().isdisjoint(marks) and not key.startswith(_OPEN)
-        ]
-        for key, node in sections:
-            yield GroupEntry(key, node, len(sections) == 1)
+class MoveItConfig:
+    """The configuration of MoveIt for an SRDF; each file is read once.
+
+    Args:
+        srdf: path of the SRDF.
+    """
+
+    def __init__(self, srdf: str, resolver: Resolver) -> None:
+        self._path = srdf
+        self._directory = os.path.dirname(os.path.abspath(srdf))
+        self._resolver = resolver
+        self._files: dict[str, dict[str, Node]] = {}
+
+    def load(self, name: str) -> dict[str, Node]:
+        """A YAML file next to the SRDF or in its MoveIt configuration; empty if it is missing."""
+        if name not in self._files:
+            self._files[name] = self._read(name)
+        return self._files[name]
+
+    def _read(self, name: str) -> dict[str, Node]:
+        above = os.path.dirname(self._directory)
+        for place in (self._directory, above, os.path.join(above, "config")):
+            path = os.path.join(place, name)
+            if disk.is_file(path) and self._resolver.allows(path, self._path):
+                source = self._resolver.readable(path)
+                return mapping(load(source)) if source else {}
+        return {}
+
+    def group_entries(self) -> Iterator[GroupEntry]:
+        """The sections of planning groups in all files."""
+        for file, marks in _OF_GROUPS.items():
+            sections = [
+                (key, node)
+                for key, node in _mappings(_groups(self.load(file)))
+                if not node.keys().isdisjoint(marks) and not key.startswith(_OPEN)
+            ]
+            for key, node in sections:
+                yield GroupEntry(key, node, len(sections) == 1)
+
+    def planner_entries(self) -> Iterator[tuple[Value, list[str]]]:
+        """The planners of groups in the OMPL file, each with the planners that it defines."""
+        root = self.load(_OMPL)
+        defined = [str(key) for key in mapping(root, "planner_configs")]
+        for key, group in _mappings(root):
+            named = [group.get("default_planner_config"), *scalars(group.get("planner_configs"))]
+            for value in named if key != "planner_configs" else ():
+                if isinstance(value, Value) and value.text and not value.text.startswith(_OPEN):
+                    yield value, defined
+
+    def planning_plugins(self) -> Iterator[Value]:
+        """The plugins of the planning pipelines in the files of pipelines such as OMPL."""
+        for file in PIPELINES:
+            root = self.load(file)
+            for value in (root.get("planning_plugin"), *scalars(root.get("planning_plugins"))):
+                if isinstance(value, Value):
+                    yield value
+
+    def adapters(self) -> Iterator[tuple[str, str, Value, bool]]:
+        """The adapters of the planning pipelines: key, name, location, and whether of Jazzy.
+
+        From Jazzy on, the file has a list of planning plugins.
+        """
+        for file in PIPELINES:
+            root = self.load(file)
+            for key in ("request_adapters", "response_adapters"):
+                node = root.get(key)
+                for value in [node] if isinstance(node, Value) else scalars(node):
+                    for name in value.text.split():
+                        yield key, name, value, "planning_plugins" in root
+
+    def joint_entries(self) -> Iterator[tuple[str, Value]]:
+        """Joint references in the files, each with a description of its owner."""
+        for name, section in self.controllers():
+            for joint in scalars(section.get("joints")):
+                if not joint.text.startswith(_OPEN):
+                    yield f"controller '{name}'", joint
+        for _, positions in _mappings(self.load(_INITIAL)):
+            for key in positions:
+                if isinstance(key, Key) and not key.startswith(_OPEN):
+                    yield _INITIAL, key.at
+
+    def controllers(self) -> Iterator[tuple[str, dict[str, Node]]]:
+        """The controllers to which MoveIt sends trajectories, with their settings."""
+        for file in _OF_CONTROLLERS:
+            root = self.load(file)
+            managers = [root] if _is_manager(root) else [node for _, node in _mappings(root)]
+            for manager in managers:
+                yield from _mappings(manager)
+        for file in (*_OF_CONTROLLERS, _OF_ROS_1):
+            listed = self.load(file).get("controller_list")
+            for item in listed if isinstance(listed, list) else ():
+                if isinstance(name := mapping(item).get("name"), Value):
+                    yield name.text, mapping(item)
+
+    def controller_entries(self) -> Iterator[tuple[Key, dict[str, Node]]]:
+        """The settings of the controllers of MoveIt 2, by name with location."""
+        for key, entry in _mappings(_manager(self.load(CONTROLLERS))):
+            if not key.startswith(_OPEN):
+                yield key, entry
+
+    def controller_manager(self) -> Value | None:
+        """MoveIt 2's controller manager plugin."""
+        plugin = self.load(CONTROLLERS).get("moveit_controller_manager")
+        return plugin if isinstance(plugin, Value) else None
+
+    def misplaced_controllers(self) -> Iterator[Key]:
+        """Sections with controller names in a file without the section of the manager."""
+        root = self.load(CONTROLLERS)
+        if MANAGER not in root and "ros__parameters" not in root:
+            for key, section in _mappings(root):
+                if isinstance(section.get("controller_names"), list):
+                    yield key
+
+    def names_without_settings(self) -> Iterator[tuple[Value, list[str], bool]]:
+        """Names of controllers without settings, with the names of those with settings.
+
+        The third item is True if the settings are in the file, but not below the manager.
+        """
+        root = self.load(CONTROLLERS)
+        manager = _manager(root)
+        configured = [str(key) for key, _ in _mappings(manager)]
+        for name in scalars(manager.get("controller_names")):
+            if name.text not in configured and not name.text.startswith(_OPEN):
+                yield name, configured, name.text in root
+
+    def servo_values(self) -> Iterator[tuple[Source, dict[str, Value]]]:
+        """The files of MoveIt Servo next to an SRDF, and their values by key."""
+        directory = self._directory
+        for name in sorted(disk.names(directory)) if disk.is_directory(directory) else ():
+            path = os.path.join(directory, name)
+            source = self._resolver.readable(path) if name.endswith((".yaml", ".yml")) else None
+            if source is None or _TOPIC_OF_SERVO not in source.data:
+                continue
+            if not any(key in source.data for key in _OF_SERVO):
+                continue
+            values = {
+                str(key): node
+                for key, node in entries(load(source))
+                if isinstance(node, Value) and not node.text.startswith(_OPEN)
+            }
+            yield source, values
 
 
 def _groups(root: dict[str, Node]) -> dict[str, Node]:
@@ -77,73 +207,6 @@ def _parameters(root: dict[str, Node]) -> dict[str, Node]:
     return next(filter(None, nodes), root)
 
 
-def planner_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Value, list[str]]]:
-    """The planners that groups reference in the OMPL file, with the planners that it defines."""
-    root = load_next_to(srdf, _OMPL, resolver)
-    defined = [str(key) for key in mapping(root, "planner_configs")]
-    for key, group in _mappings(root):
-        named = [group.get("default_planner_config"), *scalars(group.get("planner_configs"))]
-        for value in named if key != "planner_configs" else ():
-            if isinstance(value, Value) and value.text and not value.text.startswith(_OPEN):
-                yield value, defined
-
-
-def planning_plugins(srdf: Srdf, resolver: Resolver) -> Iterator[Value]:
-    """The plugins of the planning pipelines in the files of pipelines such as OMPL."""
-    for file in PIPELINES:
-        root = load_next_to(srdf, file, resolver)
-        for value in (root.get("planning_plugin"), *scalars(root.get("planning_plugins"))):
-            if isinstance(value, Value):
-                yield value
-
-
-def adapters(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, str, Value, bool]]:
-    """The adapters of the planning pipelines: key, name, location, and whether of Jazzy.
-
-    From Jazzy on, the file has a list of planning plugins.
-    """
-    for file in PIPELINES:
-        root = load_next_to(srdf, file, resolver)
-        for key in ("request_adapters", "response_adapters"):
-            node = root.get(key)
-            for value in [node] if isinstance(node, Value) else scalars(node):
-                for name in value.text.split():
-                    yield key, name, value, "planning_plugins" in root
-
-
-def joint_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, Value]]:
-    """Joint references in the files, each with a description of its owner."""
-    for name, section in controllers(srdf, resolver):
-        for joint in scalars(section.get("joints")):
-            if not joint.text.startswith(_OPEN):
-                yield f"controller '{name}'", joint
-    for _, positions in _mappings(load_next_to(srdf, _INITIAL, resolver)):
-        for key in positions:
-            if isinstance(key, Key) and not key.startswith(_OPEN):
-                yield _INITIAL, key.at
-
-
-def controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[str, dict[str, Node]]]:
-    """The controllers to which MoveIt sends trajectories, with their settings."""
-    for file in _OF_CONTROLLERS:
-        root = load_next_to(srdf, file, resolver)
-        managers = [root] if _is_manager(root) else [node for _, node in _mappings(root)]
-        for manager in managers:
-            yield from _mappings(manager)
-    for file in (*_OF_CONTROLLERS, _OF_ROS_1):
-        listed = load_next_to(srdf, file, resolver).get("controller_list")
-        for item in listed if isinstance(listed, list) else ():
-            if isinstance(name := mapping(item).get("name"), Value):
-                yield name.text, mapping(item)
-
-
-def controller_entries(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, dict[str, Node]]]:
-    """The settings of the controllers of MoveIt 2, by name with location."""
-    for key, entry in _mappings(_manager(load_next_to(srdf, _OF_CONTROLLERS[0], resolver))):
-        if not key.startswith(_OPEN):
-            yield key, entry
-
-
 def _manager(root: dict[str, Node]) -> dict[str, Node]:
     """The settings of the manager; launch files of their own pass a whole file as its settings."""
     return root if _is_manager(root) else mapping(_parameters(root), MANAGER)
@@ -154,69 +217,7 @@ def _is_manager(root: dict[str, Node]) -> bool:
     return MANAGER not in root and isinstance(root.get("controller_names"), list)
 
 
-def controller_manager(srdf: Srdf, resolver: Resolver) -> Value | None:
-    """MoveIt 2's controller manager plugin."""
-    plugin = load_next_to(srdf, _OF_CONTROLLERS[0], resolver).get("moveit_controller_manager")
-    return plugin if isinstance(plugin, Value) else None
-
-
-def misplaced_controllers(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Key, str]]:
-    """Sections with controller names in a file without the section that is read, and its name."""
-    root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
-    if MANAGER not in root:
-        for key, section in _mappings(root):
-            if isinstance(section.get("controller_names"), list) and "ros__parameters" not in root:
-                yield key, MANAGER
-
-
-def names_without_settings(
-    srdf: Srdf, resolver: Resolver
-) -> Iterator[tuple[Value, list[str], bool]]:
-    """Names of controllers without settings, with the names of those with settings.
-
-    The third item is True if the settings are in the file, but not below the manager.
-    """
-    root = load_next_to(srdf, _OF_CONTROLLERS[0], resolver)
-    manager = _manager(root)
-    configured = [str(key) for key, _ in _mappings(manager)]
-    for name in scalars(manager.get("controller_names")):
-        if name.text not in configured and not name.text.startswith(_OPEN):
-            yield name, configured, name.text in root
-
-
-def servo_values(srdf: Srdf, resolver: Resolver) -> Iterator[tuple[Source, dict[str, Value]]]:
-    """The files of MoveIt Servo next to an SRDF, and their values by key."""
-    directory = os.path.dirname(os.path.abspath(srdf.path))
-    for name in sorted(disk.names(directory)) if disk.is_directory(directory) else ():
-        path = os.path.join(directory, name)
-        source = resolver.readable(path) if name.endswith((".yaml", ".yml")) else None
-        if source is None or _TOPIC_OF_SERVO not in source.data:
-            continue
-        if not any(key in source.data for key in _OF_SERVO):
-            continue
-        values = {
-            str(key): node
-            for key, node in entries(load(source))
-            if isinstance(node, Value) and not node.text.startswith(_OPEN)
-        }
-        yield source, values
-
-
 def _mappings(node: dict[str, Node]) -> Iterator[tuple[Key, dict[str, Node]]]:
     for key, inner in node.items():
         if isinstance(key, Key) and isinstance(inner, dict):
             yield key, inner
-
-
-def load_next_to(srdf: Srdf, name: str, resolver: Resolver) -> dict[str, Node]:
-    """A YAML file next to an SRDF or in its MoveIt configuration; empty if it is missing."""
-    directory = os.path.dirname(os.path.abspath(srdf.path))
-    above = os.path.dirname(directory)
-    for place in (directory, above, os.path.join(above, "config")):
-        path = os.path.join(place, name)
-        if disk.is_file(path) and resolver.allows(path, srdf.path):
-            try:
-                return mapping(load(resolver.read(path)))
-            except UrdfkitError:
-                return {}
-    return {}

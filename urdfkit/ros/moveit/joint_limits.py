@@ -11,7 +11,6 @@ from math import radians
 from urdfkit.core.record import Record
 from urdfkit.robot.values import number
 from urdfkit.ros import RosDescription
-from urdfkit.ros.moveit.config import load_next_to
 from urdfkit.text.located_yaml import Key, Value, mapping
 
 _FILE = "joint_limits.yaml"
@@ -44,7 +43,7 @@ def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
     """The limits that MoveIt plans with, in the order of the file; empty without a file."""
     if description.srdf is None:
         return
-    root = load_next_to(description.srdf, _FILE, description.resolver)
+    root = description.moveit_config.load(_FILE)
     for name, entry in mapping(root, "joint_limits").items():
         given = {key: value for key, value in mapping(entry).items() if isinstance(value, Value)}
         if given and isinstance(name, Key):
