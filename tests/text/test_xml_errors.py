@@ -113,6 +113,12 @@ class TestComments:
         fixed = data[: edit[0]] + edit[2].encode() + data[edit[1] :]
         assert syntax_mistakes(fixed) == []
 
+    def test_an_arrow_at_both_ends(self) -> None:
+        assert one(inside("<!- the end ->")) == (
+            "<!- the end ->",
+            "a comment is written '<!-- ... -->'",
+        )
+
     @pytest.mark.parametrize("text", ["a <-- b", "a <-- b <!-- c -->", "a <- b"])
     def test_what_is_no_mistyped_begin(self, text: str) -> None:
         assert one(inside(text))[1].startswith("'<' does not begin a tag")

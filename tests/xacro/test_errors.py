@@ -282,6 +282,15 @@ def test_an_include_without_the_prefix_is_why_a_macro_lacks(tmp_path: Path) -> N
     assert problem.help == "write <xacro:include>: xacro ignores an <include> without the prefix"
 
 
+def test_an_include_without_the_prefix_is_why_a_property_lacks(tmp_path: Path) -> None:
+    """A Husky of ROS Fuerte, whose includes are for its own xacro."""
+    (problem,) = run(tmp_path, '<include filename="a.xacro"/>\n<a b="${size}"/>').problems
+    assert problem.help == "write <xacro:include>: xacro ignores an <include> without the prefix"
+    commented = '<!-- <include filename="a.xacro"/> -->\n<a b="${size}"/>'
+    (problem,) = run(tmp_path, commented).problems
+    assert "'size'" in problem.help
+
+
 def test_the_directories_that_there_are_instead_of_a_missing_one(tmp_path: Path) -> None:
     for arm in ("six_axes", "seven_axes"):
         (tmp_path / arm).mkdir()

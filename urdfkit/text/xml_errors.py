@@ -41,6 +41,8 @@ _DECLARATION = re.compile(
 )
 #: The begin of a comment with a character too few, or a space too many.
 _MISTYPED_COMMENT = re.compile(rb"<(?:--+|!\s+-+|!-)")
+#: A comment on one line with a hyphen too few at both ends.
+_ARROW_COMMENT = re.compile(rb"<!-(?!-)[^<>\n]*->")
 _PREDEFINED = frozenset((b"lt", b"gt", b"amp", b"quot", b"apos"))
 
 
@@ -158,6 +160,9 @@ class _Scanner:
             fix = ((*match.span(), "<!--"),)
             self.mistakes.append(SyntaxMistake(*match.span(), message, fix=fix))
             return end + 3
+        if arrow := _ARROW_COMMENT.match(self.data, start):
+            self._add(*arrow.span(), "a comment is written '<!-- ... -->'")
+            return arrow.end()
         message = "'<' does not begin a tag; in a text it must be written '&lt;'"
         self._add(start, start + 1, message)
         return start + 1

@@ -15,6 +15,7 @@ from urdfkit.xacro.errors import IN_CONDITION, MessageText
 UNDEFINED = re.compile(r"name '(\w+)' is not defined")
 _INCLUDED_AS = re.compile(rb"""<xacro:include\b[^>]*\bns\s*=\s*["']([\w.-]+)["']""")
 _BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
+_BARE_HELP = "write <xacro:include>: xacro ignores an <include> without the prefix"
 _BARE_PROPERTY = rb"""<property\s[^<>]*?\bname\s*=\s*["']%s["'][^<>]*>"""
 _DEFINED = re.compile(rb"""<xacro:(property|macro)\b[^<>]*?\bname\s*=\s*["']([\w:]+)["']""")
 _NAMESPACE = re.compile(rb"""\sns\s*=\s*["']([\w.]+)""")
@@ -32,8 +33,8 @@ def unknown_macro(defined: Definitions, name: str) -> MessageText:
     if space and bare in known:  # in another namespace: no other name is meant
         known = [f"{namespace}.{bare}" for namespace in _namespaces(defined)]
     help = "define the macro above its call, or include the file that does"
-    if any(_BARE_INCLUDE.search(source.data) for source in defined.sources.values()):
-        help = "write <xacro:include>: xacro ignores an <include> without the prefix"
+    if _has_bare_include(defined):
+        help = _BARE_HELP
     return MessageText(f"macro '{name}' is not defined", help + did_you_mean(name, known))
 
 
@@ -45,8 +46,16 @@ def undefined_name(defined: Definitions, text: str, name: str) -> MessageText:
         use = f"write $(arg {name}), or define a property of this value above the use"
         return MessageText(text, f"'{name}' is an argument: {use}")
     known = [property_name for _, property_name in _definitions(defined, "property")]
+    hint = did_you_mean(name, known)
     help = f"define the property '{name}' above its use, or correct the name"
-    return MessageText(text, help + did_you_mean(name, known))
+    if not hint and _has_bare_include(defined):
+        help = _BARE_HELP
+    return MessageText(text, help + hint)
+
+
+def _has_bare_include(defined: Definitions) -> bool:
+    sources = defined.sources.values()
+    return any(_BARE_INCLUDE.search(blank_comments(source.data)) for source in sources)
 
 
 def bare_property(defined: Definitions, cause: BaseException) -> tuple[str, Span] | None:
