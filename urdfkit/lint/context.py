@@ -371,8 +371,7 @@ class Context(DescriptionFile):
         """
         if self._simulate is None or self.is_part or not self.tree.is_sound:
             return None
-        bodies = [body for link in self.model.links for body in link.collisions]
-        names = [body.shape.filename for body in bodies if body.shape and body.shape.filename]
+        names = [body.file for body in self.model.collisions if body.file]
         if any(self.files.locate(name).path is None for name in names):
             raise Unavailable("not simulated: mesh files of collisions are missing")
         try:

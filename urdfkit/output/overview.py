@@ -178,10 +178,7 @@ def _shapes(context: Context, placed: Mapping[str, Transform]) -> tuple[Shapes, 
         if mesh.facts is None or mesh.facts.defect is not None
     ]
     skipped: tuple[str, ...] = ()
-    bodies = {
-        "visual": [body for link in model.links for body in link.visuals],
-        "collision": [body for link in model.links for body in link.collisions],
-    }
+    bodies = {"visual": model.visuals, "collision": model.collisions}
     try:
         triangles: dict[str, int] | None = {
             role: sum(_count(context, body.shape) for body in some if body.shape)

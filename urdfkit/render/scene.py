@@ -125,7 +125,7 @@ def build(
                 candidates = map(_plausible, _items(meshes, materials, link.name, role, body))
                 valid = [item for item in candidates if item]
                 items += valid
-                if not valid and body.shape and body.shape.kind == "mesh":
+                if not valid and body.shape and body.is_mesh:
                     reason = context.meshes.reason(body.shape) or "it has no valid triangles"
                     absent.append((link, role, body, reason))
     roots = {context.tree.root_of[item.link] for item in items}

@@ -45,7 +45,7 @@ def extent_of(robot: Robot, placed: Mapping[str, Transform]) -> RobotExtent:
         if robot.tree.root_of[name] != root:
             left_out[name] = f"not connected to root link {root}"
             continue
-        for body in (*link.visuals, *link.collisions):
+        for body in link.bodies:
             if body.shape is None:
                 continue
             box = box_of(robot, body, placed[name])

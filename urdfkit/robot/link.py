@@ -81,6 +81,15 @@ class Body(Record):
     shape: Shape | None
     material: Material | None
 
+    @property
+    def file(self) -> Placed[str] | None:
+        """The file name of its mesh; None for another shape."""
+        return self.shape.filename if self.shape else None
+
+    @property
+    def is_mesh(self) -> bool:
+        return self.shape is not None and self.shape.kind == "mesh"
+
 
 class Link(Record):
     """``<link>``; the name is ``""`` if it is missing."""
@@ -90,6 +99,11 @@ class Link(Record):
     inertial: Inertial | None
     visuals: tuple[Body, ...]
     collisions: tuple[Body, ...]
+
+    @property
+    def bodies(self) -> tuple[Body, ...]:
+        """The visuals, then the collisions."""
+        return self.visuals + self.collisions
 
     @property
     def mass(self) -> float:

@@ -6,7 +6,7 @@ from functools import cached_property
 from urdfkit.core.static_typing import TypeVar
 from urdfkit.errors import UrdfkitError
 from urdfkit.robot.joint import Joint, read_joint
-from urdfkit.robot.link import Link, Shape, read_link, read_material
+from urdfkit.robot.link import Body, Link, Shape, read_link, read_material
 from urdfkit.text.document import Document, Element
 from urdfkit.text.source import Span
 
@@ -81,9 +81,19 @@ class RobotModel:
         return sum(joint.degrees_of_freedom for joint in self.joints)
 
     @property
+    def visuals(self) -> list[Body]:
+        """The visuals of all links."""
+        return [body for link in self.links for body in link.visuals]
+
+    @property
+    def collisions(self) -> list[Body]:
+        """The collisions of all links."""
+        return [body for link in self.links for body in link.collisions]
+
+    @property
     def shapes(self) -> list[Shape]:
         """All shapes of all visuals and collisions."""
-        bodies = (body for link in self.links for body in (*link.visuals, *link.collisions))
+        bodies = (body for link in self.links for body in link.bodies)
         return [body.shape for body in bodies if body.shape]
 
 

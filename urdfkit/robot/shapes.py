@@ -286,7 +286,7 @@ def primitive(body: Body) -> Primitive | None:
 def shaped(model: RobotModel) -> Iterator[tuple[Link, Body, Shape]]:
     """All shapes, each with its link and its visual or collision."""
     for link in model.links:
-        for body in (*link.visuals, *link.collisions):
+        for body in link.bodies:
             if body.shape:
                 yield link, body, body.shape
 

@@ -146,7 +146,7 @@ def _unread(robot: Robot, names: Collection[str]) -> tuple[str, ...]:
         name
         for name in names
         if any(
-            body.shape and body.shape.filename is not None and robot.meshes.mesh(body.shape) is None
+            body.shape and body.file and robot.meshes.mesh(body.shape) is None
             for body in by_name[name].collisions
         )
     )
@@ -216,8 +216,7 @@ def _stability(
 
 def collision_meshes(model: RobotModel) -> list[Shape]:
     """The meshes of collisions, which may touch the ground."""
-    bodies = (body for link in model.links for body in link.collisions)
-    return [body.shape for body in bodies if body.shape and body.shape.filename]
+    return [body.shape for body in model.collisions if body.shape and body.file]
 
 
 def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:

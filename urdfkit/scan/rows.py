@@ -147,7 +147,7 @@ def _size(context: Context) -> tuple[float | None, float | None, float | None]:
     low, high = [float("inf")] * 3, [float("-inf")] * 3
     for name, frame in frames(context.tree, {}).items():
         link = context.model.links_by_name[name]
-        for body in (*link.visuals, *link.collisions):
+        for body in link.bodies:
             part = primitive(body) or context.mesh_solid(body)
             if part is None:
                 continue

@@ -101,10 +101,10 @@ def files_of(context: Context, diagnostics: Iterable[Diagnostic]) -> set[str]:
 def _images(context: Context) -> set[str]:
     """The files of a robot's appearance other than its meshes, such as textures."""
     images: set[str] = set()
-    for body in (body for link in context.model.links for body in link.visuals):
+    for body in context.model.visuals:
         if body.material and body.material.texture is not None:
             images.add(context.files.find(body.material.texture) or "")
-        mesh = context.meshes.mesh(body.shape) if body.shape and body.shape.kind == "mesh" else None
+        mesh = context.meshes.mesh(body.shape) if body.shape and body.is_mesh else None
         images.update(mesh.files if mesh else ())
     return images - {""}
 

@@ -213,7 +213,7 @@ def _near(obstacles: list[_Obstacle], frame: Transform, reach: float) -> list[_O
 
 def _box(context: Context, body: Body, at: Transform) -> Primitive | None:
     """The box around a mesh in the parent of the frame of its link; None if it was not measured."""
-    measures = context.measures(body.shape) if body.shape and body.shape.filename else ""
+    measures = context.measures(body.shape) if body.shape and body.file else ""
     if body.shape is None or isinstance(measures, str):
         return None
     ends = zip(measures.low, measures.high, body.shape.scale, strict=True)

@@ -148,10 +148,8 @@ def _help(pair: VisualCollisionPair, wrong: Body, right: Body) -> str:
 
 def _is_in_millimetres(body: Body, context: Context) -> bool:
     """True for a mesh that MSH012 reports, with a fix."""
-    if body.shape is None or body.shape.kind != "mesh":
-        return False
     uses = context.measured.defects.get(MeshDefect.MILLIMETRES, ())
-    return any(use.shape is body.shape for use in uses)
+    return body.is_mesh and any(use.shape is body.shape for use in uses)
 
 
 def _of_size(pair: VisualCollisionPair, wrong: Body) -> Finding:
@@ -243,7 +241,7 @@ def _diameter_of_mesh(pair: VisualCollisionPair) -> Findings:
     """A cylinder with twice the radius of the mesh that it replaces, such as a wheel."""
     if len(pair.link.collisions) != 1 or not (shape := pair.link.collisions[0].shape):
         return
-    if any(body.shape is None or body.shape.kind != "mesh" for body in pair.link.visuals):
+    if not all(body.is_mesh for body in pair.link.visuals):
         return
     axis = rotate(pair.link.collisions[0].origin.rotation, Z_AXIS)
     if shape.kind != "cylinder" or max(map(abs, axis)) < 1 - _PARALLEL:

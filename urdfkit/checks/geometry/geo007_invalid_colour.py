@@ -47,7 +47,7 @@ _INTENDED = r"(?i)invisible|transparent|hidden|none|clear|glass"
 @rule(Severity.ERROR, help="write red, green, blue and alpha from 0 to 1")
 def check(context: Context) -> Findings:
     model = context.model
-    in_visuals = (body.material for link in model.links for body in link.visuals)
+    in_visuals = (body.material for body in model.visuals)
     for material in chain(model.materials, in_visuals):
         if material and material.rgba and not all(0 <= v <= 1 for v in material.rgba.value):
             yield _finding(material, material.rgba.value)

@@ -154,6 +154,6 @@ def _sizes(model: RobotModel) -> dict[str, list[tuple[float, float, Body]]]:
     return by_key(
         (link.name, (2 * max(half), 2 * min(half), body))
         for link in model.links
-        for body in (*link.visuals, *link.collisions)
+        for body in link.bodies
         if body.shape and (half := body.shape.half_extents)
     )

@@ -37,7 +37,7 @@ MAX_NAMED = 8
 def check(context: Context) -> Findings:
     model = context.model
     top = {material.at.get("name"): material.at for material in model.materials}
-    used = [body.material.at for link in model.links for body in link.visuals if body.material]
+    used = [body.material.at for body in model.visuals if body.material]
     filled = {m.get("name"): m for m in reversed(used) if _is_filled(m)}
     suggester = Suggester([name for name in (*top, *filled) if name])
     for word, uses in _uses_without_colour(top, used).items():

@@ -107,12 +107,7 @@ class Bundle:
     def _meshes(self, names: dict[str, str], stems: FreeNames) -> Iterator[BundledFile]:
         """The mesh files; their names in the bundle are added to ``names``."""
         model = self._robot.model
-        visuals = {
-            self._paths[id(body.shape.filename)]
-            for link in model.links
-            for body in link.visuals
-            if body.shape and body.shape.filename
-        }
+        visuals = {self._paths[id(body.file)] for body in model.visuals if body.file}
         yield from bundled_meshes(
             self._robot, mesh_references(model), self._paths, names, self._consumer, stems, visuals
         )

@@ -38,8 +38,7 @@ def mesh_references(model: RobotModel) -> list[Placed[str]]:
 
 def texture_references(model: RobotModel) -> list[Placed[str]]:
     """Texture references of a model, those of its named materials first."""
-    bodies = (body for link in model.links for body in link.visuals)
-    materials = (*model.materials, *(body.material for body in bodies))
+    materials = (*model.materials, *(body.material for body in model.visuals))
     return [material.texture for material in materials if material and material.texture]
 
 

@@ -190,8 +190,7 @@ def write_collisions(robot: Context, consumer: Consumer, directory: str) -> dict
     Raises:
         UrdfkitError: a mesh is missing, broken, or cannot be converted to a supported format.
     """
-    shapes = [body.shape for link in robot.model.links for body in link.collisions]
-    references = [shape.filename for shape in shapes if shape and shape.filename]
+    references = [body.file for body in robot.model.collisions if body.file]
     paths = located_files(robot, references)
     names: dict[str, str] = {}
     meshes = bundled_meshes(robot, references, paths, names, consumer, FreeNames(), frozenset())

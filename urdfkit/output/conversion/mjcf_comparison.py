@@ -125,7 +125,7 @@ def shapes(
         written: the geoms by the ``id`` of the element.
     """
     for link in robot.model.links:
-        for body in (*link.visuals, *link.collisions):
+        for body in link.bodies:
             if body.shape is not None and body.shape.kind in KINDS:
                 place = placed[link.name] @ homogeneous(*body.origin)
                 yield _shape(data, robot, body, place, written.get(id(body.at))), link.name

@@ -27,9 +27,9 @@ def mark_parts(losses: LossTable, robot: Context, stage: Stage) -> None:
     colours = Colours(robot.model)
     for link in robot.model.links:
         _link(losses, link, stage)
-        for geometry in (*link.visuals, *link.collisions):
+        for geometry in link.bodies:
             _geometry(losses, geometry, colours, is_visual=geometry in link.visuals)
-    record_hulls(losses, robot, (body for link in robot.model.links for body in link.collisions))
+    record_hulls(losses, robot, robot.model.collisions)
     for prim, geometry in stage.shapes:
         if geometry.shape and not gprims(prim):
             losses.lose(geometry.shape.at, _NO_MESH)

@@ -23,7 +23,7 @@ def converted_shapes(link: Link) -> list[Body]:
     """Visuals and collisions of a link that become prims, in the order of the prims."""
     return [
         body
-        for body in (*link.visuals, *link.collisions)
+        for body in link.bodies
         if body.shape and (body.shape.kind in _TYPES or body.shape.filename)
     ]
 

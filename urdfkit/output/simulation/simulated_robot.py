@@ -195,7 +195,7 @@ class SimulatedRobot:
     def has_mesh(self, *links: str) -> bool:
         """True if one of the links collides with the convex hull of a mesh."""
         return any(
-            body.shape is not None and body.shape.kind == "mesh"
+            body.is_mesh
             for link in links
             if (element := self.robot.model.links_by_name.get(link))
             for body in element.collisions

@@ -96,18 +96,13 @@ def propose(
 
 
 def _has_mesh(link: Link) -> bool:
-    return any(body.shape and body.shape.kind == "mesh" for body in link.visuals)
+    return any(body.is_mesh for body in link.visuals)
 
 
 def _lacks_shape(link: Link) -> bool:
     """True without a collision, or if all collisions are visual meshes."""
-    visual_meshes = {_filename(body) for body in link.visuals} - {""}
-    return all(_filename(body) in visual_meshes for body in link.collisions)
-
-
-def _filename(body: Body) -> str:
-    """The mesh file of a shape; empty for a primitive."""
-    return body.shape.filename.value if body.shape and body.shape.filename else ""
+    visual_meshes = {body.file.value for body in link.visuals if body.file}
+    return all(body.file and body.file.value in visual_meshes for body in link.collisions)
 
 
 def _proposal(
@@ -125,7 +120,7 @@ def _proposal(
             why = robot.meshes.reason(body.shape) if body.shape else ""
             return CollisionProposal(link, link.visuals, (), (), why or "a visual cannot be read")
         bound = MAX_RELATIVE_ERROR * soup_of(mesh).size if error is None else error
-        key = (_filename(body), body.shape.scale) if _filename(body) else (id(body),)
+        key = (body.file.value, body.shape.scale) if body.file else (id(body),)
         try:
             if key not in fitted:
                 fitted[key] = fit(mesh, bound, most=most)

@@ -14,6 +14,7 @@ from urdfkit.robot.link import Body, Link, Shape
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.placed import Placed
 from urdfkit.text.document import Attribute, Tag
+from urdfkit.text.grammar import is_expression
 from urdfkit.workspace.references import ResolvedReference
 from urdfkit.workspace.resolve import Resolver
 
@@ -56,14 +57,10 @@ class MeshFiles:
         References with an unexpanded ``${`` or ``$(`` are omitted.
         """
         return tuple(
-            self._mesh(link, role, body, body.shape.filename)
+            self._mesh(link, body.at.tag, body, body.file)
             for link in self._model.links
-            for role, bodies in (("visual", link.visuals), ("collision", link.collisions))
-            for body in bodies
-            if body.shape
-            and body.shape.filename
-            and "${" not in body.shape.filename.value
-            and "$(" not in body.shape.filename.value
+            for body in link.bodies
+            if body.file and not is_expression(body.file.value)
         )
 
     @cached_property

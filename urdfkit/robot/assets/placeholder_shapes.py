@@ -81,7 +81,7 @@ def placeholder_shape(
 def _has_mesh(link: Link, body: Body) -> bool:
     """True if a counterpart of a shape is a mesh, which is preferred to a generated part."""
     bodies, _ = counterparts(link, body)
-    return any(counterpart.shape and counterpart.shape.kind == "mesh" for counterpart in bodies)
+    return any(counterpart.is_mesh for counterpart in bodies)
 
 
 def _fitted_part(

@@ -273,7 +273,7 @@ class VisualCollisionPairs:
         if pair.factor:
             return Mismatch.SIZE
         if not pair.has_one_shape:  # otherwise the origins explain the difference
-            if any(map(self._is_ambiguous, (*pair.link.visuals, *pair.link.collisions))):
+            if any(map(self._is_ambiguous, pair.link.bodies)):
                 return None
             if pair.turn:
                 return Mismatch.ROTATION
@@ -290,11 +290,11 @@ class VisualCollisionPairs:
         if len(pair.link.visuals) > 1:
             return None
         bodies = (pair.link.visuals[0], *pair.link.collisions)
-        if not all(body.shape and body.shape.filename for body in bodies):
+        if not all(body.file for body in bodies):
             return None
         names = [_stem(body) for body in bodies]
         for body in bodies if len(bodies) == 2 else bodies[:1]:
-            users = self._users.get(_file(body), {})
+            users = self._users.get(body.file.value if body.file else "", {})
             others = [link for link in users.values() if link != pair.link.name]
             if names.count(_stem(body)) == 1 and len(others) == 1 and len(users) <= 2:
                 return body, others[0]
@@ -306,8 +306,8 @@ class VisualCollisionPairs:
         users: dict[str, dict[Tag, str]] = {}
         for link in self._model.links:
             for body in link.visuals:
-                if body.shape and body.shape.filename:
-                    users.setdefault(_file(body), {})[body.shape.at.tag_at] = link.name
+                if body.shape and body.file:
+                    users.setdefault(body.file.value, {})[body.shape.at.tag_at] = link.name
         return users
 
 
@@ -332,13 +332,10 @@ def _overlap(a: BoundingBox, b: BoundingBox) -> float:
     return common / both if both > 0 else 0.0
 
 
-def _file(body: Body) -> str:
-    """The file name of a mesh as written; empty for other shapes."""
-    return body.shape.filename.value if body.shape and body.shape.filename else ""
-
-
 def _stem(body: Body) -> str:
-    return _file(body).rpartition("/")[2].partition(".")[0].lower()
+    """The name of a mesh without its directory and suffix; empty for other shapes."""
+    path = body.file.value if body.file else ""
+    return path.rpartition("/")[2].partition(".")[0].lower()
 
 
 def _is_mesh(solid: LinkSolid) -> bool:
