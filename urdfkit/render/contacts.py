@@ -28,14 +28,14 @@ def overlaps(context: Context, pose: Mapping[str, float]) -> Iterator[Overlap]:
     """
     with needing("the layer of contacts", "dynamics"):
         from urdfkit.physics.collision.batch_kinematics import tree_arrays
-        from urdfkit.physics.collision.collision_geometry import build_geometry
+        from urdfkit.physics.collision.collision_geometry import build_geometries
         from urdfkit.physics.collision.geometry_arrays import collision_arrays
         from urdfkit.physics.collision.pair_queries import CollisionModel
     moving = tree_arrays(context.tree)
     bodies, _ = collision_arrays(context.model, context.meshes)
     links = set(moving.links)
     collision_model = CollisionModel(
-        moving, (build_geometry(body) for body in bodies if body.link in links)
+        moving, build_geometries(body for body in bodies if body.link in links)
     )
     adjacency = Adjacency(context.tree)
     pairs = list(moving.pairs(collision_model.links))

@@ -16,6 +16,7 @@ from urdfkit.physics.collision.bounds import distance_bounds
 from urdfkit.physics.collision.collision_geometry import (
     CollisionGeometry,
     DistanceQuery,
+    build_geometries,
     build_geometry,
     volume,
 )
@@ -47,6 +48,21 @@ def test_a_cube_of_triangles_is_a_box(tmp_path: Path) -> None:
     for gap in (0.5, 1e-3, -1e-3, -0.05):
         assert distance(cubes, cubes, 1 + gap, 0.3, 0.2) == pytest.approx(gap, abs=1e-6)
         assert distance(cubes, box(1, 1, 1), 1 + gap, 0, 0) == pytest.approx(gap, abs=1e-6)
+
+
+def test_bodies_of_one_mesh_share_its_surface(tmp_path: Path) -> None:
+    """A hexapod of 49 meshes in 6 files took 1.3 GB."""
+    shell = cube(tmp_path / "o.stl", 0.5, 5)
+    context = robot(link("a", mesh(shell), mesh(shell), mesh(shell, "1 1 2"), box(1, 1, 1)))
+    bodies, _ = collision_arrays(context.model, context.meshes)
+    first, second, scaled, cuboid = build_geometries(bodies)
+    assert second.exact is first.exact
+    assert [one.arrays.number for one in (first, second, scaled, cuboid)] == [0, 1, 2, 3]
+    assert scaled.exact is not first.exact
+    assert scaled.half[2] == 2 * first.half[2]
+    assert DistanceQuery(first, second).distance(SAME, np.array([1.5, 0, 0]), inf) == pytest.approx(
+        0.5
+    )
 
 
 def test_surfaces_that_overlap_are_seen_and_touching_ones_are_not(tmp_path: Path) -> None:

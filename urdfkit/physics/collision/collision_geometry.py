@@ -1,7 +1,7 @@
 """Collision bodies for coal, with bounds that numpy tests for many poses."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
 from typing import Any
@@ -50,6 +50,7 @@ class CollisionGeometry:
     center: Floats  # (3,), of the bounding box, in the body's frame, in m
     half: Floats  # (3,), half sides of the bounding box
     radius: float  # of the bounding sphere about the center, in m
+    same: "CollisionGeometry | None" = None  # another body with this mesh
 
     @cached_property
     def exact(self) -> Any:
@@ -57,7 +58,25 @@ class CollisionGeometry:
 
         Building coal's tree of triangles is slow, and a check needs it for few links.
         """
+        if self.same is not None:
+            return self.same.exact
         return self.hull if self.is_convex else _surface(self.arrays.vertices, self.arrays.faces)
+
+
+def build_geometries(bodies: Iterable[CollisionArrays]) -> Iterator[CollisionGeometry]:
+    """Build coal's bodies one after another; bodies of one mesh share its hull and its triangles.
+
+    The legs of a hexapod of 49 meshes in 6 files took 1.3 GB.
+    """
+    known: dict[int, CollisionGeometry] = {}
+    for arrays in bodies:
+        if first := known.get(id(arrays.vertices)):
+            yield replace(first, arrays=arrays, same=first)
+            continue
+        geometry = build_geometry(arrays)
+        if arrays.kind == "mesh":
+            known[id(arrays.vertices)] = geometry
+        yield geometry
 
 
 def build_geometry(arrays: CollisionArrays) -> CollisionGeometry:

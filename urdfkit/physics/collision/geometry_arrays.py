@@ -38,6 +38,9 @@ class OmittedCollision(NamedTuple):
     reason: str
 
 
+#: Vertices and faces, or why they cannot be used, by the loaded mesh and its scale.
+_Known = dict[tuple[int, tuple[float, ...]], tuple[Floats, Integers] | str]
+
 NO_VERTICES = np.zeros((0, 3))
 NO_FACES = np.zeros((0, 3), dtype=np.int64)
 
@@ -45,7 +48,7 @@ NO_FACES = np.zeros((0, 3), dtype=np.int64)
 def collision_arrays(
     model: RobotModel, meshes: Meshes, *, unit: bool = True
 ) -> tuple[tuple[CollisionArrays, ...], tuple[OmittedCollision, ...]]:
-    """The collision bodies of a model, and the omitted ones.
+    """The collision bodies of a model, and the omitted ones; bodies of one mesh share its arrays.
 
     Args:
         unit: apply the unit of COLLADA files, as RViz and Gazebo do; MoveIt and Pinocchio read
@@ -53,9 +56,10 @@ def collision_arrays(
     """
     bodies: list[CollisionArrays] = []
     omitted: list[OmittedCollision] = []
+    known: _Known = {}
     for link in model.links_by_name.values():
         for number in range(len(link.collisions)):
-            body = arrays(link, number, meshes, unit=unit)
+            body = arrays(link, number, meshes, unit=unit, known=known)
             if isinstance(body, OmittedCollision):
                 omitted.append(body)
             else:
@@ -64,9 +68,15 @@ def collision_arrays(
 
 
 def arrays(
-    link: Link, number: int, meshes: Meshes, *, unit: bool
+    link: Link, number: int, meshes: Meshes, *, unit: bool, known: _Known | None = None
 ) -> CollisionArrays | OmittedCollision:
-    """One collision of a link, by its index; other arguments as for `collision_arrays`."""
+    """One collision of a link, by its index.
+
+    Args:
+        known: the meshes of other collisions, which is updated.
+
+    Other arguments as for `collision_arrays`.
+    """
     body = link.collisions[number]
     shape = body.shape
     reason = why_omitted(body)
@@ -76,7 +86,14 @@ def arrays(
     if shape.kind != "mesh":
         size = primitive_size(shape)
         return CollisionArrays(link.name, number, frame, shape.kind, size, NO_VERTICES, NO_FACES)
-    mesh = _mesh(shape, meshes, unit=unit)
+    loaded = meshes.mesh(shape)
+    if loaded is None:
+        return OmittedCollision(link.name, number, meshes.reason(shape))
+    known = {} if known is None else known
+    key = id(loaded), shape.scale
+    if key not in known:
+        known[key] = _mesh(shape, meshes, unit=unit)
+    mesh = known[key]
     if isinstance(mesh, str):
         return OmittedCollision(link.name, number, mesh)
     return CollisionArrays(link.name, number, frame, "mesh", (), *mesh)

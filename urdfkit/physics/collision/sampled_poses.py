@@ -7,7 +7,7 @@ import numpy as np
 
 from urdfkit.mesh.geometry import Floats
 from urdfkit.physics.collision.batch_kinematics import tree_arrays
-from urdfkit.physics.collision.collision_geometry import build_geometry
+from urdfkit.physics.collision.collision_geometry import build_geometries
 from urdfkit.physics.collision.geometry_arrays import collision_arrays
 from urdfkit.physics.collision.pair_queries import CollisionModel, Pair
 from urdfkit.robot.assets.triangles import Meshes
@@ -41,7 +41,7 @@ class SampledPoses:
     ) -> None:
         bodies, _ = collision_arrays(model, meshes, unit=unit)
         self.kinematics = tree_arrays(tree)
-        self._collision_model = CollisionModel(self.kinematics, map(build_geometry, bodies))
+        self._collision_model = CollisionModel(self.kinematics, build_geometries(bodies))
         self._number = {name: index for index, name in enumerate(self.kinematics.links)}
 
     def colliding(

@@ -14,14 +14,14 @@ def main() -> None:
     """Process tasks until there are no more."""
     limit_memory(_MEMORY)
     parent = Parent()
-    from urdfkit.physics.collision.collision_geometry import build_geometry
+    from urdfkit.physics.collision.collision_geometry import build_geometries
     from urdfkit.physics.collision.pair_queries import CollisionModel
 
     received = parent.received()
     kinematics, bodies = next(received)
     geometries = []
-    for body in bodies:
-        geometries.append(build_geometry(body))
+    for geometry in build_geometries(bodies):
+        geometries.append(geometry)
         parent.send(len(geometries))  # tells the caller which body causes a crash
     collision_model = CollisionModel(kinematics, geometries)
     for task in received:
