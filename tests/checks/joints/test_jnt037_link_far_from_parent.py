@@ -72,6 +72,14 @@ def test_a_numbered_link_skips_the_one_before() -> None:
     ]
 
 
+def test_a_link_of_a_numbered_joint_skips_the_one_before() -> None:
+    """A SCARA arm whose links have names of their own."""
+    text = chain("0", "1", "2", "2", "4")
+    for number, name in enumerate(("base", "rail", "upper", "lower", "hand", "tip")):
+        text = text.replace(f'"l_{number}"', f'"{name}"')
+    assert messages("JNT037", text) == [naming("j_4", "hand", "upper", "lower")]
+
+
 @pytest.mark.parametrize(
     "parents",
     [

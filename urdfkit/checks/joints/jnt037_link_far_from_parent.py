@@ -3,9 +3,9 @@
 - The gap between the shapes of the two links is four times as long as either shape, and no link
   that fixed joints connect to one of them is in between. Usually a decimal point is misplaced, 2.45
   for 0.245, or the origin is measured from the root of the robot instead of the parent link.
-- The links of an arm are numbered, but `link_3` and `link_4` are both children of `link_2`,
-  `link_3` has no child, and `link_5` follows `link_4`: the parent of `link_4` was not corrected in
-  a copy.
+- The links or joints of an arm are numbered, but `link_3` and `link_4` are both children of
+  `link_2`, `link_3` has no child, and `link_5` follows `link_4`: the parent of `link_4` was not
+  corrected in a copy.
 
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
@@ -59,24 +59,36 @@ def check(context: Context) -> Findings:
 
 
 def _skipped(context: Context) -> Findings:
-    """Joints of numbered links whose parent is not the link before, which has no child."""
-    above = {joint.child_name: joint for joint in context.model.joints if joint.is_single_dof}
+    """Numbered links, or links of numbered joints, whose parent is not the one before, a leaf."""
+    moving = [joint for joint in context.model.joints if joint.is_single_dof]
     parents = {joint.parent_name for joint in context.model.joints}
-    for name, joint in above.items():
-        for match in re.finditer(_NUMBER, name):
-            before, after = (_numbered(name, match, step) for step in (-1, 1))
-            previous, following = above.get(before), above.get(after)
-            if previous is None or following is None or following.parent_name != name:
-                continue
-            if before not in parents and previous.parent_name == joint.parent_name:
-                yield Finding(
-                    joint.at.child_or_self("parent"),
-                    f"joint '{joint.name}': '{name}' has the same parent '{joint.parent_name}' as "
-                    f"'{before}', which has no child",
-                    f"name '{before}' as its parent, if the links are a chain",
-                    related=(Related(previous.at.span, f"joint of '{before}'"),),
-                    confidence=Confidence.INFERRED,
-                )
+    reported: set[str] = set()
+    for named in (
+        {joint.child_name: joint for joint in moving},
+        {joint.name: joint for joint in moving},
+    ):
+        for name, joint in named.items():
+            for match in re.finditer(_NUMBER, name):
+                previous, following = (named.get(_numbered(name, match, step)) for step in (-1, 1))
+                if previous is None or following is None or joint.name in reported:
+                    continue
+                is_followed = following.parent_name == joint.child_name
+                before = previous.child_name
+                is_sibling = previous.parent_name == joint.parent_name and before not in parents
+                if is_followed and is_sibling:
+                    reported.add(joint.name)
+                    yield _skipping(joint, previous)
+
+
+def _skipping(joint: Joint, previous: Joint) -> Finding:
+    return Finding(
+        joint.at.child_or_self("parent"),
+        f"joint '{joint.name}': '{joint.child_name}' has the same parent '{joint.parent_name}' as "
+        f"'{previous.child_name}', which has no child",
+        f"name '{previous.child_name}' as its parent, if the links are a chain",
+        related=(Related(previous.at.span, f"joint '{previous.name}'"),),
+        confidence=Confidence.INFERRED,
+    )
 
 
 def _numbered(name: str, number: re.Match[str], step: int) -> str:
