@@ -360,6 +360,23 @@ def test_limits_that_do_not_follow_the_axes(
     assert [message.partition(":")[0] for message in found] == [f"joint '{one}'" for one in names]
 
 
+def test_a_robot_that_faces_along_y() -> None:
+    """Poppy: the root frame of the CAD program has x to the side."""
+    text = arms("right_shoulder_link").replace("0 0.2 0", "0.2 0 0").replace("0 -0.2 0", "-0.2 0 0")
+    text = text.replace('"1 0 0"', '"0 -1 0"').replace('"0 1 0"', '"1 0 0"')
+    (message,) = messages("JNT025", text)
+    assert message.startswith("joint 'right_elbow': the mirror image of the limits")
+
+
+@pytest.mark.parametrize(("offset", "count"), [("0.0015", 1), ("0.01", 0)])
+def test_limits_of_arms_that_are_slightly_asymmetric(offset: str, count: int) -> None:
+    """Wolfgang: the thighs differ by 1.5 mm, and both knees have the same limits."""
+    text = arms("right_shoulder_link")
+    assert text.count("0 -0.2 0") == 3
+    text = text.replace("0 -0.2 0", f"{offset} -0.2 0", 1)
+    assert sum("mirror image of the limits" in each for each in messages("JNT025", text)) == count
+
+
 def with_mesh(text: str, *links: str) -> str:
     """The robot with one mesh as the visual of several links."""
     for name in links:

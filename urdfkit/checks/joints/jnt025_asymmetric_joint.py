@@ -18,7 +18,7 @@ by mirrored positions on one link, and are on different branches.
   zero pose, a pair is reported as well if it is the only one of several pairs that is not a mirror
   image.
 - Axis: if the left hip turns about x, so does the right one, in either direction. Rotary joints are
-  compared if their frames are mirror images in the plane y = 0 of the root.
+  compared if their frames are mirror images in the plane y = 0 of the root, or x = 0.
 
 Sources:
     unitreerobotics/unitree_ros#154: https://github.com/unitreerobotics/unitree_ros/issues/154
@@ -26,11 +26,11 @@ Sources:
     measured: of 671 public robots one has a misplaced pair, of wheels; of 1300 none another axis
 """
 
-from collections.abc import Iterator
-from math import isclose
+from collections.abc import Iterator, Mapping
+from math import isclose, pi
 
 from urdfkit.checks.joints.mirrored import misplaced, on_the_other_side
-from urdfkit.core.spatial import Transform, Vector, dot, rotate
+from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate, rotation_about
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import Joint
@@ -49,8 +49,10 @@ GOOD = BAD.replace("1000", "80")
 
 #: Relative tolerance of effort and velocity.
 _TOLERANCE = 0.01
-#: Tolerance of the positions of mirrored frames, in m.
-_MAX_OFFSET = 1e-3
+#: Tolerance of the positions of mirrored frames, in m: robots are not quite symmetric.
+_MAX_OFFSET = 4e-3
+#: A quarter turn about the vertical.
+_TURN = Transform(rotation_about(Z_AXIS, pi / 2))
 #: Cosine of the angle between two axes below which they are different, not rounded.
 _MAX_COSINE = 0.5
 #: Least number of pairs with mirrored limits next to one whose limits are not.
@@ -180,7 +182,7 @@ def _are_shifted(ours: tuple[float, float], theirs: tuple[float, float]) -> bool
 
 def _axes(context: Context) -> Findings:
     """Joints that turn about an axis other than that of their counterparts."""
-    frames = context.tree.frames
+    frames = _lateral_frames(context)
     for left, right in context.symmetric_joints:
         if not left.is_rotational or not right.is_rotational:
             continue
@@ -189,6 +191,7 @@ def _axes(context: Context) -> Findings:
             continue
         a, b = _axis(left, left_frame), _axis(right, right_frame)
         if abs(dot((a[0], -a[1], a[2]), b)) < _MAX_COSINE:
+            a, b = (_axis(each, context.tree.frames[each.child_name]) for each in (left, right))
             yield Finding(
                 right.at.child_or_self("axis"),
                 f"joint '{right.name}' turns about {rounded(b, 3)} in the root frame, but its "
@@ -203,13 +206,13 @@ def _ranges(context: Context) -> Findings:
     """The only pair of several whose limits are not mirrored as the axes require."""
     wrong, consistent = [], 0
     leaders = {joint.leader for joint in context.model.joints}
-    links = context.model.links_by_name
+    links, frames = context.model.links_by_name, _lateral_frames(context)
     for left, right in context.symmetric_joints:
         if not leaders.isdisjoint((left.name, right.name)):
             continue  # the same gripper on both sides, which opens alike
         if have_same_meshes(links.get(left.child_name), links.get(right.child_name)):
             continue
-        ours, theirs, is_opposite = bounds(left), bounds(right), _is_opposite(context, left, right)
+        ours, theirs, is_opposite = bounds(left), bounds(right), _is_opposite(frames, left, right)
         if ours is None or theirs is None or is_opposite is None:
             continue
         mirrored = (-ours[1], -ours[0])
@@ -221,7 +224,8 @@ def _ranges(context: Context) -> Findings:
             consistent += 1
     if len(wrong) != 1 or consistent < _CONSISTENT_PAIRS:
         return
-    left, right, (lower, upper) = wrong[0]
+    left, right, ends = wrong[0]
+    lower, upper = (end or 0.0 for end in ends)  # no -0
     assert left.limit is not None
     assert right.limit is not None
     yield Finding(
@@ -234,9 +238,24 @@ def _ranges(context: Context) -> Findings:
     )
 
 
-def _is_opposite(context: Context, left: Joint, right: Joint) -> bool | None:
+def _lateral_frames(context: Context) -> Mapping[str, Transform]:
+    """The frames of the links in a root frame whose y axis is lateral.
+
+    That of some programs for CAD is the x axis, if the robot faces along y.
+    """
+    frames = context.tree.frames
+    turned = {name: _TURN @ frame for name, frame in frames.items()}
+    ends = [(left.child_name, right.child_name) for left, right in context.symmetric_joints]
+    ends = [(left, right) for left, right in ends if left in frames and right in frames]
+    if any(_are_mirrored(frames[left], frames[right]) for left, right in ends):
+        return frames
+    mirrored = sum(_are_mirrored(turned[left], turned[right]) for left, right in ends)
+    return turned if mirrored > _CONSISTENT_PAIRS else frames
+
+
+def _is_opposite(frames: Mapping[str, Transform], left: Joint, right: Joint) -> bool | None:
     """True if mirror images move in opposite directions, by the axes; None if it is unknown."""
-    left_frame, right_frame = (context.tree.frames.get(joint.child_name) for joint in (left, right))
+    left_frame, right_frame = (frames.get(joint.child_name) for joint in (left, right))
     if left_frame is None or right_frame is None or not _are_mirrored(left_frame, right_frame):
         return None
     (x, y, z), axis = _axis(left, left_frame), _axis(right, right_frame)
