@@ -125,3 +125,30 @@ def test_a_leg_does_not_stand_as_it_is_at_zero() -> None:
     text = robot(BOX, 2) + thigh + hip
     assert len(reported("TRE008", text)) == 1, "one hinge may be that of a rocker"
     assert reported("TRE008", text + foot + hinge.format("thigh", "0 0 -2", "0 0 0", "foot")) == []
+
+
+def car(wheel_height: float, caster_height: float, root: str = "base") -> str:
+    """Two wheels of radius 0.1 and a caster of radius 0.05 below a base."""
+    text = f'<link name="{root}"/>' + LINK.format(
+        "caster", "0 0 0", "0 0 0", '<sphere radius="0.05"/>'
+    )
+    text += JOINT.format(root, f"-0.3 0 {caster_height}", "0 0 0", "caster")
+    wheel = '<cylinder radius="0.1" length="0.04"/>'
+    for side, y in (("left", 0.2), ("right", -0.2)):
+        text += LINK.format(side, "0 0 0", f"{pi / 2} 0 0", wheel)
+        text += (
+            f'<joint name="{side}_joint" type="continuous">\n<origin xyz="0 {y} {wheel_height}"/>'
+            f'<parent link="{root}"/><child link="{side}"/><axis xyz="0 1 0"/></joint>\n'
+        )
+    return text
+
+
+@pytest.mark.parametrize(
+    ("wheel_height", "caster_height", "gap"),
+    [(0.1, 0.05, ""), (0.11, 0.05, ""), (0.4, 0.05, "0.3 m"), (0.1, -0.05, "0.1 m")],
+)
+def test_wheels_above_the_ground_without_a_footprint(
+    wheel_height: float, caster_height: float, gap: str
+) -> None:
+    found = messages("TRE008", car(wheel_height, caster_height))
+    assert found == ([naming("left", "right", gap, "caster")] if gap else [])

@@ -1,11 +1,12 @@
-"""The link `base_footprint` is not on the ground.
+"""The link `base_footprint` is not on the ground, or the wheels do not reach it.
 
 By convention (REP 120), `base_footprint` is the position of the robot on the floor, below
 `base_link`: navigation uses it as the position of the robot, and simulators spawn the robot at it.
 If the robot extends below it, the robot starts stuck in the floor and is thrown out; if the robot
 ends above it, the robot drops. Give the joint between the two links the height of the lowest wheel
 or foot. If a caster extends lower than the wheels, the caster is wrong: the wheels do not touch the
-ground.
+ground. Without a `base_footprint` this is reported if another link than a leg or arm extends at
+least 2 cm lower than all wheels.
 
 Sources:
     REP 120, frames of humanoids: https://github.com/ros-infrastructure/rep/blob/master/rep-0120.rst
@@ -40,6 +41,9 @@ _MAX_COSINE_LEVEL = 0.1
 #: In m: a link that extends lower than the wheels by more is not a caster.
 _MAX_CASTER_DEPTH = 0.1
 
+#: In m: height of the wheels of a robot without a footprint, from which it is reported.
+_MIN_HANGING = 0.02
+
 #: In m: a robot that has to be raised by more has a wrong size, not a wrong height.
 _MAX_RISE = 2.0
 
@@ -47,22 +51,25 @@ _MAX_RISE = 2.0
 MAX_FOOTPRINTS = 10
 
 
-@rule(
-    Severity.WARNING,
-    help="raise the robot by that height in the joint below base_footprint",
-    reports_missing=True,
-)
+@rule(Severity.WARNING, help="raise the robot by that height in the joint below base_footprint")
 def check(context: Context) -> Findings:
     tree = context.tree
     if len(tree.roots) != 1:
         return  # TRE002 or TRE003 comes first
     footprints = [name for name in tree.frames if name.endswith("base_footprint")]
+    if not footprints:
+        root = tree.roots[0].name
+        hanging = _hanging_wheels(tree, root, list(tree.frames), _MIN_HANGING)
+        if hanging:
+            yield _hanging(tree, *hanging)
     for name in footprints[:MAX_FOOTPRINTS]:
         # Some make the footprint a child of the base; the robot is then everything else.
         joints = tree.children[name] or tree.parents[name]
         robot = tree.below(name) if tree.children[name] else list(tree.frames)
         if joints and (lowest := _lowest(tree, name, robot)):
             height, link, is_known = lowest
+            if height > 0 and context.part is not None:
+                continue  # the wheels may be in a package that is not found
             side = "below" if height < 0 else "above"
             gaps = _gaps(tree, name, robot, height)
             lifted_wheels = _lifted_wheels(gaps, link)
@@ -81,13 +88,16 @@ def check(context: Context) -> Findings:
                 else None,
             )
         elif joints and (hanging := _hanging_wheels(tree, name, robot)):
-            gap, wheels, standing = hanging
-            yield Finding(
-                tree.parents[wheels[0]][0].at,
-                f"the wheels {', '.join(wheels)} do not reach the ground: they are {gap:.3g} m "
-                f"above it, and the robot stands on '{standing}'",
-                f"lower the wheels by {gap:.3g} m, or raise '{standing}'",
-            )
+            yield _hanging(tree, *hanging)
+
+
+def _hanging(tree: KinematicTree, gap: float, wheels: list[str], standing: str) -> Finding:
+    return Finding(
+        tree.parents[wheels[0]][0].at,
+        f"the wheels {', '.join(wheels)} do not reach the ground: they are {gap:.3g} m above it, "
+        f"and the robot stands on '{standing}'",
+        f"lower the wheels by {gap:.3g} m, or raise '{standing}'",
+    )
 
 
 def _help(footprint: str, link: str, height: float, is_below: bool, is_lifted: bool) -> str:
@@ -152,18 +162,24 @@ def _heights(
 
 
 def _hanging_wheels(
-    tree: KinematicTree, footprint: str, robot: list[str]
+    tree: KinematicTree, footprint: str, robot: list[str], least_gap: float = 0.0
 ) -> tuple[float, list[str], str] | None:
-    """Wheels at one height above the ground on which another link stands: gap, wheels and link."""
+    """Wheels at one height above the ground on which another link stands: gap, wheels and link.
+
+    Args:
+        least_gap: in m, where the ground is at the lowest link; 0 if it is at the footprint.
+    """
     heights, _ = _heights(tree, footprint, robot)
     height, standing = min(heights, default=(TOLERANCE, ""))
     gaps = _gaps(tree, footprint, robot, height)
     least = min(gaps.values(), default=0.0)
-    is_standing = abs(height) < TOLERANCE and standing not in _limbs(tree)
+    is_on_ground = abs(height) < TOLERANCE or least_gap > 0
+    is_standing = is_on_ground and standing not in _limbs(tree)
     if not is_standing or standing in gaps or len(gaps) < 2:
         return None
     is_level = max(gaps.values()) - least < TOLERANCE
-    return (least, sorted(gaps), standing) if is_level and least > TOLERANCE else None
+    is_hanging = least > max(TOLERANCE, least_gap)
+    return (least, sorted(gaps), standing) if is_level and is_hanging else None
 
 
 def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) -> dict[str, float]:
