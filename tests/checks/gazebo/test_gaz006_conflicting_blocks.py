@@ -41,3 +41,18 @@ def test_a_merged_body_has_one_value(tag: str, one: str, other: str) -> None:
 )
 def test_no_conflict(blocks: str) -> None:
     assert reported("GAZ006", BASE + child("cam", "fixed") + blocks) == []
+
+
+@pytest.mark.parametrize(
+    ("names", "found"),
+    [
+        (("r_foot", "r_foot"), [naming("r_foot", "<gazebo>", "l_foot")]),
+        (("r_foot", "l_foot"), []),
+        (("r_foot", "r_foot", "l_foot"), []),
+        (("base", "base"), []),
+    ],
+)
+def test_a_copy_whose_reference_was_not_changed(names: tuple[str, ...], found: list[str]) -> None:
+    feet = BASE + child("l_foot", "revolute") + child("r_foot", "revolute")
+    blocks = "".join(block("<mu1>1</mu1>", name) for name in names)
+    assert messages("GAZ006", feet + blocks) == found

@@ -263,3 +263,11 @@ def test_radians_that_were_converted_the_wrong_way() -> None:
     (message,) = messages("JNT010", text)
     assert message == naming("j", "[-177.617, 177.617] rad", "28.3")
     assert limit("-3.099999991", "3.099999991") in fixed("JNT010", text)
+
+
+@pytest.mark.parametrize(
+    ("name", "end", "count"),
+    [("left_steering_joint", "35", 1), ("arm", "35", 0), ("steer", "100", 0), ("steer", "0.6", 0)],
+)
+def test_a_wheel_is_not_steered_by_several_turns(name: str, end: str, count: int) -> None:
+    assert len(messages("JNT010", robot(joint(name, "revolute", limit(f"-{end}", end))))) == count

@@ -7,6 +7,7 @@ import pytest
 from tests.growth import executed_lines
 from tests.naming import naming
 from tests.srdfs import findings, message_of
+from urdfkit import check
 
 BAD = [
     (
@@ -73,3 +74,37 @@ def test_time_grows_with_the_groups(tmp_path: Path) -> None:
 @pytest.mark.parametrize("text", GOOD)
 def test_valid(tmp_path: Path, text: str) -> None:
     assert findings(tmp_path, text, "SRD003") == []
+
+
+SIDES = '<robot name="r"><link name="base"/>{}</robot>'.format(
+    "".join(
+        f'<link name="{side}_{name}_link"/>'
+        f'<joint name="{side}_{name}" type="continuous"><parent link="{parent}"/>'
+        f'<child link="{side}_{name}_link"/><origin xyz="0 {0.1 * sign} 0"/></joint>'
+        for side, sign in (("left", 1), ("right", -1))
+        for name, parent in (
+            ("shoulder", "base"),
+            ("elbow", f"{side}_shoulder_link"),
+            ("wrist", f"{side}_elbow_link"),
+        )
+    )
+)
+
+
+@pytest.mark.parametrize(
+    ("joints", "found"),
+    [
+        ("left_shoulder left_elbow left_wrist", ()),
+        ("left_shoulder right_elbow left_wrist", ("right_elbow", "left_elbow")),
+        ("right_shoulder left_elbow right_wrist", ("left_elbow", "right_elbow")),
+        ("left_shoulder right_elbow", ()),  # one of each
+        ("left_shoulder left_elbow left_wrist right_elbow", ()),
+        ("left_shoulder left_elbow right_shoulder right_elbow left_wrist", ()),
+    ],
+)
+def test_a_joint_of_the_other_side(tmp_path: Path, joints: str, found: tuple[str, ...]) -> None:
+    group = "".join(f'<joint name="{name}"/>' for name in joints.split())
+    (tmp_path / "r.urdf").write_text(SIDES)
+    (tmp_path / "r.srdf").write_text(f'<robot name="r"><group name="g">{group}</group></robot>')
+    report = check(tmp_path / "r.urdf", select=["SRD003"])
+    assert [one.message for one in report.diagnostics] == ([naming("g", *found)] if found else [])

@@ -1,15 +1,18 @@
-"""Two `<gazebo>` blocks give the same tag of one link different values.
+"""Two `<gazebo>` blocks give the same tag of one link different values, or one is a copy.
 
 Gazebo uses the last value. The same applies to `turnGravityOff`, `selfCollide` and `dampingFactor`
 of links that fixed joints merge: the merged body has one value, that of the last merged link. Keep
-one value.
+one value. Two equal blocks of a link are reported if its left or right counterpart has none: the
+reference of the copy was not changed.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
-from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
+from urdfkit.core.grouping import by_key
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
+from urdfkit.robot.symmetry import pairs
 from urdfkit.ros.catalog.extensions import extensions
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.text.document import Element
@@ -41,6 +44,30 @@ def check(context: Context) -> Findings:
             other = first.setdefault((owner, child.tag), child)
             if _value(other) != _value(child):
                 yield Finding(child, _message(other, child, owner), related=(_note(other),))
+    yield from _copies(context)
+
+
+def _copies(context: Context) -> Findings:
+    """Equal blocks of a link whose counterpart has none."""
+    blocks = by_key((block.get("reference") or "", block) for block in context.model.gazebo)
+    sides = pairs(link.name for link in context.model.links)
+    for name, other in (*sides, *((right, left) for left, right in sides)):
+        first, *more = blocks.get(name, (None,))
+        for block in more if other not in blocks else ():
+            if first is not None and block.children and _values(block) == _values(first):
+                yield Finding(
+                    block.attributes["reference"],
+                    f"'{name}' has two equal <gazebo> blocks, and its counterpart '{other}' none",
+                    f"write '{other}'",
+                    related=(Related(first.span, "first block"),),
+                    confidence=Confidence.INFERRED,
+                )
+
+
+def _values(block: Element) -> list[tuple[str, str]]:
+    return sorted(
+        (element.tag, _value(element)) for element in block.walk() if element is not block
+    )
 
 
 def _message(other: Element, child: Element, owner: str) -> str:

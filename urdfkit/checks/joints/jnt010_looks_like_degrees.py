@@ -50,6 +50,9 @@ _ONE_TURN = 7.0
 #: Common angles in degrees.
 _COMMON_ANGLES = frozenset((45, 90, 135, 180, 270, 360))
 
+#: Angles in degrees to which wheels are steered.
+_STEERING_ANGLES = frozenset(range(15, 91))
+
 #: Placeholders for "far enough".
 _ROUND_ANGLES = frozenset((50, 100, 200, 300))
 
@@ -98,8 +101,14 @@ def _limits(model: RobotModel) -> Findings:
         if _is_converted(ends):
             yield _limit(joint, *ends)
     for joint, ends in suspects:
-        if are_various or are_exceptions or {abs(end) for end in ends} & _COMMON_ANGLES:
+        is_common = {abs(end) for end in ends} & (_COMMON_ANGLES | _steering_angles(joint))
+        if are_various or are_exceptions or is_common:
             yield _limit(joint, *ends)
+
+
+def _steering_angles(joint: Joint) -> frozenset[float]:
+    """The angles that are in degrees for a joint that steers a wheel: it does not turn twice."""
+    return _STEERING_ANGLES if "steer" in joint.name.lower() else frozenset()
 
 
 def _ends(joint: Joint) -> tuple[float, float] | None:

@@ -1,4 +1,4 @@
-"""A planning group is empty or not a chain, or groups contain one another in a cycle.
+"""A planning group is empty or not a chain, mixes sides, or groups contain one another.
 
 - MoveIt prints "Group is empty" and ignores the group (warning), so that references to it fail.
 - A chain goes from a base link down the tree to a tip link. MoveIt rejects any other chain, and the
@@ -6,6 +6,8 @@
 - The solver in `kinematics.yaml` is KDL, LMA or TRAC-IK, but the joints of the group are not a
   chain: "Group 'arm' is not a chain", and the group cannot be moved to a pose.
 - Groups contain one another in a cycle: MoveIt ignores all of them.
+- The left arm has one joint of the right arm, and not its counterpart, a copy that was not adapted
+  (warning).
 
 Sources:
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
@@ -48,6 +50,7 @@ def check(context: Context) -> Findings:
         message = "groups contain one another: " + " -> ".join((*cycle, cycle[0]))
         place = srdf.groups_by_name[cycle[0]][0]
         yield Finding(place, message, "remove one of the subgroups")
+    yield from _other_sides(context, srdf)
     yield from _chains(srdf)
     yield from _unsolvable(context, srdf)
     yield from _integers(context, srdf)
@@ -64,6 +67,25 @@ def _integers(context: Context, srdf: Srdf) -> Findings:
                 message += "decimal point"
                 help = f"write {value.text}.0"
                 yield Finding(value.span, message, help, severity=Severity.WARNING)
+
+
+def _other_sides(context: Context, srdf: Srdf) -> Findings:
+    """The one joint of a group whose counterpart is on the side of all others."""
+    sides = [(left.name, right.name) for left, right in context.symmetric_joints]
+    for name, elements in srdf.groups_by_name.items():
+        parts = [part for element in elements for part in element.all("joint")]
+        named = {part.get("name") or "": part for part in parts}
+        alone = [pair for pair in sides if len(named.keys() & set(pair)) == 1]
+        by_side = [[pair for pair in alone if pair[side] in named] for side in (0, 1)]
+        few, many = sorted(by_side, key=len)
+        if len(few) == 1 and len(many) > 1:
+            wrong, right = sorted(few[0], key=lambda joint: joint not in named)
+            yield Finding(
+                named[wrong],
+                f"group '{name}' has joint '{wrong}' of the other side, and not '{right}'",
+                f"write '{right}'",
+                severity=Severity.WARNING,
+            )
 
 
 def _chains(srdf: Srdf) -> Findings:
