@@ -113,7 +113,7 @@ def render(loads: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
         poses = "no actuated joint"
     yield f"gravity on {loads.mass:.6g} kg{payload}, {poses}"
     if loads.weightless:
-        yield from output.wrapped(f"no gravity in Gazebo on {', '.join(loads.weightless)}")
+        yield from output.wrapped(f"no gravity in Gazebo on {few(loads.weightless, _NAMED)}")
     if not loads.loads:
         return
     yield ""

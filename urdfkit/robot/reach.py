@@ -5,14 +5,14 @@ For an arm this is the radius of its workspace as in data sheets. Lengths in m.
 
 from __future__ import annotations
 
-from math import hypot, isfinite
+from math import cos, hypot, isfinite, sin
 from random import Random
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import ORIGIN, Vector, cross, dot, minus
+from urdfkit.core.spatial import ORIGIN, Transform, Vector, cross, dot, minus, plus, times
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_limits import span
-from urdfkit.robot.kinematics import best_angle, direction, motion
+from urdfkit.robot.kinematics import best_angle, direction
 from urdfkit.robot.tree import KinematicTree
 
 #: Limits of joints in a chain and of chains; hands have chains for each finger.
@@ -20,6 +20,9 @@ MAX_JOINTS, MAX_CHAINS = 200, 50
 
 #: Start poses of the search besides the zero pose, and its largest number of rounds.
 STARTS, ROUNDS = 12, 200
+
+#: Relative growth of the distance in a round below which the search ends.
+GROWTH = 1e-9
 
 
 class Reach(Record):
@@ -73,65 +76,88 @@ def _length(chain: list[Joint]) -> float:
     return travel + sum(hypot(*joint.origin.position) for joint in chain[1:])
 
 
+class _Axis(Record):
+    """A moving joint of a chain."""
+
+    joint: Joint
+    direction: Vector  # unit vector of its axis
+    to_next: Transform  # the frame of the next moving joint, or of the tip, in that of the child
+    from_next: Transform  # its inverse
+
+    def moved(self, point: Vector, position: float) -> Vector:
+        """A point of the child, in the frame of the joint (Rodrigues' formula)."""
+        if self.joint.is_prismatic:
+            return plus(point, times(self.direction, position))
+        c, s = cos(position), sin(position)
+        along = times(self.direction, (1 - c) * dot(self.direction, point))
+        return plus(plus(times(point, c), times(cross(self.direction, point), s)), along)
+
+
+def _axes(chain: list[Joint]) -> list[_Axis]:
+    """The moving joints of a chain, of which the first joint is one."""
+    axes: list[_Axis] = []
+    following = Transform()
+    for joint in reversed(chain):
+        if joint.is_single_dof:
+            axes.append(_Axis(joint, direction(joint), following, following.inverse))
+            following = joint.origin
+        else:
+            following = joint.origin @ following
+    return axes[::-1]
+
+
 def _reach(chain: list[Joint]) -> Reach:
     """Coordinate ascent from several poses; each joint has its optimum in closed form."""
-    ranges = [span(joint) for joint in chain]
+    axes = _axes(chain)
+    ranges = [span(axis.joint) for axis in axes]
     random = Random(0)
     starts = [[min(max(0.0, low), high) for low, high in ranges]]
     starts += [[random.uniform(*ends) for ends in ranges] for _ in range(STARTS)]
-    optima = [_climb(chain, ranges, start) for start in starts]
+    optima = [_climb(axes, ranges, start) for start in starts]
     distance, pose = max(optima, key=lambda optimum: optimum[0])
-    named = {
-        joint.name: position
-        for joint, position in zip(chain, pose, strict=True)
-        if joint.is_single_dof
-    }
+    named = {axis.joint.name: position for axis, position in zip(axes, pose, strict=True)}
     return Reach(distance, chain[0].name, chain[-1].child_name, named)
 
 
 def _climb(
-    chain: list[Joint], ranges: list[tuple[float, float]], pose: list[float]
+    axes: list[_Axis], ranges: list[tuple[float, float]], pose: list[float]
 ) -> tuple[float, list[float]]:
     """Rounds over the joints until the distance does not grow."""
     pose, best = list(pose), -1.0
     for _ in range(ROUNDS):
-        bases = _bases(chain, pose)
+        bases = _bases(axes, pose)
         tip: Vector = ORIGIN
-        for index in range(len(chain) - 1, -1, -1):
-            joint = chain[index]
-            if joint.is_single_dof:
-                pose[index] = _best(joint, ranges[index], bases[index], tip, pose[index])
-            tip = motion(joint, pose[index]).apply(tip)
-            if index:
-                tip = joint.origin.apply(tip)
+        for index in range(len(axes) - 1, -1, -1):
+            axis = axes[index]
+            tip = axis.to_next.apply(tip)
+            pose[index] = _best(axis, ranges[index], bases[index], tip, pose[index])
+            tip = axis.moved(tip, pose[index])
         distance = hypot(*tip)
-        if not distance > best * (1 + 1e-12):
+        if not distance > best * (1 + GROWTH):
             break
         best = distance
-    return best, pose
+    return max(best, distance), pose
 
 
-def _bases(chain: list[Joint], pose: list[float]) -> list[Vector]:
+def _bases(axes: list[_Axis], pose: list[float]) -> list[Vector]:
     """The position of the first joint, in the frame of each joint at zero."""
     bases: list[Vector] = [ORIGIN]
-    for joint, position, following in zip(chain, pose, chain[1:], strict=False):
-        inner = motion(joint, position).inverse.apply(bases[-1])
-        bases.append(following.origin.inverse.apply(inner))
+    for axis, position in zip(axes[:-1], pose, strict=False):
+        bases.append(axis.from_next.apply(axis.moved(bases[-1], -position)))
     return bases
 
 
-def _best(joint: Joint, ends: tuple[float, float], base: Vector, tip: Vector, now: float) -> float:
+def _best(axis: _Axis, ends: tuple[float, float], base: Vector, tip: Vector, now: float) -> float:
     """The position of a joint that maximises the distance of the tip from the base.
 
     The squared distance is ``a - 2 (b cos q + c sin q)`` for an angle q (Rodrigues' formula), and a
     parabola that opens upwards for a prismatic joint.
     """
-    axis = direction(joint)
-    if joint.is_prismatic:
-        along = dot(axis, minus(tip, base))
+    if axis.joint.is_prismatic:
+        along = dot(axis.direction, minus(tip, base))
         return max(ends, key=lambda q: abs(q + along))
-    b = dot(base, tip) - dot(axis, base) * dot(axis, tip)
-    c = dot(base, cross(axis, tip))
+    b = dot(base, tip) - dot(axis.direction, base) * dot(axis.direction, tip)
+    c = dot(base, cross(axis.direction, tip))
     if b * b + c * c <= 1e-24 * dot(base, base) * dot(tip, tip):
         return now  # the rotation does not change the distance
     return best_angle(-b, -c, ends)
