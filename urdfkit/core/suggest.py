@@ -95,8 +95,12 @@ def is_typo(word: str, other: str) -> bool:
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """``; did you mean 'arm'?``, or nothing if no known word is similar."""
-    suggestion = nearest(word, known)
-    return f"; did you mean '{suggestion}'?" if suggestion else ""
+    return meant(nearest(word, known))
+
+
+def meant(suggested: str | None) -> str:
+    """``; did you mean 'arm'?``, or nothing without a suggestion."""
+    return f"; did you mean '{suggested}'?" if suggested else ""
 
 
 def nearest_file(path: str) -> str | None:
@@ -174,8 +178,7 @@ class Suggester:
 
     def hint(self, word: str) -> str:
         """``; did you mean 'arm'?``, or nothing if the name is not a typo."""
-        suggestion = self.suggested(word)
-        return f"; did you mean '{suggestion}'?" if suggestion else ""
+        return meant(self.suggested(word))
 
     def suggested(self, word: str) -> str:
         """The known name that a misspelt name stands for; empty if there is none."""

@@ -10,7 +10,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, meant, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
@@ -108,9 +108,8 @@ def _unknown(node: Element, name: str, known: Iterable[str], *, is_whole: bool) 
     """A node that no library offers; one of an unknown library only if it is misspelt."""
     suggested = nearest(name, known, TYPO if is_whole else CLOSE_TYPO)
     if is_whole or suggested:
-        hint = f"; did you mean '{suggested}'?" if suggested else ""
         help = f"write {suggested}" if suggested else f"add its library to {_LIBRARIES}"
-        message = f"bt_navigator does not load the tree: unknown node '{name}'{hint}"
+        message = f"bt_navigator does not load the tree: unknown node '{name}'{meant(suggested)}"
         yield Finding(node, message, help, severity=Severity.WARNING)
 
 

@@ -3,7 +3,7 @@
 import os
 from collections.abc import Iterable, Iterator
 
-from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, nearest
+from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, meant, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import GivenParameters, IncludedFile, StartedProgram, Word
@@ -196,8 +196,7 @@ def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
             continue
         suggested = former[argument][0] if argument in former else nearest(argument, known)
         suggested = "gz_args" if is_world and not is_ros_1 else suggested
-        hint = f"; did you mean '{suggested}'?" if suggested else ""
-        message = f"'{name}': unknown argument '{argument}'{hint}"
+        message = f"'{name}': unknown argument '{argument}'{meant(suggested)}"
         severity = Severity.ERROR if is_ros_1 else Severity.WARNING
         yield Problem("LAU005", word.span, message, frame=included.frame, severity=severity)
 
