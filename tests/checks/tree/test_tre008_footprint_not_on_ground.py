@@ -152,3 +152,22 @@ def test_wheels_above_the_ground_without_a_footprint(
 ) -> None:
     found = messages("TRE008", car(wheel_height, caster_height))
     assert found == ([naming("left", "right", gap, "caster")] if gap else [])
+
+
+def test_the_fingers_of_a_robot_on_other_wheels() -> None:
+    """Seed Noid: its wheels are revolute, and the fingers of both hands turn without limits."""
+    text = car(0.4, 0.05)
+    assert messages("TRE008", text.replace('"caster"', '"front_wheel"')) == []
+    arms = text
+    for side in ("left", "right"):
+        above = "base"
+        for name in (f"{side}_shoulder", f"{side}_elbow"):
+            arms += f'<link name="{name}"/>' + JOINT.format(above, "0 0 0", "0 0 0", name).replace(
+                f'"{above}_joint" type="fixed"', f'"{name}_joint" type="revolute"'
+            )
+            above = name
+        arms = arms.replace(
+            f'<parent link="base"/><child link="{side}"/>',
+            f'<parent link="{above}"/><child link="{side}"/>',
+        )
+    assert messages("TRE008", arms) == []

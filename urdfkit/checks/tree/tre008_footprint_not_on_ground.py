@@ -171,15 +171,22 @@ def _hanging_wheels(
     """
     heights, _ = _heights(tree, footprint, robot)
     height, standing = min(heights, default=(TOLERANCE, ""))
-    gaps = _gaps(tree, footprint, robot, height)
+    limbs = _limbs(tree)  # with fingers, which also turn about level axes
+    gaps = _gaps(tree, footprint, [name for name in robot if name not in limbs], height)
     least = min(gaps.values(), default=0.0)
-    is_on_ground = abs(height) < TOLERANCE or least_gap > 0
-    is_standing = is_on_ground and standing not in _limbs(tree)
+    is_on_ground = not _is_wheel(standing) if least_gap else abs(height) < TOLERANCE
+    is_standing = is_on_ground and standing not in limbs
     if not is_standing or standing in gaps or len(gaps) < 2:
         return None
     is_level = max(gaps.values()) - least < TOLERANCE
     is_hanging = least > max(TOLERANCE, least_gap)
     return (least, sorted(gaps), standing) if is_level and is_hanging else None
+
+
+def _is_wheel(name: str) -> bool:
+    """True for the name of a wheel other than a caster: its joint may have another type."""
+    words = name.lower()
+    return any(word in words for word in ("wheel", "tire", "tyre", "track")) and "cast" not in words
 
 
 def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) -> dict[str, float]:
