@@ -88,6 +88,8 @@ def guarded(run: Callable[[list[str]], int], words: list[str]) -> int:
     except Exception as error:
         if getattr(error, "errno", None) == ENOSPC:
             return fail(2, os.strerror(ENOSPC))
+        if isinstance(error, FileNotFoundError) and _is_directory_removed():
+            return fail(2, "the current directory has been removed")
         if _lacks_memory(error):
             return fail(2, _no_memory())
         if os.environ.get("URDFKIT_DEBUG") == "1":
@@ -154,6 +156,15 @@ def _is_import_without_memory(error: UrdfkitError) -> bool:
     while cause is not None and type(cause) is not ImportError:
         cause = cause.__cause__
     return cause is not None and _lacks_memory(error)
+
+
+def _is_directory_removed() -> bool:
+    """True if the current directory does not exist any more."""
+    try:
+        os.getcwd()
+    except FileNotFoundError:
+        return True
+    return False
 
 
 def _lacks_memory(error: Exception) -> bool:

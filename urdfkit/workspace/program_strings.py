@@ -1,8 +1,9 @@
-"""Search for string literals in programs of a workspace, such as XML tags that they read."""
+"""Search for words in programs of a workspace, such as the XML tags that they read."""
 
 import os
 import re
 from collections.abc import Collection, Iterable, Iterator
+from functools import lru_cache
 from itertools import islice
 
 from urdfkit.text.file_kinds import is_launch
@@ -17,6 +18,8 @@ _MANIFEST = os.sep + "package.xml"
 _SUFFIXES = (".cpp", ".cc", ".cxx", ".h", ".hpp", ".py")
 #: Names of XML libraries and functions.
 _READS_XML = rb"tinyxml|firstchildelement|elementtree|minidom|lxml|pugi"
+#: Words in programs that publish messages of types that they learn at run time.
+_OF_ANY_TYPE = rb"get_message|[Gg]eneric|rosbag|importlib|ShapeShifter"
 
 
 def xml_readers(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, str]:
@@ -48,6 +51,31 @@ def strings_in_programs(words: Collection[str], near: str, resolver: Resolver) -
         return set()
     files = _files_with_strings(words, b"/?", near, resolver)
     return {word for path, _, strings in files if not is_launch(path) for word in strings}
+
+
+def may_publish(package: str, message: str, near: str, resolver: Resolver) -> bool:
+    """False if no program of a package in the workspace of a file names a type of messages.
+
+    The programs of the packages that it depends on count, too: it may consist of their classes.
+    """
+    known = resolver.packages.known(near)
+    if package not in known:
+        return True
+    manifest = manifest_of(resolver, os.path.join(known[package], "package.xml"))
+    names = {package, *(manifest.dependencies if manifest else ())}
+    directories = tuple(sorted(known[name] for name in names if name in known))
+    return _may_name(message, directories, resolver)
+
+
+@lru_cache(maxsize=128)
+def _may_name(message: str, directories: tuple[str, ...], resolver: Resolver) -> bool:
+    """True if programs below directories name a type of messages; also if there are none."""
+    files = (path for top in directories for path in resolver.directories.walk(top))
+    programs = (path for path in files if path.endswith(_SUFFIXES) and not is_launch(path))
+    paths = list(islice(filter(resolver.admits, programs), MAX_FILES))
+    named = re.compile(re.escape(message.encode()) + b"|" + _OF_ANY_TYPE)
+    is_read = 0 < len(paths) < MAX_FILES
+    return not is_read or any(named.search(read_head(path, MAX_BYTES)) for path in paths)
 
 
 def _files_with_strings(

@@ -146,7 +146,7 @@ def _bridges_clock(bridges: list[StartedProgram], resolver: Resolver) -> bool:
 
 def _wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes without simulation time, while other nodes use it."""
-    if context.launch.has_scopes:
+    if context.launch.has_scopes or context.launch.sets_sim_time:
         return
     resolver, is_simulated = context.resolver, any(map(model_spawner, programs))
     other = next((node for node in programs if _sim_time(node, resolver) is True), None)

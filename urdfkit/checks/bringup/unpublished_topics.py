@@ -37,6 +37,7 @@ from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter, topic_of_program
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers, topic_name
 from urdfkit.text.source import Span
+from urdfkit.workspace.program_strings import may_publish
 
 #: Packages whose programs do not publish these messages.
 _SILENT = re.compile(
@@ -54,8 +55,8 @@ _NAVSAT, _OF_NAVSAT = "navsat_transform_node", "odometry/gps"
 _TOPICS_OF_NAVSAT = frozenset(
     ("imu", "gps/fix", "odometry/filtered", "odometry/gps", "gps/filtered")
 )
-_BRIDGE = "ros_gz_bridge"
-_PUBLISHERS = (_CONTROLLERS, _FILTER, _BRIDGE, "ros_gz_image")
+_BRIDGES = ("ros_gz_bridge", "ros_gz_image")
+_PUBLISHERS = (_CONTROLLERS, _FILTER)
 _ODOMETRY, _IMU = "Odometry", "Imu"
 #: Topics of programs of robot_localization, and the start of the help.
 _STARTED = {
@@ -179,7 +180,10 @@ def _publishers(
         if not all(map(_is_converter, published.values())) or launches is of_workspace:
             has_scopes = any(launch.has_scopes for launch in launches)
             is_known = not has_scopes and all(
-                node.span in spawned or _is_known(node, message) for node in programs
+                node.span in spawned
+                or _is_known(node, message)
+                or not may_publish(node.package, message, context.source.path, context.resolver)
+                for node in programs
             )
             related = (launch for launch in of_workspace if not _has_other_robot(launch, context))
             others = dict(_published(context, programs_of(related), message, spawned))
@@ -206,13 +210,15 @@ def _is_known(program: StartedProgram, message: str) -> bool:
         return not names or ("*" not in names and is_named and program.is_sure)
     if is_other or _SILENT.fullmatch(package):
         return True
+    renamed = program.remappings
+    if package in _BRIDGES:
+        return program.is_sure and renamed is not None and program.namespace is not None
     known = {_CONTROLLERS: _READ_BY_MANAGER, _FILTER: _OUTPUTS}.get(package, frozenset())
     if program.executable == _NAVSAT:
         known = _TOPICS_OF_NAVSAT
-    renamed = program.remappings
     is_remapped = renamed is None or not {name.strip("~/") for name in renamed} <= known
-    is_placed = program.namespace == "" or (package == _BRIDGE and program.namespace is not None)
-    return program.is_sure and not is_remapped and is_placed and package in _PUBLISHERS
+    is_placed = program.namespace == "" and package in _PUBLISHERS
+    return program.is_sure and not is_remapped and is_placed
 
 
 def _publications(program: StartedProgram) -> dict[str, str] | None:
@@ -266,8 +272,9 @@ def _published(
         for name in _topics_of(node, message, context):
             yield name, node
         for topic in bridged_topics(node, context.resolver):
-            if topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}"):
-                yield _absolute(topic.ros_topic), node
+            is_published = topic.direction != TO_GAZEBO and topic.ros_type.endswith(f"/{message}")
+            if is_published and (name_of_bridged := topic_name(topic.ros_topic, node)):
+                yield name_of_bridged, node
     controllers = list(spawned_controllers(programs))
     defined = controllers_of_workspace(context) if controllers else {}
     renamed = renamed_topics(context) if controllers else {}

@@ -36,7 +36,8 @@ from urdfkit.workspace.resolve import Resolver
 
 #: The directory of a package that was not found; files in it are not checked.
 UNKNOWN = "/package-not-found"
-
+#: The parameter of all nodes that remappings and namespaces do not concern.
+SIM_TIME = "use_sim_time"
 
 _FORMER = "xacro.py"
 _XACRO = ("xacro", _FORMER)
@@ -71,10 +72,15 @@ class Collector:
         self.started: list[StartedProgram] = []
         self.started_by_included: list[StartedProgram] = []
         self.unread: list[str] = []
-        self.has_scopes = False
+        self.has_scopes = self.sets_sim_time = False
         self.includes: list[IncludedFile] = []
         self.names_parameters = False
         self.included = included
+
+    def scope(self, *, of_sim_time: bool) -> None:
+        """Note an action that applies to the nodes after it."""
+        self.has_scopes = self.has_scopes or not of_sim_time
+        self.sets_sim_time = self.sets_sim_time or of_sim_time
 
     def package(self, name: str, source: Source, span: Span) -> str | None:
         """The directory of a package; records that it is needed."""
@@ -234,6 +240,7 @@ class Collector:
         self.included = inner.included
         self.unread += inner.unread
         self.has_scopes = self.has_scopes or inner.has_scopes
+        self.sets_sim_time = self.sets_sim_time or inner.sets_sim_time
         self.started_by_included += (
             program._replace(is_sure=program.is_sure and is_sure)
             for program in (*inner.started, *inner.started_by_included)
@@ -258,6 +265,7 @@ class Collector:
             tuple(self.started_by_included),
             tuple(self.unread),
             self.has_scopes,
+            self.sets_sim_time,
             self.names_parameters,
             tuple(self.includes),
             tuple(self.configured),

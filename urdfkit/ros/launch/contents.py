@@ -209,7 +209,9 @@ class Launch(Record):
     started: tuple[StartedProgram, ...]  # the programs that it starts
     included: tuple[StartedProgram, ...]  # the programs that its included files start
     unread: tuple[str, ...]  # paths of included files that were not read; "" if unknown
-    has_scopes: bool  # True if it sets namespaces, parameters or remappings for several nodes
+    #: True if it sets namespaces, remappings or parameters but ``use_sim_time`` for several nodes.
+    has_scopes: bool
+    sets_sim_time: bool  # True if it sets ``use_sim_time`` for several nodes
     #: True if it names parameters itself, in its text or by a namespace for a parameter file.
     names_parameters: bool
     includes: tuple[IncludedFile, ...] = ()  # its includes, and those of its included files

@@ -5,7 +5,7 @@ import os
 from collections.abc import Callable
 from functools import partial
 
-from urdfkit.ros.launch.collect import Collector
+from urdfkit.ros.launch.collect import SIM_TIME, Collector
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, StartedProgram
 from urdfkit.ros.launch.event_handlers import (
@@ -96,7 +96,7 @@ class _PythonReader(PythonLaunchFile):
             if handle := handles.get(called(call)):
                 handle(call)
             elif called(call) in _SCOPES:
-                self.collector.has_scopes = True
+                self._scope(call)
             else:
                 record_files(call, self.values, self.collector)
         if self.frame is None:
@@ -147,6 +147,11 @@ class _PythonReader(PythonLaunchFile):
     def _node(self, call: ast.Call) -> None:
         if self._may_run(call):
             start_node(self, call)
+
+    def _scope(self, call: ast.Call) -> None:
+        name = self.values.text(argument(call, 0, "name"))
+        is_parameter = called(call) == "SetParameter" and name == SIM_TIME
+        self.collector.scope(of_sim_time=is_parameter or called(call) == "SetUseSimTime")
 
     def _container(self, call: ast.Call) -> None:
         if self._may_run(call):

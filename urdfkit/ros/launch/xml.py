@@ -11,7 +11,7 @@ from urdfkit.ros.launch.argument_checks import (
     missing_in_include,
     unknown_to_included,
 )
-from urdfkit.ros.launch.collect import Collector, frame_at
+from urdfkit.ros.launch.collect import SIM_TIME, Collector, frame_at
 from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, IncludedFile, LaunchedFile, Word
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import Signature, arguments_in, signature
@@ -130,8 +130,10 @@ class _XmlReader(XmlLaunchFile):
                 self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
                 continue
             self._check(element)
-            if element.tag in SCOPES or not {"ns", "namespace"}.isdisjoint(element.attributes):
-                self.collector.has_scopes = self.collector.has_scopes or element.tag != "node"
+            has_namespace = not {"ns", "namespace"}.isdisjoint(element.attributes)
+            if element.tag in SCOPES or (has_namespace and element.tag != "node"):
+                is_parameter = element.tag == "set_parameter" and element.get("name") == SIM_TIME
+                self.collector.scope(of_sim_time=is_parameter or element.tag == "set_use_sim_time")
             self._mentions(element)
             if handle := handles.get(element.tag):
                 is_unknown = self.has_unknown_condition(element)
