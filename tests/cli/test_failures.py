@@ -36,6 +36,18 @@ def test_an_internal_error_asks_for_a_report(
     assert "Traceback" in capsys.readouterr().err
 
 
+@pytest.mark.skipif(os.name == "nt", reason="Windows keeps the current directory of a process")
+def test_a_removed_current_directory(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    directory = tmp_path / "removed"
+    directory.mkdir()
+    monkeypatch.chdir(directory)
+    directory.rmdir()
+    assert main(["check", "."]) == 2
+    assert capsys.readouterr() == ("", "error: the current directory has been removed\n")
+
+
 @pytest.mark.parametrize("words", [["check", GOOD], ["check", GOOD, "--", GOOD]])
 def test_ctrl_c_exits_with_130(
     words: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

@@ -285,3 +285,69 @@ def test_nothing_publishes_odometry(
     assert [one.help for one in found if "odometry" in one.message] == [
         "write publish_tf: true"
     ] * count
+
+
+PARTS = {
+    "scope": "SetParameter('use_sim_time', True)\n",
+    "bridge": NODE.format(
+        "ros_gz_bridge",
+        "parameter_bridge",
+        "arguments=['/odom_gz@nav_msgs/msg/Odometry[gz.msgs.Odometry'], "
+        "remappings=[('/odom_gz', '/odom')]",
+    ),
+    "own": NODE.format("mine", "monitor", ""),
+    "renamed": SCAN.format("/lidar").replace(
+        "LaserScan']", "LaserScan'], remappings=[('/lidar', '/scan')]"
+    ),
+}
+OWN = {
+    "src/mine/package.xml": "<package><name>mine</name><depend>base</depend></package>",
+    "src/mine/monitor.py": "from sensor_msgs.msg import JointState",
+    "src/mine/launch/a.launch.py": "SCAN = 'LaserScan'",
+}
+BASE = {
+    "src/base/package.xml": "<package><name>base</name></package>",
+    "src/base/node.cpp": "create_publisher<sensor_msgs::msg::LaserScan>",
+}
+
+
+@pytest.mark.parametrize(
+    ("part", "files", "count"),
+    [
+        ("scope", {}, 1),
+        ("bridge", {}, 1),
+        ("renamed", {}, 0),
+        ("own", {}, 0),  # it may publish scans
+        ("own", OWN, 1),
+        ("own", {**OWN, **BASE}, 0),
+        ("own", {**OWN, "src/mine/monitor.py": "publisher = create_generic_publisher"}, 0),
+    ],
+)
+def test_programs_that_publish_no_scan(
+    tmp_path: Path, part: str, files: dict[str, str], count: int
+) -> None:
+    """Such as the programs of the workspace that do not name the message."""
+    text = SCAN.format("/lidar") + SLAM.format("") + PARTS[part]
+    files = {"package.xml": "<package><name>top</name></package>", **files}
+    found = of_topics(tmp_path, text, files)
+    assert [values(one.message)[1] for one in found] == ["/scan"] * count
+
+
+@pytest.mark.parametrize(
+    ("scope", "count"),
+    [
+        ('<set_parameter name="use_sim_time" value="true"/>', 1),
+        ('<set_use_sim_time value="true"/>', 1),
+        ('<set_parameter name="scan_topic" value="lidar"/>', 0),
+        ('<push_ros_namespace namespace="robot"/>', 0),
+    ],
+)
+def test_the_scope_of_the_time(tmp_path: Path, scope: str, count: int) -> None:
+    """Topics do not depend on it, but on all else that applies to several nodes."""
+    nodes = (
+        '<node pkg="slam_toolbox" exec="async_slam_toolbox_node"/>'
+        '<node pkg="ros_gz_bridge" exec="parameter_bridge" '
+        'args="/lidar@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan"/>'
+    )
+    found = reported(tmp_path, "LAU032", "a.launch.xml", scope + nodes)
+    assert len([one for one in found if "waits for '/scan'" in one.message]) == count

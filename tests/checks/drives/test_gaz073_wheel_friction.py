@@ -41,6 +41,7 @@ def friction(link: str, inside: str) -> str:
         "<mu1>0.01</mu1><mu2>0.01</mu2>",
         '<mu1 value="0.0"/><mu2 value="0.05"/>',
         "<mu1>0</mu1>",
+        "<mu1>0.01</mu1><mu2>0.01</mu2><fdir1>1 0 0</fdir1>",
         f"<collision>{SURFACE}</collision>",
     ],
 )
@@ -78,7 +79,9 @@ filename="gz_ros2_control-system"><parameters>{tmp_path}/c.yaml</parameters></pl
     [
         GZ + friction("left", "<mu1>0.1</mu1><mu2>0.1</mu2>"),
         GZ + friction("left", "<mu1>1</mu1><mu2>0.01</mu2>"),
-        GZ + friction("left", "<mu1>0.01</mu1><mu2>0.01</mu2><fdir1>1 0 0</fdir1>"),
+        GZ + friction("left", "<mu1>0.01</mu1><mu2>1</mu2><fdir1>1 0 0</fdir1>"),
+        GZ + friction("left", "<mu1>0.01</mu1><fdir1>1 0 0</fdir1>"),
+        GZ + friction("ball", "<mu1>1</mu1><mu2>1</mu2><fdir1>1 0 0</fdir1>"),
         GZ + friction("ball", "<mu1>0.01</mu1><mu2>0.01</mu2>"),
         MECANUM + friction("left", "<mu1>0.01</mu1><mu2>0.01</mu2>"),
         friction("left", "<mu1>0.01</mu1><mu2>0.01</mu2>"),

@@ -6,7 +6,7 @@ import pytest
 
 from tests.growth import executed_lines
 from tests.naming import naming
-from tests.srdfs import findings, message_of
+from tests.srdfs import ROBOT, findings, message_of
 from urdfkit import check
 
 BAD = [
@@ -108,3 +108,20 @@ def test_a_joint_of_the_other_side(tmp_path: Path, joints: str, found: tuple[str
     (tmp_path / "r.srdf").write_text(f'<robot name="r"><group name="g">{group}</group></robot>')
     report = check(tmp_path / "r.urdf", select=["SRD003"])
     assert [one.message for one in report.diagnostics] == ([naming("g", *found)] if found else [])
+
+
+@pytest.mark.parametrize(("parent", "codes"), [("amr", ["REF001"]), ("base", ["SRD003"])])
+def test_a_joint_without_its_parent_is_reported_once(
+    tmp_path: Path, parent: str, codes: list[str]
+) -> None:
+    """A misspelt parent parts the tree, so that no chain reaches the hand."""
+    disabled = '<disable_collisions link1="arm" link2="hand" reason="Adjacent"/>'
+    group = '<group name="g"><chain base_link="arm" tip_link="hand"/></group>'
+    text = f'<robot name="r">{group}{disabled}</robot>'
+    ball = '<link name="hand"><collision><geometry><sphere radius="0.1"/></geometry></collision>'
+    robot = ROBOT.replace('<link name="hand"/>', f"{ball}</link>")
+    robot = robot.replace('<parent link="arm"', f'<parent link="{parent}"')
+    (tmp_path / "r.urdf").write_text(robot)
+    (tmp_path / "r.srdf").write_text(text)
+    report = check(tmp_path / "r.urdf", select=["REF001", "SRD003", "SRD010"])
+    assert sorted(one.code for one in report.diagnostics) == codes

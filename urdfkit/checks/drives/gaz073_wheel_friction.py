@@ -10,7 +10,8 @@
 - A driven wheel whose friction is a multiple of that of its left or right counterpart: the robot
   drives in a curve.
 
-Wheels of mecanum drives, and wheels with a first friction direction (`fdir1`), are not reported.
+Wheels of mecanum drives are not reported; wheels with a first friction direction (`fdir1`) only if
+both coefficients are low.
 
 Sources:
     SDF, friction: http://sdformat.org/spec?ver=1.9&elem=collision
@@ -72,7 +73,8 @@ def check(context: Context) -> Findings:
     for link in driven:
         given = _friction(context.model, link)
         low = [friction for friction in given.values() if friction.value < LITTLE]
-        if low and len(low) == len(given):
+        is_directed = _chooses_direction(context.model, link)
+        if low and len(low) == (2 if is_directed else len(given)):
             message = (
                 f"driven wheel '{link}' has a friction coefficient of {low[0].value:g}: it spins "
                 "in place"
@@ -85,6 +87,8 @@ def check(context: Context) -> Findings:
 def _unequal(context: Context, driven: Iterable[str]) -> Findings:
     """Left and right wheels with different coefficients of one direction."""
     for pair in pairs(driven):
+        if any(_chooses_direction(context.model, wheel) for wheel in pair):
+            continue
         left, right = (_friction(context.model, wheel) for wheel in pair)
         for name in left if right else ():
             sides = [(left[name], pair[0]), (right.get(name, left[name]), pair[1])]
@@ -118,19 +122,23 @@ def _driven(context: Context) -> Iterator[str]:
 
 
 def _friction(model: RobotModel, link: str) -> dict[str, Placed[float]]:
-    """The coefficients of a link, of each direction the last; none if it chooses a direction."""
+    """The coefficients of a link, of each direction the last."""
     found: dict[str, Placed[float]] = {}
     for block in model.gazebo:
         if block.get("reference") != link:
             continue
         for element in block.walk():
-            if element.tag == "fdir1":
-                return {}
             name = {"mu": "mu1"}.get(element.tag, element.tag)
             text, _ = leading(text_of(element)) if name in ("mu1", "mu2") else ("", "")
             if text:
                 found[name] = Placed(value(text), element)
     return found
+
+
+def _chooses_direction(model: RobotModel, link: str) -> bool:
+    """True if ``mu1`` and ``mu2`` of a link may differ on purpose."""
+    blocks = (block for block in model.gazebo if block.get("reference") == link)
+    return any(element.tag == "fdir1" for block in blocks for element in block.walk())
 
 
 def _casters(context: Context, driven: set[str]) -> Findings:
@@ -139,8 +147,9 @@ def _casters(context: Context, driven: set[str]) -> Findings:
     if stability is None or driven.isdisjoint(stability.links):
         return
     fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
-    for link in stability.links:
-        given = list(_friction(context.model, link).values()) if link in fixed else []
+    for link in filter(fixed.__contains__, stability.links):
+        is_directed = _chooses_direction(context.model, link)
+        given = [] if is_directed else list(_friction(context.model, link).values())
         if given and min(friction.value for friction in given) >= MUCH:
             yield Finding(
                 given[0],

@@ -51,7 +51,8 @@ def check(context: Context) -> Findings:
         place = srdf.groups_by_name[cycle[0]][0]
         yield Finding(place, message, "remove one of the subgroups")
     yield from _other_sides(context, srdf)
-    yield from _chains(srdf)
+    if len(context.tree.roots) == 1:  # the cause of several trees is reported once
+        yield from _chains(srdf)
     yield from _unsolvable(context, srdf)
     yield from _integers(context, srdf)
 

@@ -47,7 +47,8 @@ _MIN_DEPTH = 1e-4
 )
 def check(context: Context) -> Findings:
     srdf = context.required_srdf
-    yield from _not_adjacent(context, srdf)
+    if len(context.tree.roots) == 1:  # the cause of several trees is reported once
+        yield from _not_adjacent(context, srdf)
     if not srdf.disabled:
         return
     for pair in context.collisions.contacts_in_moveit.pairs:
