@@ -122,6 +122,7 @@ READERS = {
     "testing/__init__.py": NAMED,
     "text/editing/rewriting.py": "a source that was read before",
     "text/source.py": "who calls Source.read",
+    "workspace/cmake.py": "who calls cmake_text",
     "workspace/config_file.py": "the nearest above a file",
     "workspace/executables.py": IN_PACKAGE,
     "workspace/file_head.py": "who calls read_head",
@@ -143,7 +144,7 @@ READERS = {
 
 def _readers() -> set[str]:
     """Modules that read files by the gate."""
-    calls = ("disk.read", "disk.contents", "read_head", "Source.read")
+    calls = ("disk.read", "disk.contents", "read_head", "head_text", "cmake_text", "Source.read")
     found = set()
     for path in sorted(PACKAGE.rglob("*.py")):
         text = path.read_text()

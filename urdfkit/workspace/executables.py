@@ -10,9 +10,9 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.text import python_source
-from urdfkit.workspace.file_head import is_inside, read_head
+from urdfkit.workspace.cmake import cmake_text
+from urdfkit.workspace.file_head import head_text, is_inside
 from urdfkit.workspace.install_rules import build_file
-from urdfkit.workspace.installs import MAX_BYTES
 
 #: Commands of CMake that may make or install executables under names that are not written there.
 _UNCLEAR = re.compile(
@@ -52,10 +52,9 @@ class Absence(Record):
 def absence(directory: str, package: str, name: str) -> Absence | None:
     """Why a package does not have an executable; None if it has, or may have it."""
     file = build_file(directory)
-    text = read_head(file, MAX_BYTES).decode("utf-8", "replace") if file else ""
     if file.endswith(".py"):
-        return _of_python(text, name)
-    return _of_cmake(re.sub(r"#[^\n]*", "", text), package, name) if file else None
+        return _of_python(head_text(file), name)
+    return _of_cmake(cmake_text(file), package, name) if file else None
 
 
 def _of_cmake(text: str, package: str, name: str) -> Absence | None:
@@ -79,8 +78,7 @@ def _of_cmake(text: str, package: str, name: str) -> Absence | None:
 
 def script_of(directory: str, package: str, name: str) -> str:
     """The path of a Python script that a build installs as an executable; empty if unknown."""
-    text = read_head(build_file(directory), MAX_BYTES).decode("utf-8", "replace")
-    text = re.sub(r"#[^\n]*", "", text).replace("${PROJECT_NAME}", package)
+    text = cmake_text(build_file(directory)).replace("${PROJECT_NAME}", package)
     for group in re.findall(_PROGRAM, text) if name.endswith(".py") else ():
         for path in group.split():
             if os.path.basename(path) == name and "$" not in path and is_inside(path):

@@ -7,10 +7,8 @@ from functools import cache
 
 from urdfkit.core import disk
 from urdfkit.core.paths import is_within, upwards
-from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.file_head import head_text
 
-#: Longer files are not written by people.
-MAX_BYTES = 1024 * 1024
 #: Variables that decide which git runs, and where it searches for a repository.
 _OF_GIT = ("PATH", "GIT_CEILING_DIRECTORIES", "GIT_DISCOVERY_ACROSS_FILESYSTEM")
 #: Variables with settings, which may refer to further files.
@@ -75,7 +73,7 @@ def _is_literal(word: str) -> bool:
 
 def _words(file: str) -> set[str]:
     """The last words of the patterns in a list of ignored files, such as ``*.obj``."""
-    text = read_head(file, MAX_BYTES).decode("utf-8", "replace")
+    text = head_text(file)
     lines = map(str.strip, text.split("\n"))
     patterns = [line.rstrip("/") for line in lines if line and not line.startswith(("#", "!"))]
     return {pattern.rpartition("/")[2].lower() for pattern in patterns}

@@ -12,8 +12,9 @@ from functools import cached_property
 from urdfkit.core import disk
 from urdfkit.core.paths import upwards
 from urdfkit.text.comments import without_comments
-from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.installs import MAX_BYTES, built_targets, known_variables, read_rules
+from urdfkit.workspace.cmake import cmake_text
+from urdfkit.workspace.file_head import head_text, read_head
+from urdfkit.workspace.installs import built_targets, known_variables, read_rules
 
 #: Commands with unknown results that may install files: other CMake files, functions of packages.
 _UNCLEAR = (
@@ -45,7 +46,7 @@ def build_file(directory: str) -> str:
     For a package of type ament_python, colcon reads setup.py even next to a CMakeLists.txt.
     """
     names = ["CMakeLists.txt", "setup.py"]
-    manifest = read_head(os.path.join(directory, "package.xml"), MAX_BYTES)
+    manifest = read_head(os.path.join(directory, "package.xml"))
     if re.search(_IS_PYTHON, without_comments(manifest)):
         names.reverse()
     paths = (os.path.join(directory, name) for name in names)
@@ -135,8 +136,7 @@ class InstallRules:
     @cached_property
     def _text(self) -> str:
         """The text of the build file, without the comments of CMake."""
-        text = read_head(self.file, MAX_BYTES).decode("utf-8", "replace")
-        return text if self.file.endswith(".py") else re.sub(r"#.*", "", text)
+        return head_text(self.file) if self.file.endswith(".py") else cmake_text(self.file)
 
     @cached_property
     def _targets(self) -> list[str]:
@@ -181,7 +181,7 @@ def is_built(path: str) -> bool:
     file = _cmake_file(path)
     if not file:
         return False
-    text = read_head(file, MAX_BYTES).decode("utf-8", "replace")
+    text = cmake_text(file)
     needed = ("BINARY_DIR", os.path.basename(path), "endmacro", "endfunction", "generate", "conver")
     if not any(word in text for word in needed):
         return False
@@ -190,7 +190,6 @@ def is_built(path: str) -> bool:
     targets = built_targets(directory)
     if any(relative == target or relative.startswith(f"{target}/") for target in targets):
         return True
-    text = re.sub(r"#.*", "", text)
     name = rf"""(?:^|[\s/"'(]){re.escape(os.path.basename(path))}(?![\w-])"""
     if any(re.search(name, command) for command in re.findall(_MADE, text)):
         return True
@@ -220,10 +219,9 @@ def _is_made_by_macro(name: str, text: str) -> bool:
 
 def is_expanded(path: str) -> bool:
     """True if the nearest CMake file above a xacro expands it, as with ``xacro_add_files``."""
-    text = read_head(_cmake_file(path), MAX_BYTES).decode("utf-8", "replace")
     name = re.escape(os.path.basename(path))
     command = rf"""\bxacro_add\w*\s*\([^()]*(?<=[\s/"(]){name}\b"""
-    return re.search(command, re.sub(r"#.*", "", text)) is not None
+    return re.search(command, cmake_text(_cmake_file(path))) is not None
 
 
 def _overlap(path: str, target: str) -> bool:

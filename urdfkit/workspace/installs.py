@@ -12,9 +12,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from urdfkit.core.record import Record
-from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.file_head import MAX_BYTES, head_text
 
-MAX_BYTES = 1024 * 1024
 MAX_COMMANDS = 20_000
 
 #: Stands for the build directory in the sources of install rules.
@@ -72,9 +71,7 @@ def read_rules(
     Args:
         variables: additional variables with their values.
     """
-    text = read_head(os.path.join(directory, "CMakeLists.txt"), MAX_BYTES).decode(
-        "utf-8", "replace"
-    )
+    text = head_text(os.path.join(directory, "CMakeLists.txt"))
     reader = _CMakeReader({**known_variables(package), **(variables or {})})
     for command in _commands(text):
         reader.read(command)

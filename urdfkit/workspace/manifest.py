@@ -11,14 +11,13 @@ from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
 from urdfkit.text.comments import without_comments
 from urdfkit.text.source import Source
-from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.file_head import MAX_BYTES, read_head
 from urdfkit.workspace.package_directories import dependencies
 from urdfkit.workspace.package_references import package_references
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 from urdfkit.workspace.submodules import absent_submodules
 
-MAX_BYTES = 1024 * 1024
 #: Directories of a package that are searched for descriptions.
 MAX_DIRECTORIES = 200
 
@@ -126,11 +125,7 @@ def _dependencies_of(name: str, near: str, resolver: Resolver) -> frozenset[str]
     if manifest.package != name and comes_with_ros(name):
         return frozenset()  # a directory such as xacro/ or urdf/ of another package
     files = resolver.directories.files_below(directory, MAX_DIRECTORIES)
-    texts = [
-        Source(path, read_head(path, MAX_BYTES))
-        for path in files
-        if path.endswith((".urdf", ".xacro"))
-    ]
+    texts = [Source(path, read_head(path)) for path in files if path.endswith((".urdf", ".xacro"))]
     used = {reference.package for text in texts for reference in package_references(text)}
     return manifest.dependencies.union(used) - {name}
 

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.text.comments import without_comments
+from urdfkit.workspace.cmake import cmake_text
 from urdfkit.workspace.file_head import is_inside, read_head
-from urdfkit.workspace.installs import MAX_BYTES
 from urdfkit.workspace.resolve import Resolver
 
 _COMMAND = "pluginlib_export_plugin_description_file"
@@ -50,15 +50,13 @@ def why_unknown(name: str, base: str, near: str, resolver: Resolver) -> tuple[st
 
 def _exported(directory: str, package: str) -> dict[str, str] | None:
     """The classes that a package exports, with the package of their base; None if not clear."""
-    text = read_head(os.path.join(directory, "CMakeLists.txt"), MAX_BYTES).decode(
-        "utf-8", "replace"
-    )
-    text = re.sub(r"#[^\n]*", "", text).replace("${PROJECT_NAME}", package)
+    text = cmake_text(os.path.join(directory, "CMakeLists.txt"))
+    text = text.replace("${PROJECT_NAME}", package)
     if "ament_cmake" not in text or _UNCLEAR.search(text):
         return None
     exported: dict[str, str] = {}
     for base, file in _EXPORT.findall(text):
-        data = read_head(os.path.join(directory, file), MAX_BYTES) if is_inside(file) else b""
+        data = read_head(os.path.join(directory, file)) if is_inside(file) else b""
         if not data:  # of a build, or with a variable
             return None
         exported.update(dict.fromkeys(_classes(data), base))
@@ -69,7 +67,7 @@ def _described(directory: str) -> Iterator[tuple[str, list[str]]]:
     """The plugin descriptions in the directory of a package, with their classes."""
     for file in disk.names(directory):
         if file.endswith(".xml") and file != "package.xml":
-            yield file, _classes(read_head(os.path.join(directory, file), MAX_BYTES))
+            yield file, _classes(read_head(os.path.join(directory, file)))
 
 
 def _classes(description: bytes) -> list[str]:

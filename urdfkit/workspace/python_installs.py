@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from fnmatch import fnmatchcase
 
 from urdfkit.text import python_source
-from urdfkit.workspace.file_head import read_head
-from urdfkit.workspace.installs import MAX_BYTES
+from urdfkit.workspace.file_head import head_text
 
 _MAX_DEPTH = 20
 
@@ -19,7 +18,7 @@ def patterns_of(directory: str, package: str, relative: str) -> Iterator[str]:
     setuptools installs the files of a list into one directory, by their base names:
     ``glob('launch/*/*.py')`` results in a flat directory.
     """
-    text = read_head(os.path.join(directory, "setup.py"), MAX_BYTES).decode("utf-8", "replace")
+    text = head_text(os.path.join(directory, "setup.py"))
     try:
         tree = python_source.parse(text)
     except SyntaxError:
@@ -37,7 +36,7 @@ def patterns_of(directory: str, package: str, relative: str) -> Iterator[str]:
 
 def place_of(directory: str, package: str, relative: str) -> str:
     """Where a setup.py installs a file of a package; empty if it is not known for sure."""
-    text = read_head(os.path.join(directory, "setup.py"), MAX_BYTES).decode("utf-8", "replace")
+    text = head_text(os.path.join(directory, "setup.py"))
     try:
         reader = _Constants(python_source.parse(text))
     except SyntaxError:

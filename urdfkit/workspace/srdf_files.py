@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.file_head import head_text, read_head
 from urdfkit.workspace.launch_files import launch_files
 from urdfkit.workspace.resolve import Resolver
 
@@ -110,7 +110,7 @@ def _is_started_with(srdf: str, robot: str, resolver: Resolver) -> bool:
     directory = os.path.join(os.path.dirname(os.path.dirname(srdf)), "launch")
     for name in resolver.directories.entries(directory) or ():
         if name.endswith(".launch.py"):
-            text = read_head(os.path.join(directory, name), 100_000).decode("utf-8", "replace")
+            text = head_text(os.path.join(directory, name), 100_000)
             words = ("MoveItConfigsBuilder", os.path.basename(srdf), os.path.basename(robot))
             if all(word in text for word in words):
                 return True
@@ -127,7 +127,7 @@ def _is_for_tests(robot: str, package: tuple[str, str] | None) -> bool:
 
 def _may_have_name(srdf: str, name: str) -> bool:
     """True if the robot of an SRDF has a name, or its name is an expression."""
-    text = read_head(srdf, 20_000).decode("utf-8", "replace")
+    text = head_text(srdf, 20_000)
     head = text.partition("<robot")[2].partition(">")[0]
     return head.replace("'", '"').partition('name="')[2].startswith((f'{name}"', "$"))
 
@@ -174,9 +174,7 @@ class SetupAssistant(Record):
 
 def setup_assistant(directory: str) -> SetupAssistant:
     """The settings of a MoveIt package."""
-    text = read_head(os.path.join(directory, ".setup_assistant"), 100_000).decode(
-        "utf-8", "replace"
-    )
+    text = head_text(os.path.join(directory, ".setup_assistant"), 100_000)
 
     def section(name: str) -> str:
         match = re.search(_SECTION.format(name), text)

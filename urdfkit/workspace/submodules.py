@@ -6,12 +6,11 @@ import re
 from urdfkit.core import disk
 from urdfkit.workspace.file_head import read_head
 
-MAX_BYTES = 1024 * 1024
 _PATH = rb"(?m)^\s*path\s*=\s*(.+?)\s*$"
 
 
 def absent_submodules(repository: str) -> list[str]:
     """The directories of the submodules that are not checked out: empty or missing."""
-    text = read_head(os.path.join(repository, ".gitmodules"), MAX_BYTES)
+    text = read_head(os.path.join(repository, ".gitmodules"))
     paths = (os.path.join(repository, os.fsdecode(path)) for path in re.findall(_PATH, text))
     return [path for path in paths if not (disk.is_directory(path) and disk.names(path))]

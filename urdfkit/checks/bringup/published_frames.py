@@ -15,7 +15,7 @@ from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.transforms import StaticTransform, has_unknown_child, static_transform
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.install_rules import build_file
-from urdfkit.workspace.manifest import MAX_BYTES, manifest_of
+from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: Frames that programs other than those of the robot publish.
@@ -82,7 +82,7 @@ def _is_of_driver(context: Context, launches: tuple[Launch, ...]) -> bool:
     if not robots.isdisjoint({package[0], *manifest.dependencies}):
         return False
     file = build_file(package[1])
-    return bool(file) and re.search(_PROGRAM, read_head(file, MAX_BYTES)) is not None
+    return bool(file) and re.search(_PROGRAM, read_head(file)) is not None
 
 
 def _has_map_alone(context: Context) -> bool:

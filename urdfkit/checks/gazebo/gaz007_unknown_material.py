@@ -30,8 +30,8 @@ from urdfkit.workspace.file_head import read_head
 BAD = robot_xml(solid_xml("wheel"), gazebo_xml("<material>Orange</material>", reference="wheel"))
 FIXED = GOOD = BAD.replace("Orange", "Gazebo/Orange")
 
-#: Directories of a workspace that are searched for material scripts, and what is read of one.
-_MAX_DIRECTORIES, _MAX_BYTES = 2000, 1024 * 1024
+#: Directories of a workspace that are searched for material scripts.
+_MAX_DIRECTORIES = 2000
 _MATERIAL = rb"(?m)^[ \t]*material[ \t]+\"?([^\s\"{:]+)"
 
 
@@ -76,7 +76,7 @@ def _scripted(context: Context) -> set[str]:
         name.decode("utf-8", "replace")
         for file in context.resolver.directories.files_below(root, _MAX_DIRECTORIES)
         if file.endswith(".material") and context.resolver.allows(file, context.source.path)
-        for name in re.findall(_MATERIAL, read_head(file, _MAX_BYTES))
+        for name in re.findall(_MATERIAL, read_head(file))
     }
 
 

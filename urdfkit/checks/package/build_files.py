@@ -8,14 +8,13 @@ from urdfkit.core.paths import upwards
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
+from urdfkit.workspace.cmake import blank_cmake_comments
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.install_rules import InstallRules, build_file
 from urdfkit.workspace.installs import read_rules
 from urdfkit.workspace.manifest import depends_on
 from urdfkit.workspace.resolve import Resolver
 
-#: Of a build file.
-_MAX_BYTES = 1024 * 1024
 #: Where each build file gives the name, as far as it is written out.
 _NAMES = {
     # No part of a name, such as that in front of a variable.
@@ -66,7 +65,7 @@ def not_finished(directory: str) -> Findings:
     source = _build_file_of_ament(directory)
     if source is None:
         return
-    text = re.sub(rb"#.*", b"", source.data)
+    text = blank_cmake_comments(source.data)
     match = re.search(rb"(?m)^\s*find_package\s*\(\s*(ament_cmake)\b", source.data)
     if match and not re.search(rb"ament\w*_package\s*\(|\b(include|macro)\s*\(", text):
         yield Finding(
@@ -81,7 +80,7 @@ def missing_directories(name: str, directory: str) -> Findings:
     source = _build_file_of_ament(directory)
     if source is None:
         return
-    text = re.sub(rb"#[^\n]*", lambda comment: b" " * len(comment[0]), source.data)
+    text = blank_cmake_comments(source.data)
     is_sure = not re.search(rb"\b(OPTIONAL|EXISTS)\b", text)
     is_ament = re.search(rb"(?m)^\s*find_package\s*\(\s*ament_cmake", text)
     if not (is_ament and is_sure) or InstallRules(directory, name).makes_files:
@@ -149,7 +148,7 @@ def undeclared_packages(name: str, directory: str, resolver: Resolver) -> Findin
     source = _build_file_of_ament(directory)
     if source is None:
         return
-    text = re.sub(rb"#[^\n]*", lambda comment: b" " * len(comment[0]), source.data)
+    text = blank_cmake_comments(source.data)
     known = resolver.packages.known(source.path)
     for match in re.finditer(rb"(?m)^find_package\s*\(\s*([\w-]+)\s+REQUIRED", text):
         other = match[1].decode()
@@ -189,7 +188,7 @@ def _build_file_of_ament(directory: str) -> Source | None:
 def package_file(directory: str, file: str) -> Source | None:
     """A file of a package; None if it is missing, or not a regular file."""
     path = os.path.join(directory, file)
-    data = read_head(path, _MAX_BYTES)
+    data = read_head(path)
     return Source(path, data) if data else None
 
 

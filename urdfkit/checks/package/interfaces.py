@@ -15,6 +15,7 @@ from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
+from urdfkit.workspace.cmake import blank_cmake_comments
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -50,7 +51,7 @@ def not_generated(directory: str) -> Findings:
     build, manifest = (package_file(directory, file) for file in ("CMakeLists.txt", "package.xml"))
     if build is None or manifest is None:
         return
-    text = re.sub(rb"#[^\n]*", lambda comment: b" " * len(comment[0]), build.data)
+    text = blank_cmake_comments(build.data)
     call = _CALL.search(text)
     if call is None:
         return
