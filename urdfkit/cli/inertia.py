@@ -8,6 +8,7 @@ import click
 
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import DIFF, choice, described, in_formats, limited, option
+from urdfkit.cli.generated_files import note_generated
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.grouping import by_key
@@ -84,6 +85,7 @@ def _write(proposals: Sequence[InertiaProposal], *, is_diff: bool) -> int:
         output.write_diff("".join(file.diff() for file in files))
     else:
         rewriting.write(files)
+        note_generated(files)
         lines += [f"wrote {shown(file.path)}" for file in files]
     lines += [f"link '{name}' is unchanged: {reason}" for name, reason in unchanged.items()]
     output.page(lines or ["nothing to write"] * (not files))

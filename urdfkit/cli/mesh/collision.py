@@ -5,6 +5,7 @@ from typing import Any
 
 from urdfkit.cli import options, output
 from urdfkit.cli.decorators import DIFF, described, limited, option
+from urdfkit.cli.generated_files import note_generated
 from urdfkit.cli.mesh import tables
 from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
@@ -55,6 +56,7 @@ def command(
             lines = [f"# new file {shown(path)}" for path in edits.meshes]
         else:
             lines += [f"wrote {shown(path)}" for path in edits.write()]
+            note_generated(edits.files)
         lines += [f"link '{name}' is unchanged: {reason}" for name, reason in unchanged.items()]
     output.write("".join(f"{line}\n" for line in lines))
     return int(bool(unchanged))

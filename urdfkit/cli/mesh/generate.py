@@ -10,6 +10,7 @@ from urdfkit.cli.decorators import described, limited, option
 from urdfkit.cli.progress import working
 from urdfkit.cli.robot import read_by_options, robot
 from urdfkit.core.spatial import Vector
+from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
 from urdfkit.mesh.parts import PARTS, RealPart
 from urdfkit.robot.assets.placeholder_meshes import (
@@ -111,7 +112,8 @@ def render(result: GeneratedMeshes, dry_run: bool) -> Iterator[str]:
         yield f"{'would write' if dry_run else 'wrote'} {shown(mesh.path)}"
         yield from output.indented(f"the file {mesh.defect}")
         yield from output.indented(mesh.reason)
-        yield f"  {len(mesh.mesh.faces)} triangles, {len(mesh.mesh.parts)} materials"
+        materials = counted(len(mesh.mesh.parts), "material")
+        yield f"  {len(mesh.mesh.faces)} triangles, {materials}"
     for failure in result.not_generated:
         yield f"cannot generate {shown(failure.path)}"
         yield from output.indented(f"the file {failure.defect}")

@@ -26,13 +26,13 @@ from urdfkit.output.bundle.robot import (
     texture_references,
 )
 from urdfkit.robot.placed import Placed
-from urdfkit.text.source import shown
+from urdfkit.text.source import Span, shown
 
 #: The manifest of a bundle; it marks a directory as a bundle.
 MANIFEST = "bundle.json"
 VERSION = 1
-#: Most files that an error names.
-_MAX_NAMED = 5
+#: Most files that an error names, besides the first.
+_MAX_NAMED = 2
 
 
 class ManifestEntry(Record):
@@ -209,20 +209,26 @@ def located_files(robot: Context, references: Iterable[Placed[str]]) -> dict[int
         UrdfkitError: files are missing, or outside the workspace.
     """
     paths: dict[int, str] = {}
-    missing: list[str] = []
-    outside: list[str] = []
+    missing: dict[str, Span] = {}
+    outside: dict[str, Span] = {}
     for reference in references:
         located = robot.files.locate(reference)
         if located.path is not None:
             paths[id(reference)] = located.path
         else:
-            unresolved = outside if located.outside else missing
-            unresolved.append(f"{reference.span}: {reference.value}")
+            (outside if located.outside else missing).setdefault(reference.value, reference.span)
     reasons = [
-        f"the robot references files that {defect}: {few(locations, _MAX_NAMED)}"
-        for defect, locations in (("do not exist", missing), ("are outside the workspace", outside))
-        if locations
+        *_reason(missing, "does not exist", "neither do"),
+        *_reason(outside, "is outside the workspace", "so are"),
     ]
     if not reasons:
         return paths
     raise UrdfkitError(f"{'; '.join(reasons)}; see 'urdfkit check {shown(robot.source.path)}'")
+
+
+def _reason(files: dict[str, Span], defect: str, likewise: str) -> Iterator[str]:
+    """Why files cannot be used: the first one with its place, and some of the others."""
+    if files:
+        (first, span), *others = files.items()
+        more = f", {likewise} {few([name for name, _ in others], _MAX_NAMED)}" if others else ""
+        yield f"{span}: '{first}' {defect}{more}"

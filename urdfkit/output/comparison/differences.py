@@ -13,6 +13,7 @@ from types import MappingProxyType
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector
+from urdfkit.core.words import counted
 from urdfkit.robot.inertia import rotated
 from urdfkit.robot.joint import Joint, Limit
 from urdfkit.robot.kinematics import direction
@@ -161,7 +162,7 @@ def _of_bodies(
 ) -> Iterator[Change]:
     if len(before) != len(after):
         counts = len(before), len(after)
-        yield "shapes", f"{counts[0]} {kind} -> {counts[1]}", *counts
+        yield "shapes", f"{counted(counts[0], kind.removesuffix('s'))} -> {counts[1]}", *counts
         return
     for number, (old, new) in enumerate(zip(before, after, strict=True), 1):
         name = kind[:-1] if len(before) == 1 else f"{kind[:-1]} {number}"
