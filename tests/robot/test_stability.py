@@ -45,6 +45,12 @@ def test_a_mesh_stands_as_the_box_that_it_is(tmp_path: Path) -> None:
     assert stand(read(tmp_path / "r.urdf"), meshes=False) is None
 
 
+def test_a_floating_joint_fixes_nothing_to_the_world() -> None:
+    body = link("world") + link("box", TALL, inertial(3, (1, 1, 1), xyz="0 0 0.1"))
+    for kind, verdict in (("floating", "stands"), ("fixed", "fixed")):
+        assert standing_verdict(of(body + joint("world", "box", kind))).verdict == verdict
+
+
 def test_a_missing_mesh_may_reach_the_ground(tmp_path: Path) -> None:
     """A submarine stood on its sensor, 19 cm in front of its centre of mass."""
     wheel = link("wheel", shape("collision", '<mesh filename="missing.stl"/>'))

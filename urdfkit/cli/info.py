@@ -52,7 +52,7 @@ def command(inputs: dict[str, Any], format: str) -> int:
 def render(overview: Overview) -> Iterator[str]:
     kind = "xacro" if overview.is_xacro else "URDF"
     yield f"{overview.name or '(no name)'}: {kind}, {shown(overview.file)}"
-    targets = ", ".join(overview.targets) or "not detected; select it with --target"
+    targets = ", ".join(overview.targets) or "not detected; urdfkit check --target selects it"
     yield from _entry("target", targets)
     yield ""
     yield from _structure(overview.structure)

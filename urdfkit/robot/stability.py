@@ -109,7 +109,8 @@ def standing_verdict(
     """
     tree = robot.tree
     root = rigid_bodies(tree)[0]
-    if root.is_ground:
+    leaving = (joint for link, _ in root.links for joint in tree.children[link.name])
+    if root.is_ground and not any(joint.kind == "floating" for joint in leaving):
         return StandingVerdict("fixed")
     placed = frames(tree, pose or {})
     try:

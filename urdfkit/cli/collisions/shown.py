@@ -38,7 +38,8 @@ def text(matrix: Matrix, comparison: MatrixComparison | None) -> str:
 
 def _lines(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]:
     yield _title(matrix)
-    yield ""
+    if matrix.pairs:
+        yield ""
     for verdict, meaning in _MEANING.items():
         if pairs := matrix.of(verdict):
             yield f"{len(pairs):>6}  {verdict.value:<9}  {meaning}"
@@ -163,7 +164,7 @@ def _notes(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
             f"{len(matrix.parts)} parts, with roots {few(matrix.parts, _MOST)}: links of different "
             "parts are not compared, since no joint bounds their relative pose."
         )
-    if matrix.samples < matrix.asked:
+    if 0 < matrix.samples < matrix.asked:
         yield f"Stopped after {matrix.samples} of {matrix.asked} samples: converged."
     if comparison is not None:
         differences = len(comparison.hidden) + len(comparison.watched)
