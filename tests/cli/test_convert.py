@@ -61,6 +61,16 @@ def test_an_existing_output_is_an_error(capsys: pytest.CaptureFixture[str]) -> N
     assert convert("--force") == 0
 
 
+def test_a_directory_of_something_else_is_not_replaced(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The error said that a bundle is no bundle."""
+    Path("out").mkdir()
+    Path("out/bundle.json").write_text("{}")
+    assert convert("--force") == 2
+    assert "out: is a directory without conversion.json" in capsys.readouterr().err
+
+
 def test_missing_mujoco_is_reported(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -157,7 +157,7 @@ def _require_free(out: str, mark: str, *, force: bool) -> None:
         raise UnwritableFile(f"{out}: is a file; pass a directory, or a name that ends in .zip")
     if is_file != _is_zip(out) or os.path.islink(out) or not _contains(out, mark):
         kind = "file" if is_file else "directory"
-        raise UnwritableFile(f"{out}: is a {kind}, but not a bundle; pass another path")
+        raise UnwritableFile(f"{out}: is a {kind} without {mark}; pass another path")
     if not force:
         raise UnwritableFile(f"{out}: exists; --force replaces it")
 
