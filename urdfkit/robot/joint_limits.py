@@ -1,6 +1,6 @@
 """Limits, ranges and units of joints, as URDF parsers read them."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from math import pi
 
 from urdfkit.core.words import listed
@@ -22,6 +22,9 @@ MAX_TRAVEL = 1000.0
 
 #: Part of a range by which limits may differ because of rounding.
 _ROUNDING = 0.02
+
+#: Parts of the names of joints that turn freely.
+_PASSIVE = ("caster", "castor", "roller", "passive")
 
 #: Related locations of a finding about many joints.
 _MAX_RELATED = 20
@@ -108,6 +111,15 @@ def driven(model: RobotModel) -> frozenset[str]:
         if joint.child("command_interface")
     }
     return frozenset(names)
+
+
+def is_passive(joint: Joint, driven_joints: Collection[str]) -> bool:
+    """True for a joint without a motor: only others are `driven`, or it is a caster by its name."""
+    if joint.name in driven_joints:
+        return False
+    names = f"{joint.name} {joint.child_name}".lower()
+    turns_freely = joint.kind == "continuous" and any(part in names for part in _PASSIVE)
+    return bool(driven_joints) or turns_freely
 
 
 def limits_of(joints: Iterable[Joint], key: str) -> list[tuple[Joint, Placed[float]]]:

@@ -94,6 +94,13 @@ def test_an_effort_of_zero_moves_nothing() -> None:
     assert verdict.rule == "JNT008"
 
 
+def test_a_caster_has_no_motor() -> None:
+    """Trossen's mobile_ai: JNT008 is silent about it."""
+    caster = joint("caster", "world", "0 0 0", "continuous", effort=0)
+    tests = {one.test for one in simulate(read(robot(link("caster"), caster))).verdicts}
+    assert "drive" not in tests
+
+
 @pytest.mark.parametrize(("effort", "holds"), [(4.8, False), (5.0, True)])
 def test_a_joint_holds_with_its_effort(effort: float, holds: bool) -> None:
     """A mass of 1 kg at 0.5 m needs 4.905 N·m."""

@@ -29,7 +29,7 @@ Sources:
 
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.joint_limits import can_move, driven, limits_of, related, several
+from urdfkit.robot.joint_limits import can_move, driven, is_passive, limits_of, related, several
 from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
@@ -44,10 +44,6 @@ _HELP = {
 }
 
 
-#: Parts of the names of joints that turn freely.
-_PASSIVE = ("caster", "castor", "roller", "passive")
-
-
 @rule(Severity.WARNING)
 def check(context: Context) -> Findings:
     """One finding per kind of limit: exporters write the same number for every joint."""
@@ -60,7 +56,8 @@ def check(context: Context) -> Findings:
             (joint, limit)
             for joint, limit in limits
             if limit.value == 0 and can_move(joint) and joint.mimic is None
-            if joint.name in active or not (active or (key == "effort" and _has_no_motor(joint)))
+            if joint.name in active
+            or not (active or (key == "effort" and is_passive(joint, active)))
         ]
         if zero:
             yield _finding(zero, key, "0", Severity.WARNING)
@@ -71,12 +68,6 @@ def check(context: Context) -> Findings:
             yield _finding(negative, key, f"{negative[0][1].value:g}", severity)
     for joint in context.model.joints:
         yield from _negative_dynamics(joint)
-
-
-def _has_no_motor(joint: Joint) -> bool:
-    """True for the swivel or the wheel of a caster, and for the roller of a wheel, by its name."""
-    names = f"{joint.name} {joint.child_name}".lower()
-    return joint.kind == "continuous" and any(part in names for part in _PASSIVE)
 
 
 def _is_for_gazebo_alone(targets: Targets) -> bool:

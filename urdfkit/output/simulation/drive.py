@@ -7,6 +7,7 @@ import mujoco
 from urdfkit.output.simulation.simulated_robot import SimulatedRobot, diverged
 from urdfkit.physics.verdicts import Verdict
 from urdfkit.robot.joint import Joint
+from urdfkit.robot.joint_limits import driven, is_passive
 from urdfkit.robot.joint_loads import FASTEST, ROTOR, STEP
 
 #: Within this time in s, a joint must reach this velocity in rad/s or m/s, this part of its
@@ -19,16 +20,19 @@ _MIN_MOVE = 1e-3
 def drive(robot: SimulatedRobot) -> Iterator[Verdict]:
     """A verdict for each joint that is too slow or too fast with its effort; without gravity."""
     robot.set_up(gravity=False, contacts=False)
-    driven, reported = False, False
+    tested, reported = False, False
+    driven_joints = driven(robot.robot.model)
     for joint in robot.leaders:
         limit = joint.limit
         if limit and limit.effort and limit.velocity and limit.velocity.value > 0:
-            driven = True
+            if limit.effort.value <= 0 and is_passive(joint, driven_joints):
+                continue
+            tested = True
             verdict = _driven(robot, joint, max(limit.effort.value, 0.0), limit.velocity.value)
             if verdict is not None:
                 reported = True
                 yield verdict
-    if driven and not reported:
+    if tested and not reported:
         text = "its efforts move its joints, and throw none"
         yield Verdict("drive", True, text, 0.0, SPEED)
 
