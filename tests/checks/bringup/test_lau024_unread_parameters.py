@@ -41,6 +41,16 @@ def test_the_name_of_the_node(tmp_path: Path, name: str, key: str, count: int) -
     assert len([one for one in found if "not read" in one]) == count
 
 
+@pytest.mark.parametrize(("key", "count"), [("joy_node", 0), ("joy", 1), ("own", 0)])
+def test_a_file_of_two_nodes(tmp_path: Path, key: str, count: int) -> None:
+    """What is for no node counts if it is almost the name of one."""
+    text = "<node pkg='joy' exec='joy_node' name='joy_node'><param from='../a.yaml'/></node>\n"
+    text += "<node pkg='own' exec='own' name='robot'><param from='../a.yaml'/></node>\n"
+    yaml = PARAMETERS.format("robot") + PARAMETERS.format(key)
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.xml", text, {"a.yaml": yaml})
+    assert ["the node is 'joy_node'" in one.message for one in found] == [True] * count
+
+
 @pytest.mark.parametrize(
     ("key", "count"), [("controller_manager", 1), ("arm/controller_manager", 0)]
 )

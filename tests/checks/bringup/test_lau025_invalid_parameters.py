@@ -122,6 +122,23 @@ def test_types(tmp_path: Path, value: str, message: str) -> None:
     assert [message in one for one in found] == [True] * bool(message)
 
 
+@pytest.mark.parametrize(
+    ("name", "values", "words"),
+    [
+        ("laser", "filter1: {type: laser_filters/LaserScanBoxFilter}", ""),
+        ("laser", "filter1: {type: laser_filters/LaserScanBoxFilters}", "LaserScanBoxFilter'?"),
+        ("laser", "filter1: {type: laser_filters/Own}", ""),
+        ("laser", "filter1: {type: own/LaserScanBoxFilters}", ""),
+        ("docking_server", "{dock_plugins: [a], a: {plugin: b}, docks: [c], c: {type: a}}", ""),
+        ("docking_server", "{dock_plugins: [a], a: {plugin: b}, docks: [c], c: {type: d}}", "'d'"),
+        ("docking_server", "{docks: [c], c: {type: d}}", ""),
+    ],
+)
+def test_types_of_filters_and_docks(tmp_path: Path, name: str, values: str, words: str) -> None:
+    found = messages("LAU025", tmp_path, f"{name}:\n  ros__parameters:\n    {values}\n")
+    assert [words in one for one in found] == [True] * bool(words)
+
+
 @pytest.mark.parametrize(("value", "count"), [("30.0", 0), ("30", 1), ("rate", 0)])
 def test_how_often_the_state_is_published(tmp_path: Path, value: str, count: int) -> None:
     node = (

@@ -204,7 +204,10 @@ def test_files_that_move_group_does_not_get(tmp_path: Path, more: str, missing: 
         ('{"moveit_servo": {"move_group_name": "arm"}}', 0),
         ('{"moveit_servo": x}, y', 0),
         ('{"robot_description": x}', 0),
-        ('{"arm_servo": x}', 0),
+        ('{"arm_servo": x}', 1),
+        ('{"arm_servo": x}, config.robot_description', 1),
+        ('{"arm_servo": x}, config.own()', 0),
+        ('{"arm": x}', 0),
     ],
 )
 def test_the_namespace_of_servo(tmp_path: Path, parameters: str, count: int) -> None:

@@ -141,6 +141,8 @@ def test_a_bridge_reads_a_list(tmp_path: Path, dash: str, count: int) -> None:
     text = BRIDGE.replace("../a.yaml", str(tmp_path / "arm" / "a.yaml"))
     found = messages(tmp_path, "LAU020", text, {"a.yaml": yaml})
     assert ["must be a list" in one for one in found] == [True] * count
+    found = messages(tmp_path, "LAU020", text, {"a.yaml": f"bridges:\n- {yaml[2:]}"})
+    assert ["must be a list" in one for one in found] == [True]
 
 
 LUA = """options = {{

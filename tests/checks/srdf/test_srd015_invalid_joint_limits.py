@@ -90,6 +90,14 @@ def test_integers_are_accepted_in_moveit_1(tmp_path: Path, value: str) -> None:
     assert findings(tmp_path, "", "SRD015") == []
 
 
+@pytest.mark.parametrize(
+    ("name", "count"), [("has_velocity_limit", 1), ("max_velocty", 1), ("own", 0), ("max_jerk", 0)]
+)
+def test_misspelt(tmp_path: Path, name: str, count: int) -> None:
+    found = reported(tmp_path, **{name: "0.5"})
+    assert ["did you mean" in one.message for one in found] == [True] * count
+
+
 def test_disabled_limit_is_accepted(tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text(AMENT)
     (tmp_path / "joint_limits.yaml").write_text(TEXT.replace("true", "false").format(0))

@@ -320,3 +320,40 @@ def test_values_that_launch_rejects(tmp_path: Path, value: str, count: int) -> N
     text = program("node", f"    print({node})\n")
     found = reported(tmp_path, "LAU010", "a.launch.py", text)
     assert ["own is" in one.message for one in found] == [True] * count
+
+
+MOVEIT = """from launch_ros.actions import Node
+from moveit_configs_utils import MoveItConfigsBuilder
+config = MoveItConfigsBuilder("arm", package_name="arm"){}.to_moveit_configs()
+node = Node(package="own", executable="own", parameters=[config.{}])
+"""
+
+
+@pytest.mark.parametrize(
+    ("method", "attribute", "words"),
+    [
+        ('.joint_limits(file_path="a")', "joint_limits", []),
+        ('.joint_limits(file="a")', "joint_limits", ["has no argument 'file'"]),
+        ('.joint_limit("a")', "joint_limits", ["has no method 'joint_limit'; did you mean"]),
+        (".own()", "to_dict()", []),
+        ("", "joint_limit", ["has no 'joint_limit'; did you mean 'joint_limits'"]),
+    ],
+)
+def test_the_builder_of_moveit(
+    tmp_path: Path, method: str, attribute: str, words: list[str]
+) -> None:
+    text = MOVEIT.format(method, attribute)
+    found = [one.message for one in reported(tmp_path / "arm", "LAU010", "a.launch.py", text)]
+    assert len(found) == len(words)
+    assert all(word in one for word, one in zip(words, found, strict=True))
+
+
+@pytest.mark.parametrize(("kind", "count"), [("Node", 1), ("ComposableNode", 0)])
+def test_components(tmp_path: Path, kind: str, count: int) -> None:
+    text = "from launch_ros.actions import ComposableNodeContainer, Node\n"
+    text += "from launch_ros.descriptions import ComposableNode\n"
+    text += 'ComposableNodeContainer(name="a", namespace="", package="rclcpp_components", '
+    text += 'executable="component_container", composable_node_descriptions='
+    text += f'[{kind}(package="own", {"executable" if kind == "Node" else "plugin"}="own")])\n'
+    found = [one.message for one in reported(tmp_path / "arm", "LAU010", "a.launch.py", text)]
+    assert ["a program of its own" in one for one in found] == [True] * count

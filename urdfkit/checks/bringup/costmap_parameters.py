@@ -63,6 +63,32 @@ def unknown_classes(node: NodeParameters) -> Findings:
         yield Finding(plugin.span, hint, help, severity=Severity.WARNING)
 
 
+def of_laser_filters(node: NodeParameters) -> Findings:
+    """Misspelt filters of laser_filters, at which the chain stops."""
+    known = data("nodes")["laser_filters"].split()
+    for section in node.values.values():
+        kind = scalar(section, "type")
+        package, _, name = (kind.text if kind else "").partition("/")
+        if kind is None or package != "laser_filters" or name in known:
+            continue
+        if suggested := nearest(name, known):
+            message = f"'{node.name}' stops: unknown filter '{kind.text}'; did you mean "
+            message += f"'{package}/{suggested}'?"
+            yield Finding(kind.span, message, f"write {package}/{suggested}")
+
+
+def types_of_docks(node: NodeParameters) -> Findings:
+    """Docks of a type that is not among the plugins of the docking server."""
+    types = [plugin.text for plugin in scalars(node.values.get("dock_plugins"))]
+    for dock in scalars(node.values.get("docks")) if types else ():
+        kind = scalar(node.values.get(dock.text), "type")
+        if kind and kind.text not in types:
+            message = f"dock '{dock.text}' has the type '{kind.text}', which dock_plugins lacks"
+            help = f"write one of: {', '.join(types)}"
+            message += did_you_mean(kind.text, types)
+            yield Finding(kind.span, message, help, severity=Severity.WARNING)
+
+
 def mixed_names(sections: list[NodeParameters]) -> Findings:
     """Classes that Nav2 renamed in Jazzy, from ``package/Class`` to ``package::Class``, mixed."""
     found: dict[str, list[Value]] = {"/": [], "::": []}

@@ -122,6 +122,8 @@ def _not_a_list(program: StartedProgram, context: Context) -> Findings:
         if isinstance(key, Key):
             message = "the bridge has no topics: the file is a mapping, must be a list"
             help = f"write - {key}: ..., and the other keys below it"
+            if isinstance(mapping(entries)[key], list):
+                help = f"remove {key}: and write its list as the whole file"
             yield Finding(Location(key.span, program.frame), message, help)
             return
 

@@ -10,6 +10,8 @@ Checked are:
 
 - `base_link_frame`, `base_link_output_frame`, `robot_base_frame`, `base_frame`, `base_frame_id` and
   `sensor_frame`. slam_toolbox and AMCL without such a parameter use `base_footprint`.
+- `tracking_frame` and `published_frame` of Cartographer, `box_frame` and `polygon_frame` of
+  laser_filters.
 - RViz's fixed frame and the frames of its displays. `map`, `odom` and `world` as the fixed frame
   are reported if a launch file starts only RViz with joint_state_publisher, and `world` in one that
   starts only navigation.
@@ -55,6 +57,7 @@ from urdfkit.ros.launch.frames import (
     GLOBAL,
     NamedFrame,
     default_frames,
+    frames_of_cartographer,
     named_frames,
     sensor_frames,
 )
@@ -110,7 +113,8 @@ _LOCATED = re.compile(r"robot_state_publisher|robot_localization|slam_toolbox|na
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     launch = context.launch
-    frames = [*named_frames(launch, context.resolver), *default_frames(launch, context.resolver)]
+    readers = (named_frames, default_frames, frames_of_cartographer)
+    frames = [frame for read in readers for frame in read(launch, context.resolver)]
     if all(_PLAIN.fullmatch(node.package) for node in launch.programs) and any(
         _LOCATED.fullmatch(node.package) for node in launch.programs
     ):

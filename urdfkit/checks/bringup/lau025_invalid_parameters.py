@@ -23,6 +23,8 @@
 - The `frame_prefix` of robot_state_publisher begins with a slash, or is the namespace without one
   behind it (warnings).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
+- The Lua file of Cartographer does not exist, lacks an option, has an unknown one, or no input.
+- A filter of laser_filters is misspelt. A dock has a type that is not in `dock_plugins` (warning).
 - A map lacks a value or has an invalid one, at which map_server stops. Or it gets no map (warning).
   For `localization` slam_toolbox needs a `map_file_name` (info).
 
@@ -36,6 +38,7 @@ Sources:
 
 from urdfkit.checks.bringup import costmap_parameters, parameter_types, parameter_values
 from urdfkit.checks.bringup.behavior_trees import invalid_trees
+from urdfkit.checks.bringup.cartographer import invalid_configurations
 from urdfkit.checks.bringup.invalid_maps import invalid_maps, missing_graphs, missing_maps
 from urdfkit.checks.bringup.plugin_parameters import missing_in_default_trees, unloadable_plugins
 from urdfkit.checks.bringup.read_parameters import (
@@ -84,6 +87,8 @@ def check(context: Context) -> Findings:
         yield from parameter_types.outdated_motion_model(section)
         yield from parameter_types.wrong_sizes(section)
         yield from costmap_parameters.unknown_classes(section)
+        yield from costmap_parameters.of_laser_filters(section)
+        yield from costmap_parameters.types_of_docks(section)
     for section in whole_sections(sections):
         yield from costmap_parameters.plugins(section)
         yield from unloadable_plugins(section)
@@ -95,6 +100,7 @@ def check(context: Context) -> Findings:
     yield from invalid_trees(context, sections)
     yield from parameter_values.missing_of_programs(context)
     yield from rejected_files(context)
+    yield from invalid_configurations(context)
     yield from invalid_maps(context)
     yield from missing_maps(context)
     yield from missing_graphs(context, sections)

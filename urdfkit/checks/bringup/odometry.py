@@ -5,9 +5,7 @@ Source: ``DiffDrive.cc`` and ``OdometryPublisher.cc`` of gz-sim.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
-from itertools import pairwise
 
 from urdfkit.checks.bringup.defined_controllers import defined_controllers
 from urdfkit.core.record import Record
@@ -15,6 +13,7 @@ from urdfkit.lint.rules import Context, Location
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.topics import of_plugin
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
+from urdfkit.ros.launch.cartographer import configurations
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
@@ -32,9 +31,7 @@ _PARAMETERS = {
     "world_frame": "odom",
     "base_link_frame": "",  # base_link by default, but a section that is not found may set it
 }
-_CARTOGRAPHER = "cartographer_ros/cartographer_node"
-#: Options of Cartographer in a file of Lua.
-_OPTION = re.compile(r'(?m)^\s*(\w+)\s*=\s*"?([\w/]+)"?\s*,')
+#: An option of Cartographer.
 _PROVIDED = "provide_odom_frame"
 #: The switch of other programs.
 _TF, _GUESS = "publish_tf", "guess_frame_id"
@@ -108,19 +105,13 @@ def of_cartographer(
     programs: Iterable[StartedProgram], context: Context
 ) -> Iterator[OdometryTransform]:
     """The transforms of Cartographer: to published_frame, from odometry or from the map."""
-    for program in programs:
-        if program.key != _CARTOGRAPHER:
-            continue
-        options = {flag.text: word.text for flag, word in pairwise(program.words)}
-        directory = options.get("-configuration_directory")
-        name = options.get("-configuration_basename")
-        source = context.resolver.readable(f"{directory}/{name}") if directory and name else None
-        values = dict(_OPTION.findall(source.data.decode("utf-8", "replace"))) if source else {}
+    for configuration in configurations(programs, context.resolver):
+        values = {name: option.text for name, option in configuration.options.items()}
         if _PROVIDED in values and "published_frame" in values:
             parent = values.get("odom_frame" if values[_PROVIDED] == "true" else "map_frame", "")
-            yield OdometryTransform(
-                parent, values["published_frame"], f"'{program.executable}'", program.at
-            )
+            publisher = f"'{configuration.program.executable}'"
+            at = configuration.program.at
+            yield OdometryTransform(parent, values["published_frame"], publisher, at)
 
 
 def of_drives(programs: Iterable[StartedProgram], context: Context) -> Iterator[OdometryTransform]:

@@ -3,7 +3,7 @@
 from itertools import chain
 
 from urdfkit.checks.bringup.costmaps import COSTMAPS, class_of_active_layer, has_default_plugins
-from urdfkit.core.suggest import nearest
+from urdfkit.core.suggest import CLOSE_TYPO, SIMILAR, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
@@ -37,13 +37,24 @@ def _of_other_nodes(
     if not sections or not are_known:
         return
     unserved = [user for user in users if not _has_section(user, files)]
-    if unserved and sections.keys().isdisjoint((*COSTMAPS, *(user.name for user in users))):
-        node = unserved[0]
-        likely = node.executable if node.executable in sections else nearest(node.name, sections)
+    names = {*COSTMAPS, *(user.name for user in users)}
+    is_for_none = sections.keys().isdisjoint(names)
+    spare = [name for name in sections if name not in names]
+    for node in unserved[:1] if is_for_none else unserved:
+        likely = node.executable if node.executable in spare else None
+        likely = likely or nearest(node.name, spare, SIMILAR if is_for_none else CLOSE_TYPO)
+        likely = likely or next((name for name in spare if _is_same_word(name, node.name)), None)
+        if likely is None and not is_for_none:
+            continue
         section = sections.get(likely or "", files[path][0])
         if not _is_read_elsewhere(section, path, node, context):
             help = f"write {node.name}, or name the node {section.name}"
             yield _of_other_name(section, node, node.name, help)
+
+
+def _is_same_word(name: str, other: str) -> bool:
+    """True for ``joy`` and ``joy_node``."""
+    return name.removesuffix("_node") == other.removesuffix("_node")
 
 
 def _has_section(node: StartedProgram, files: dict[str, list[NodeParameters]]) -> bool:

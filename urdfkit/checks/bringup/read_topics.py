@@ -13,6 +13,7 @@ from urdfkit.checks.bringup.rviz_displays import has_other_topics, read_by_rviz
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Location
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.cartographer import configurations
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.rviz import topic_of
@@ -54,6 +55,7 @@ def read_topics(context: Context) -> Iterator[ReadTopic]:
     yield from _read_by_nodes(context)
     yield from _read_by_defaults(context)
     yield from _read_by_programs(context)
+    yield from _read_by_cartographer(context)
     yield from _read_by_rviz(context)
 
 
@@ -109,6 +111,18 @@ def _read_by_programs(context: Context) -> Iterator[ReadTopic]:
                 yield ReadTopic(
                     mask, program.at, GRID, program.title, (), f"set {_MASK_TOPIC}: ", True
                 )
+
+
+def _read_by_cartographer(context: Context) -> Iterator[ReadTopic]:
+    programs = context.launch.programs if not context.launch.has_scopes else ()
+    for configuration in configurations(programs, context.resolver):
+        program = configuration.program
+        for topic, message in configuration.inputs if program.is_sure else ():
+            if name := topic_name(topic, program):
+                remedy = f"remap {topic} to "
+                if topic[-1].isdigit() and topic != "points2":
+                    remedy = f"set the number of inputs in {configuration.name.text}, or {remedy}"
+                yield ReadTopic(name, program.at, message, program.title, remedy=remedy)
 
 
 def _holds(condition: str, program: StartedProgram, context: Context) -> bool:

@@ -30,9 +30,10 @@ from urdfkit.checks.bringup.unbridged_sensors import (
 from urdfkit.checks.bringup.unread_remappings import renamed_topics
 from urdfkit.checks.bringup.workspace_launches import is_included, programs_of, workspace_launches
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Related
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
+from urdfkit.ros.launch.cartographer import CARTOGRAPHER
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter, topic_of_program
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers, topic_name
@@ -92,7 +93,7 @@ def unpublished_inputs(context: Context) -> Findings:
         if sensor and sensor.who not in reported:
             yield unbridged(read, name, sensor)
             reported.add(sensor.who)
-        elif published and not sensor:
+        elif _of_others(read, published) and not sensor:
             if name in types and len(_names(read)) == 1:
                 yield from _other_type(read, *types[name])
             else:
@@ -124,12 +125,19 @@ def _outputs_of_filters(launches: tuple[Launch, ...]) -> set[str | None]:
     }
 
 
+def _of_others(read: ReadTopic, published: dict[str, StartedProgram]) -> list[str]:
+    """The topics that other nodes publish; none if all convert messages of unknown publishers."""
+    at = read.at.span if isinstance(read.at, Location) else read.at
+    if all(map(_is_converter, published.values())):
+        return []
+    return [topic for topic, node in published.items() if node.span != at]
+
+
 def _other_topic(read: ReadTopic, published: dict[str, StartedProgram]) -> Finding:
     """A topic that nothing publishes, while such messages are on another one."""
     name = _absolute(read.topic)
-    # A node that converts messages does not read its own.
-    others = [topic for topic, node in published.items() if node.at != read.at]
-    other = nearest(name, others or published, 0) or next(iter(published))
+    others = _of_others(read, published)
+    other = nearest(name, others, 0) or others[0]
     return Finding(
         read.at,
         f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "
@@ -229,7 +237,7 @@ def _publications(program: StartedProgram) -> dict[str, str] | None:
 
 def _is_converter(program: StartedProgram) -> bool:
     """True for a program that publishes what it makes of other messages."""
-    return program.key in data("nodes")["readers"]
+    return program.key in (CARTOGRAPHER, *data("nodes")["readers"])
 
 
 def _topics_of(program: StartedProgram, message: str, context: Context) -> Iterator[str]:

@@ -42,6 +42,8 @@
   LaunchConfiguration) to str"; or a function of Python gets a substitution, such as `os.path.join`
   or `open`: "expected str, bytes or os.PathLike object". The directory of a package and a path are
   joined without a slash.
+- A method of `MoveItConfigsBuilder` has no such argument (error), or its configuration no such
+  attribute. A `Node` is in place of a `ComposableNode` (error).
 - A composable node names a class with a slash or another one than its package has, or is loaded
   into a container whose name is another one with its namespace (error); or an event handler starts
   an action when it has exited itself.

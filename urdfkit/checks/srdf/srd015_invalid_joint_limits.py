@@ -11,6 +11,7 @@
   `has_acceleration_limits: false`. Time parameterization and the Pilz planner fail: "No
   acceleration limit was defined for joint shoulder"; up to Humble the default is 1 rad/s².
 - A maximum velocity, acceleration or jerk is not greater than zero, so that planning fails.
+- The name of a limit is misspelt, so that MoveIt ignores it.
 
 Sources:
     MoveIt, joint limits: https://moveit.picknik.ai/main/doc/examples/time_parameterization/time_parameterization_tutorial.html
@@ -22,6 +23,7 @@ Sources:
 from collections.abc import Iterator
 
 from urdfkit.checks.srdf.namesakes import launched_namesakes
+from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joint import Joint
@@ -29,7 +31,7 @@ from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.samples import arm_xml
 from urdfkit.ros.moveit.joint_limits import PlannedLimit, planned_limits
 from urdfkit.ros.parameter_types import is_not_positive, type_of
-from urdfkit.text.located_yaml import Value
+from urdfkit.text.located_yaml import Key, Value
 from urdfkit.workspace.manifest import manifest_of
 
 BAD = arm_xml("prismatic", '<limit lower="0.1" upper="0.9" effort="500" velocity="0.1"/>')
@@ -44,6 +46,12 @@ FILES = {
 TOLERANCE = 0.01
 _POSITIVE = ("max_velocity", "max_acceleration", "max_jerk")
 _LIMITS = ("min_position", "max_position", *_POSITIVE)
+_OF_JOINT = ("position", "velocity", "acceleration", "deceleration", "jerk", "effort")
+_KEYS = frozenset(
+    f"{start}_{kind}{end}"
+    for kind in _OF_JOINT
+    for start, end in (("has", "_limits"), ("min", ""), ("max", ""))
+)
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.SRDF))
@@ -54,6 +62,7 @@ def check(context: Context) -> Findings:
         if joint := context.model.joints_by_name.get(planned.joint):
             invalid = dict(_invalid(planned, context))
             yield from invalid.values()
+            yield from _misspelt(planned)
             found = _wider(planned, joint)
             wider += [(planned, name, one) for name, one in found if name not in invalid]
     namesakes = list(launched_namesakes(context, context.required_srdf)) if wider else []
@@ -117,6 +126,15 @@ def _invalid(planned: PlannedLimit, context: Context) -> Iterator[tuple[str, Fin
             message = f"joint '{planned.joint}': {message}"
             at = value.span
             yield name, Finding(at, message, help, severity=Severity.ERROR)
+
+
+def _misspelt(planned: PlannedLimit) -> Findings:
+    """Names that MoveIt does not read, and that are almost one that it reads."""
+    for name in planned.values:
+        suggested = None if name in _KEYS else nearest(name, _KEYS, CLOSE_TYPO)
+        if suggested and suggested not in planned.values and isinstance(name, Key):
+            message = f"joint '{planned.joint}': {name} is not read; did you mean '{suggested}'?"
+            yield Finding(name.span, message, f"write {suggested}")
 
 
 def _compared(planned: PlannedLimit, joint: Joint) -> Iterator[tuple[str, float, float, str]]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.cartographer import configurations
 from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.rviz import displays, manager_of
@@ -14,14 +15,15 @@ from urdfkit.text.located_yaml import Value, entries, mapping
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
-#: Parameters with a frame of the robot: of robot_localization, Nav2, slam_toolbox, AMCL and
-#: wheel controllers.
+#: Parameters with a frame of the robot: of robot_localization, Nav2, slam_toolbox, AMCL, wheel
+#: controllers and laser_filters.
 _OF_ROBOT = (
     "base_link_frame", "base_link_output_frame", "robot_base_frame", "base_frame", "base_frame_id",
-    "sensor_frame",
+    "sensor_frame", "box_frame", "polygon_frame",
 )  # fmt: skip
 #: Of costmaps, behaviours and the navigator: the frame of a map or of odometry.
 GLOBAL = "global_frame"
+_OF_CARTOGRAPHER = ("tracking_frame", "published_frame")
 _NAMING = (*_OF_ROBOT, GLOBAL)
 #: Characters in values that are known only at run time.
 _OPEN = ("$", "<", "{")
@@ -55,6 +57,16 @@ def named_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
             name = value.text.strip().lstrip("/")
             if name and not any(mark in name for mark in _OPEN):
                 yield NamedFrame(name, owner, key, value.span, file.span)
+
+
+def frames_of_cartographer(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
+    """Frames in the configurations of Cartographer nodes that the file itself starts."""
+    for configuration in configurations(launch.started, resolver):
+        for key in _OF_CARTOGRAPHER:
+            option = configuration.options.get(key)
+            if option and option.text and not launch.has_scopes:
+                at, named_at = option.span, configuration.name.span
+                yield NamedFrame(option.text.lstrip("/"), key, key, at, named_at)
 
 
 def default_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:

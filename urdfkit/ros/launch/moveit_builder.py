@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.core import disk
-from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.collect import UNKNOWN, Collector, frame_at
@@ -50,6 +50,7 @@ def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
     builder = _builder(call)
     if builder is None:
         return
+    collector.problems += _unknown_names(call, values)
     robot = values.text(argument(builder, 0, "robot_name"))
     written = argument(builder, 1, "package_name")
     package = values.text(written) if written else robot and f"{robot}_moveit_config"
@@ -66,6 +67,32 @@ def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
     elif called(call) == "planning_pipelines" and directory:
         _default(call, values, collector)
         _named_pipelines(call, directory, values, collector)
+
+
+def _unknown_names(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """A method that the builder does not have, and keywords that a method does not have."""
+    methods: dict[str, str] = data("moveit")["builder"]
+    name = called(call)
+    known = methods.get(name)
+    if known is None and (suggested := nearest(name, filter(None, methods), CLOSE_TYPO)):
+        message = f"MoveItConfigsBuilder has no method '{name}'; did you mean '{suggested}'?"
+        yield values.problem(call, message, f"write {suggested}")
+    for keyword in call.keywords if known is not None else ():
+        if keyword.arg and keyword.arg not in (names := (known or "").split()):
+            message = f"{name} of MoveItConfigsBuilder has no argument '{keyword.arg}'"
+            help = "remove it" if not names else f"known arguments: {', '.join(names)}"
+            yield values.problem(keyword.value, message + did_you_mean(keyword.arg, names), help)
+
+
+def unknown_attribute(node: ast.expr | None, values: Values) -> Iterator[Problem]:
+    """An attribute that the configuration of a builder does not have."""
+    known = data("moveit")["builder"][""].split()
+    if isinstance(node, ast.Attribute) and is_configuration(node, values):
+        made = values.resolved(node.value)
+        if called(made) == "to_moveit_configs" and node.attr not in known:
+            message = f"the configuration of MoveIt has no '{node.attr}'"
+            message += did_you_mean(node.attr, known)
+            yield values.problem(node, message, f"name one of: {', '.join(known)}")
 
 
 def _given_file(call: ast.Call, directory: str, values: Values, collector: Collector) -> None:

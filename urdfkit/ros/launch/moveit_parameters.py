@@ -28,6 +28,7 @@ _SETTINGS = {
 }
 #: Where Servo looks for its parameters, and one that each configuration has.
 _SERVO, _GROUP = "moveit_servo", "move_group_name"
+_OF_SERVO = re.compile(r"\w*servo\w*\.\*")
 #: Statements that change a dictionary after its creation.
 _CHANGES = re.compile(rb"\.update\(|\]\s*=[^=]|\|=")
 _LOADS = ("safe_load", "load", "full_load")
@@ -84,12 +85,9 @@ def missing_of_rviz(file: PythonLaunchFile, node: ast.Call) -> Iterator[Problem]
     is_planner = configuration is not None and _DISPLAY in configuration.data
     if not is_planner or _CHANGES.search(file.source.data):
         return
-    reader = _Reader(file)
     parameters = argument(node, None, "parameters")
-    names: set[str] = set()
-    for item in values.items(parameters) if parameters else ():
-        part = values.resolved(item)
-        names |= {part.attr} if isinstance(part, ast.Attribute) else reader.keys(item)
+    items = values.items(parameters) if parameters else []
+    names = set().union(*(_keys_of_part(file, item) for item in items))
     if _OPEN not in names and _SEMANTIC in names and _KINEMATICS not in names:
         message = f"RViz has {_SEMANTIC}, but not {_KINEMATICS}: its MotionPlanning has no markers"
         help = f"add {_KINEMATICS} to its parameters"
@@ -101,14 +99,21 @@ def missing_of_servo(file: PythonLaunchFile, node: ast.Call) -> Iterator[Problem
     parameters = argument(node, None, "parameters")
     if _CHANGES.search(file.source.data) or parameters is None:
         return
-    reader = _Reader(file)
     items = [item for item in file.values.items(parameters) if item is not None]
-    names = {key.partition(".")[0] for item in items for key in reader.keys(item)}
-    inner = [key for item in items for key in reader.keys(item) if key.endswith(_GROUP)]
+    keys = set().union(*(_keys_of_part(file, item) for item in items))
+    names = {key.partition(".")[0] for key in keys}
+    # The content of what is called after Servo need not be known.
+    inner = [key for key in sorted(keys) if key.endswith(_GROUP) or _OF_SERVO.fullmatch(key)]
     if _OPEN not in names and _SERVO not in names and inner:
         message = f"Servo reads its parameters in {_SERVO}, which is not given"
         help = f"write {_SERVO} in place of {inner[0].rpartition('.')[0] or 'the top level'}"
         yield Problem("LAU029", file.values.span(node), message, help, severity=Severity.WARNING)
+
+
+def _keys_of_part(file: PythonLaunchFile, item: ast.expr | None) -> set[str]:
+    """Names of parameters; an attribute of a configuration of MoveIt is called after its own."""
+    part = file.values.resolved(item)
+    return {part.attr} if isinstance(part, ast.Attribute) else _Reader(file).keys(item)
 
 
 class _Reader:

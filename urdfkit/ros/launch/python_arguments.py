@@ -19,6 +19,7 @@ _HOLDERS = {
     "LaunchDescription": (0, "initial_entities"),
     "TimerAction": (None, "actions"),
 }
+_CONTAINERS = ("ComposableNodeContainer", "LoadComposableNodes")
 _CONDITIONS = ("IfCondition", "UnlessCondition")
 #: Suffixes of the files that each source of a launch description reads.
 _SOURCES = {
@@ -50,6 +51,8 @@ def wrong_arguments(call: ast.Call, values: Values) -> Iterator[Problem]:
         yield from _former(call, values)
     elif name in _HOLDERS:
         yield from _action_list(call, values)
+    elif name in _CONTAINERS:
+        yield from _components(call, values)
     elif name in _SOURCES:
         yield from _source(call, values)
     elif name == "ExecuteProcess":
@@ -82,6 +85,16 @@ def _action_list(call: ast.Call, values: Values) -> Iterator[Problem]:
         if item is not None and isinstance(values.resolved(item), ast.List):
             message = f"{name} of {called(call)} contains a list, but launch expects actions"
             yield values.problem(item, message, "write a * before it, or + between the lists")
+
+
+def _components(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """Nodes in a container that are programs of their own."""
+    nodes = argument(call, None, "composable_node_descriptions")
+    for item in values.items(nodes) if nodes else ():
+        if item is not None and called(values.resolved(item)) in ("Node", "LifecycleNode"):
+            message = f"{called(call)} loads components, and this is a program of its own"
+            help = "write ComposableNode, with plugin in place of executable"
+            yield values.problem(item, message, help)
 
 
 def _process(call: ast.Call, values: Values) -> Iterator[Problem]:

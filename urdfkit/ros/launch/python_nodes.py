@@ -11,7 +11,7 @@ from urdfkit.ros.launch.contents import (
     StartedProgram,
     with_words,
 )
-from urdfkit.ros.launch.moveit_builder import is_configuration
+from urdfkit.ros.launch.moveit_builder import is_configuration, unknown_attribute
 from urdfkit.ros.launch.moveit_parameters import (
     missing_of_move_group,
     missing_of_rviz,
@@ -161,6 +161,7 @@ def _parameters(
         else:
             is_whole = False
             is_of_moveit = is_of_moveit and is_configuration(item, file.values)
+            file.collector.problems += unknown_attribute(item, file.values)
     values.pop("", None)
     is_of_moveit = is_of_moveit and not is_whole
     return GivenParameters(values, tuple(files), is_whole, lists, is_of_moveit, at)

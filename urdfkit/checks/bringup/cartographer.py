@@ -1,0 +1,59 @@
+"""Configurations of Cartographer with which its node stops.
+
+Each option must be there, and there must be no other ("Key 'x' not in dictionary", "Key 'x' was
+used the wrong number of times").
+Source: ``lua_parameter_dictionary.cc`` of cartographer, ``trajectory_options.cc`` and
+``node_options.cc`` of cartographer_ros.
+"""
+
+from urdfkit.core import disk
+from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.words import few
+from urdfkit.lint.rules import Context, Finding, Findings, Location
+from urdfkit.ros.launch.cartographer import CartographerConfiguration, configurations
+
+_REQUIRED = (
+    "map_builder", "trajectory_builder", "map_frame", "tracking_frame", "published_frame",
+    "odom_frame", "provide_odom_frame", "publish_frame_projected_to_2d", "use_odometry",
+    "use_nav_sat", "use_landmarks", "num_laser_scans", "num_multi_echo_laser_scans",
+    "num_subdivisions_per_laser_scan", "num_point_clouds", "lookup_transform_timeout_sec",
+    "submap_publish_period_sec", "pose_publish_period_sec", "trajectory_publish_period_sec",
+    "rangefinder_sampling_ratio", "odometry_sampling_ratio", "fixed_frame_pose_sampling_ratio",
+    "imu_sampling_ratio", "landmarks_sampling_ratio",
+)  # fmt: skip
+_OPTIONAL = ("use_pose_extrapolator", "publish_to_tf", "publish_tracked_pose", "imu_correction")
+_INPUTS = ("num_laser_scans", "num_multi_echo_laser_scans", "num_point_clouds")
+_MAX_NAMED = 4
+
+
+def invalid_configurations(context: Context) -> Findings:
+    """Files that do not exist, and options that are missing, unknown, or that name no input."""
+    for configuration in configurations(context.launch.started, context.resolver):
+        name, program = configuration.name, configuration.program
+        if configuration.source is None:
+            files = [file for file in disk.names(configuration.directory) if file.endswith(".lua")]
+            message = f"'{program.title}' stops: '{name.text}' does not exist in its directory"
+            message += did_you_mean(name.text or "", files)
+            help = f"name one of: {few(sorted(files), _MAX_NAMED)}" if files else "create it"
+            yield Finding(Location(name.span, program.frame), message, help)
+        elif program.is_ros_2 and configuration.is_whole and configuration.table:
+            yield from _of_options(configuration)
+
+
+def _of_options(configuration: CartographerConfiguration) -> Findings:
+    options, who = configuration.options, f"'{configuration.program.title}' stops"
+    lacking = [name for name in _REQUIRED if name not in options]
+    for name, option in options.items():
+        if name not in (*_REQUIRED, *_OPTIONAL):
+            meant = nearest(name, lacking)
+            lacking = [other for other in lacking if other != meant]
+            message = f"{who}: it has no option '{name}'{did_you_mean(name, [meant or ''])}"
+            yield Finding(option.name_span, message, f"write {meant}" if meant else "remove it")
+    if lacking and configuration.table:
+        message = f"{who}: the options lack {few(lacking, _MAX_NAMED)}"
+        help = "add them, as in the files of cartographer_ros"
+        yield Finding(configuration.table, message, help)
+    counts = [options[name] for name in _INPUTS if name in options]
+    if len(counts) == len(_INPUTS) and all(count.text == "0" for count in counts):
+        message = f"{who}: it has no input, as {', '.join(_INPUTS)} are 0"
+        yield Finding(counts[0].span, message, "write num_laser_scans = 1")
