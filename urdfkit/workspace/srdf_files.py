@@ -60,7 +60,7 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     for moveit in _moveit_packages(robot, resolver):
         setup = setup_assistant(moveit)
         is_for = package is not None and setup.is_for(robot, package)
-        is_stale = _is_renamed(setup, moveit, robot, resolver)
+        is_stale = _is_renamed(setup, moveit, robot, resolver) or _includes(robot, setup)
         if not setup.urdf or is_stale or (is_for and setup.has_arguments):
             for directory in _directories(moveit, setup):
                 directories.update(dict.fromkeys((directory, *_inner(directory, resolver))))
@@ -78,6 +78,12 @@ def _is_renamed(setup: SetupAssistant, moveit: str, robot: str, resolver: Resolv
     if setup.package in resolver.packages.known(robot):
         return False
     return not setup.package or not any(launch_files(moveit, setup.package, resolver))
+
+
+def _includes(robot: str, setup: SetupAssistant) -> bool:
+    """True if a robot names the file that the assistant read, and so extends it."""
+    file = os.path.basename(setup.urdf)
+    return os.path.basename(robot) != file and file.encode() in read_head(robot, 100_000)
 
 
 def is_of_namesake(srdf: str, robot: str, resolver: Resolver) -> bool:

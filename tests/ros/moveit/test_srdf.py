@@ -7,6 +7,7 @@ import pytest
 from tests.conftest import CORPUS, needs_corpus
 from tests.documents import document
 from tests.srdfs import ROBOT
+from tests.workspaces import add_files
 from urdfkit import check
 from urdfkit.core import disk
 from urdfkit.core.file_log import FileLog
@@ -70,6 +71,26 @@ def test_of_several_the_one_with_the_name_of_the_robot_is_meant(tmp_path, names,
     resolver = Resolver(environment={})
     found = find(Context(Source.read(robot), resolver))
     assert (found and Path(found.path).name) == chosen
+
+
+@pytest.mark.parametrize(("file", "is_found"), [("part.xacro", True), ("other.xacro", False)])
+def test_srdf_of_an_extended_robot(tmp_path: Path, file: str, is_found: bool) -> None:
+    """A mobile manipulator whose plugins and sensors were added in a file that includes it."""
+    add_files(
+        tmp_path,
+        {
+            "LICENSE": "",
+            "arm/package.xml": "<package><name>arm</name></package>",
+            "arm/urdf/part.xacro": ROBOT,
+            "arm/urdf/r.urdf.xacro": '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+            '<xacro:include filename="part.xacro"/></robot>',
+            "arm_moveit/package.xml": "<package><name>arm_moveit</name></package>",
+            "arm_moveit/.setup_assistant": SETUP.replace("r.urdf", file).format(""),
+            "arm_moveit/config/r/r.srdf": '<robot name="r"><passive_joint name="wrist"/></robot>',
+        },
+    )
+    robot = Source.read(tmp_path / "arm" / "urdf" / "r.urdf.xacro")
+    assert (find(Context(robot, Resolver(environment={}))) is not None) == is_found
 
 
 def test_of_several_of_one_name_the_one_called_like_the_file_is_meant(tmp_path: Path) -> None:
