@@ -172,10 +172,11 @@ class SetupAssistant(Record):
     has_arguments: bool = False  # True if the robot is expanded with arguments
 
     def is_for(self, robot: str, package: tuple[str, str]) -> bool:
-        """True if it refers to a robot file of a package."""
+        """True if it refers to a robot file of a package, or to the URDF made of a xacro."""
         if not self.urdf or self.package != package[0]:
             return False
-        return os.path.normpath(os.path.join(package[1], self.urdf)) == os.path.abspath(robot)
+        path, own = os.path.normpath(os.path.join(package[1], self.urdf)), os.path.abspath(robot)
+        return path in (own, own.removesuffix(".xacro"))
 
 
 def setup_assistant(directory: str) -> SetupAssistant:

@@ -73,9 +73,11 @@ def test_of_several_the_one_with_the_name_of_the_robot_is_meant(tmp_path, names,
     assert (found and Path(found.path).name) == chosen
 
 
-@pytest.mark.parametrize(("file", "is_found"), [("part.xacro", True), ("other.xacro", False)])
-def test_srdf_of_an_extended_robot(tmp_path: Path, file: str, is_found: bool) -> None:
-    """A mobile manipulator whose plugins and sensors were added in a file that includes it."""
+@pytest.mark.parametrize(
+    ("file", "is_found"), [("part.xacro", True), ("r.urdf", True), ("other.xacro", False)]
+)
+def test_the_file_that_the_assistant_read(tmp_path: Path, file: str, is_found: bool) -> None:
+    """A part, which a file with plugins and sensors includes, or the URDF that xacro made."""
     add_files(
         tmp_path,
         {
@@ -91,6 +93,16 @@ def test_srdf_of_an_extended_robot(tmp_path: Path, file: str, is_found: bool) ->
     )
     robot = Source.read(tmp_path / "arm" / "urdf" / "r.urdf.xacro")
     assert (find(Context(robot, Resolver(environment={}))) is not None) == is_found
+
+
+def test_the_xacro_of_an_srdf(tmp_path: Path) -> None:
+    robot = tmp_path / "r.urdf"
+    robot.write_text(ROBOT)
+    for name in ("panda.srdf", "panda.srdf.xacro"):
+        (tmp_path / name).write_text('<robot name="r"><passive_joint name="wrist"/></robot>')
+    found = find(Context(Source.read(robot), Resolver(environment={})))
+    assert found
+    assert Path(found.path).name == "panda.srdf.xacro"
 
 
 def test_of_several_of_one_name_the_one_called_like_the_file_is_meant(tmp_path: Path) -> None:

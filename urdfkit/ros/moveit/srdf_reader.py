@@ -1,7 +1,7 @@
 """The SRDF of a robot: which file it is, and its contents with the arguments of the robot."""
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice
 
 from urdfkit.errors import UrdfkitError
@@ -42,7 +42,7 @@ def find(robot: RosDescription) -> Srdf | None:
     ]
     if len(files) > _MAX_READ:
         files = [file for file in files if _stem(file) in (_stem(path), name)]
-    readable = [srdf for file in files if (srdf := read(file, robot))]
+    readable = _read_all(files, robot)
     with_name = [srdf for srdf in readable if srdf.root.get("name") == name]
     chosen = with_name or [
         srdf
@@ -53,13 +53,19 @@ def find(robot: RosDescription) -> Srdf | None:
         chosen = [srdf for srdf in chosen if _stem(srdf.path) == _stem(path)]
     if not readable:
         others = other_srdf_files(path, name, resolver)
-        chosen = [srdf for file in others if (srdf := read(file, robot)) and srdf.fits_robot]
+        chosen = [srdf for srdf in _read_all(others, robot) if srdf.fits_robot]
     if len(chosen) != 1:
         return None
     srdf = chosen[0]
     if not with_name and _is_of_neighbour(srdf, path, resolver):
         srdf.is_shared = True
     return srdf
+
+
+def _read_all(files: Iterable[str], robot: RosDescription) -> list[Srdf]:
+    """The readable SRDFs; of one and the xacro that it was made of, the xacro."""
+    readable = filter(None, (read(file, robot) for file in files))
+    return list({srdf.path.removesuffix(".xacro"): srdf for srdf in readable}.values())
 
 
 def _is_of_neighbour(srdf: Srdf, path: str, resolver: Resolver) -> bool:
