@@ -130,3 +130,15 @@ def test_a_speck_that_stands_for_another_part_gives_no_tensor(
     (found,) = reported("INE006", part("dot", mass, (1e-2,) * 3, box))
     assert (found.fix is not None) is proposed
     assert found.help.startswith("write ixx=") is proposed
+
+
+@pytest.mark.parametrize(("mass", "is_fixed"), [("${mass}", False), ("0.5", True)])
+def test_a_macro_that_takes_the_mass_gets_no_constant_tensor(mass: str, is_fixed: bool) -> None:
+    """The next call has another mass; urdfkit inertia does not write there, either."""
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        f'<xacro:macro name="wheel" params="mass">{part("wheel", 0.5, (0.1, 0.1, 0.1), WHEEL)}'
+        '</xacro:macro><xacro:wheel mass="0.5"/></robot>'
+    ).replace('<mass value="0.5"', f'<mass value="{mass}"')
+    (found,) = reported("INE006", text, "robot.xacro")
+    assert bool(found.fix) is is_fixed

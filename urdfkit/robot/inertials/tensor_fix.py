@@ -11,6 +11,7 @@ from urdfkit.robot.link import Tensor
 from urdfkit.robot.rigid_bodies import properties_of
 from urdfkit.robot.values import number
 from urdfkit.text.diagnostic import Fix
+from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import all_or_none, from_macro, replace_value
 
 
@@ -46,15 +47,23 @@ def replacement(link: LinkInertia, tensor: Tensor | None) -> Fix | None:
     """A fix that replaces a tensor that is written as numbers.
 
     Correct entries keep their text; moved entries and entries with changed sign keep their digits.
-    None if the effort of a joint is too large for the tensor.
+    None if the effort of a joint is too large for the tensor, and in a macro whose mass is an
+    expression: there the tensor should be one, too.
     """
-    if tensor is None or excessive_joint(link, tensor):
+    if tensor is None or _is_computed(link) or excessive_joint(link, tensor):
         return None
     changed = _changed(link, tensor)
     attributes = link.at.attributes
     edits = all_or_none(replace_value(attributes[key], text) for key, text in changed.items())
     title = " ".join(f'{key}="{text}"' for key, text in changed.items())
     return Fix.of(f"write {title}", edits)
+
+
+def _is_computed(link: LinkInertia) -> bool:
+    """True for a tensor in a macro whose mass is an expression."""
+    mass = link.inertial.mass
+    is_literal = mass is None or not isinstance(mass.at, Attribute) or mass.at.literal
+    return from_macro(link.at) and not is_literal
 
 
 def _changed(link: LinkInertia, tensor: Tensor) -> dict[str, str]:
