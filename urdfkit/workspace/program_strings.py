@@ -13,6 +13,7 @@ from urdfkit.workspace.resolve import Resolver
 
 #: Bounds of the search.
 MAX_FILES, MAX_BYTES = 1000, 200_000
+_MOST_OF_PROGRAMS = 20_000_000  # bytes of all programs together
 
 _MANIFEST = os.sep + "package.xml"
 _SUFFIXES = (".cpp", ".cc", ".cxx", ".h", ".hpp", ".py")
@@ -67,15 +68,20 @@ def may_publish(package: str, message: str, near: str, resolver: Resolver) -> bo
     return _may_name(message, directories, resolver)
 
 
-@lru_cache(maxsize=128)
+@lru_cache(maxsize=16)  # the messages of one launch file are asked in turn
 def _may_name(message: str, directories: tuple[str, ...], resolver: Resolver) -> bool:
-    """True if programs below directories name a type of messages; also if there are none."""
+    """True if programs below directories name a type of messages; also if not all can be read."""
     files = (path for top in directories for path in resolver.directories.walk(top))
     programs = (path for path in files if path.endswith(_SUFFIXES) and not is_launch(path))
-    paths = list(islice(filter(resolver.admits, programs), MAX_FILES))
     named = re.compile(re.escape(message.encode()) + b"|" + _OF_ANY_TYPE)
-    is_read = 0 < len(paths) < MAX_FILES
-    return not is_read or any(named.search(read_head(path, MAX_BYTES)) for path in paths)
+    size = 0
+    for path in filter(resolver.admits, programs):
+        data = read_head(path, MAX_BYTES)
+        size += max(len(data), 1)
+        is_long = len(data) >= MAX_BYTES or size > _MOST_OF_PROGRAMS
+        if is_long or named.search(data):
+            return True
+    return size == 0
 
 
 def _files_with_strings(

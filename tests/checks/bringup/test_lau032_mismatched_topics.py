@@ -321,6 +321,7 @@ BASE = {
         ("own", OWN, 1),
         ("own", {**OWN, **BASE}, 0),
         ("own", {**OWN, "src/mine/monitor.py": "publisher = create_generic_publisher"}, 0),
+        ("own", {**OWN, "src/mine/monitor.py": "#" * 200_000}, 0),
     ],
 )
 def test_programs_that_publish_no_scan(
