@@ -47,6 +47,25 @@ def test_topics(tmp_path: Path, text: str, count: int) -> None:
     assert len([one for one in found if "waits for '/imu'" in one.message]) == count
 
 
+CLOUD = NODE.format(
+    "ros_gz_bridge",
+    "parameter_bridge",
+    "arguments=['/points@sensor_msgs/msg/PointCloud2[gz.msgs.PointCloudPacked']",
+)
+BUILDER = """from moveit_configs_utils import MoveItConfigsBuilder
+config = MoveItConfigsBuilder("arm", package_name="arm").sensors_3d("config/sensors.yaml")
+config = config.to_moveit_configs()
+"""
+
+
+@pytest.mark.parametrize(("topic", "count"), [("/points", 0), ("/cloud", 1), ("''", 0)])
+def test_the_octomap(tmp_path: Path, topic: str, count: int) -> None:
+    plugin = "sensor_plugin: occupancy_map_monitor/PointCloudOctomapUpdater"
+    yaml = f"sensors: [a]\na:\n  {plugin}\n  point_cloud_topic: {topic}\n"
+    found = of_topics(tmp_path / "arm", BUILDER + CLOUD, {"config/sensors.yaml": yaml})
+    assert ["'move_group' waits for '/cloud'" in one.message for one in found] == [True] * count
+
+
 SCAN = NODE.format(
     "ros_gz_bridge",
     "parameter_bridge",

@@ -212,6 +212,16 @@ def test_ament_package_is_called(tmp_path: Path, last: str, count: int) -> None:
     assert len(reported(tmp_path, MANIFEST)) == count
 
 
+@pytest.mark.parametrize(
+    ("first", "count"),
+    [("", 1), ("# find_package(ament_cmake)", 1), ("include(a.cmake)", 0), ("find_package(a)", 0)],
+)
+def test_ament_package_is_known(tmp_path: Path, first: str, count: int) -> None:
+    (tmp_path / "CMakeLists.txt").write_text(f"project(arm)\n{first}\nament_package()\n")
+    found = [one for one in reported(tmp_path, MANIFEST) if "is unknown" in one.message]
+    assert len(found) == count
+
+
 OF_PYTHON = MANIFEST.replace(
     "</package>", "<export><build_type>ament_python</build_type></export></package>"
 )

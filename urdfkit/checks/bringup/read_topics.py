@@ -14,12 +14,12 @@ from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Location
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.cartographer import configurations
-from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.contents import MOVEIT, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.rviz import topic_of
 from urdfkit.ros.launch.spawned_controllers import topic_name
 from urdfkit.ros.node_parameters import nodes_in_files
-from urdfkit.text.located_yaml import Node, Value, scalar
+from urdfkit.text.located_yaml import Node, Value, load, mapping, scalar
 from urdfkit.text.source import Span
 
 GRID, FILTER_INFO = "OccupancyGrid", "CostmapFilterInfo"
@@ -33,6 +33,9 @@ _MESSAGES = {"odom": "Odometry", "imu": "Imu"}
 #: A node whose sources are those of a costmap, and its words for messages.
 _MONITOR = "collision_monitor"
 _MONITORED = {"scan": "LaserScan", "pointcloud": "PointCloud2", "range": "Range"}
+#: Topics of a sensor for the octomap, by parameter.
+_OF_SENSORS = {"point_cloud_topic": "PointCloud2", "image_topic": "Image"}
+_YAML = (".yaml", ".yml")
 #: The displays of RViz that are named after their message.
 _SHOWN = ("Image", "LaserScan", "Odometry", "PointCloud2")
 
@@ -56,6 +59,7 @@ def read_topics(context: Context) -> Iterator[ReadTopic]:
     yield from _read_by_defaults(context)
     yield from _read_by_programs(context)
     yield from _read_by_cartographer(context)
+    yield from _read_by_move_group(context)
     yield from _read_by_rviz(context)
 
 
@@ -123,6 +127,18 @@ def _read_by_cartographer(context: Context) -> Iterator[ReadTopic]:
                 if topic[-1].isdigit() and topic != "points2":
                     remedy = f"set the number of inputs in {configuration.name.text}, or {remedy}"
                 yield ReadTopic(name, program.at, message, program.title, remedy=remedy)
+
+
+def _read_by_move_group(context: Context) -> Iterator[ReadTopic]:
+    """Topics of sensors for the octomap of move_group."""
+    paths = {file.path for file in context.launch.files if file.purpose == MOVEIT and file.exists}
+    for path in sorted(path for path in paths if path.endswith(_YAML)):
+        source = context.resolver.readable(path)
+        is_of_sensors = source is not None and b"sensor_plugin" in source.data
+        for section in mapping(load(source)).values() if source and is_of_sensors else ():
+            for key, message in _OF_SENSORS.items() if mapping(section) else ():
+                if (topic := scalar(section, key)) and topic.text:
+                    yield ReadTopic(topic.text, topic.span, message, "move_group")
 
 
 def _holds(condition: str, program: StartedProgram, context: Context) -> bool:

@@ -75,6 +75,20 @@ def not_finished(directory: str) -> Findings:
         )
 
 
+def not_begun(directory: str) -> Findings:
+    """A CMakeLists.txt that calls ament_package() and finds no package that could define it."""
+    is_built = build_file(directory).endswith(".txt")
+    source = package_file(directory, "CMakeLists.txt") if is_built else None
+    text = blank_cmake_comments(source.data) if source else b""
+    match = re.search(rb"\b(ament_package)\s*\(", text)
+    if source and match and not re.search(rb"\b(find_package|include|add_subdirectory)\b", text):
+        yield Finding(
+            Span(source, *match.span(1)),
+            "ament_package() is unknown: the build fails",
+            "write find_package(ament_cmake REQUIRED) above",
+        )
+
+
 def missing_directories(name: str, directory: str) -> Findings:
     """Files and directories that a CMakeLists.txt of ROS 2 installs and that do not exist."""
     source = _build_file_of_ament(directory)

@@ -8,7 +8,8 @@ resolve.
   name is assumed to be the stub of a test.
 - The project in CMakeLists.txt or setup.py has another name than the package (warning). The build
   installs the files below that name, or catkin stops: "package name does not match project name".
-- CMakeLists.txt finds ament_cmake and does not call `ament_package()`, which registers the package.
+- CMakeLists.txt finds ament_cmake and does not call `ament_package()`, which registers the package,
+  or calls it without a `find_package`.
 - CMakeLists.txt installs a missing file or directory, and the build fails: "file INSTALL cannot
   find". A clone lacks empty directories, since git stores only files. Not reported in ROS 1:
   catkin's devel space installs nothing.
@@ -53,6 +54,7 @@ from urdfkit.checks.package.build_files import (
     finds_catkin,
     is_ignored,
     missing_directories,
+    not_begun,
     not_finished,
     not_registered,
     other_build_type,
@@ -128,6 +130,7 @@ def _of_package(name: str, directory: str, resolver: Resolver) -> Findings:
     yield from others or not_registered(name, directory)  # which has the name of package.xml
     yield from missing_directories(name, directory)
     yield from finds_catkin(directory)
+    yield from not_begun(directory)
     yield from not_finished(directory)
     yield from other_build_type(directory)
     if build_file(directory).endswith(".py"):

@@ -115,6 +115,10 @@ def _planners(context: Context) -> Findings:
         if match:
             message = f"planner '{name.text}' is not in planner_configs; did you mean '{match}'?"
             yield Finding(name.span, message, f"write {match}", severity=Severity.WARNING)
+        elif defined and name.text in of_ompl and name.text not in defined:
+            message = f"planner '{name.text}' is not in planner_configs, which has others"
+            help = f"add it with its type, or name one of: {few(defined, _MAX_NAMED)}"
+            yield Finding(name.span, message, help, severity=Severity.WARNING)
 
 
 def _planning_plugins(context: Context) -> Findings:

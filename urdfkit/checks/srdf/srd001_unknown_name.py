@@ -10,9 +10,9 @@
   limits of the URDF and without acceleration limits.
 - An unknown group in `kinematics.yaml` or `ompl_planning.yaml` (warning): MoveIt plans with the
   default planner, and without inverse kinematics.
-- In `ompl_planning.yaml`, a misspelt planner of a group (warning): "Could not find the planner
-  configuration"; a misspelt planning plugin: "Exception while loading planner"; an unknown adapter,
-  or one for responses among those for requests.
+- In `ompl_planning.yaml`, a planner of a group that it does not define (warning): "Could not find
+  the planner configuration"; a misspelt planning plugin: "Exception while loading planner"; an
+  unknown adapter, or one for responses among those for requests.
 - A misspelt solver in `kinematics.yaml`: "The kinematics plugin (arm) failed to load", and the
   group cannot be moved to a pose.
 - In `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml`, an unknown
