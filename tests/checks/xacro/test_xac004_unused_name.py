@@ -41,6 +41,16 @@ def test_never_used(definition: str, marked: str, message: str, severity: str) -
 
 
 @pytest.mark.parametrize(
+    ("comment", "is_fixed"),
+    [("<!-- ${width} -->", False), ("<!-- ${2 * width} -->", False), ("<!-- width -->", True)],
+)
+def test_a_use_in_a_comment_may_come_back(comment: str, is_fixed: bool) -> None:
+    """Hamster: <controlPeriod> is commented out, and its property was deleted."""
+    (found,) = reported("XAC004", WIDTH + comment + BASE)
+    assert bool(found.fix) is is_fixed
+
+
+@pytest.mark.parametrize(
     ("text", "severity"),
     [
         (WIDTH + '<link name="a"><box size="0.30 1 1"/></link>', "warning"),

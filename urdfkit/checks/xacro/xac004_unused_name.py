@@ -17,7 +17,7 @@ from itertools import chain
 from urdfkit.core.suggest import is_typo
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Location, Need, Severity, rule
 from urdfkit.robot.samples import xacro_xml
-from urdfkit.text.comments import blank_comments
+from urdfkit.text.comments import blank_comments, comments
 from urdfkit.text.editing.edits import remove_spans
 from urdfkit.xacro import Xacro
 from urdfkit.xacro.definitions import Definition
@@ -60,10 +60,18 @@ def _properties(context: Context, undefined: Iterable[str]) -> Findings:
             yield Finding(
                 Location(definition.tag.span, definition.frame),
                 f"property '{name}' is never used",
-                fix=Fix("delete the property", remove_spans([definition.tag.whole_span])),
+                fix=None
+                if _is_in_comment(name, context)
+                else Fix("delete the property", remove_spans([definition.tag.whole_span])),
                 group_key="unused",
                 severity=None if misleads else Severity.INFO,
             )
+
+
+def _is_in_comment(name: str, context: Context) -> bool:
+    """True if a use of a property is commented out: it may come back."""
+    use = re.compile(rb"\$\{[^}]*\b" + re.escape(name.encode()) + rb"\b")
+    return any(use.search(comment[1]) for comment in comments(context.source.data))
 
 
 def _arguments(context: Context, undefined: Iterable[str]) -> Findings:
