@@ -40,6 +40,9 @@ def test_fingers_of_which_one_is_turned(rpy: str, multiplier: str, count: int) -
     """Franka's hand: both fingers have the same origin, and the right one half a turn."""
     assert len(messages("JNT016", at_one_place(rpy, multiplier))) == count
     assert messages("JNT016", at_one_place(rpy, multiplier, "rail")) == []
+    numbered = at_one_place(rpy, multiplier, "jaw")
+    numbered = numbered.replace("left_jaw", "jaw1").replace("right_jaw", "jaw2")
+    assert len(messages("JNT016", numbered)) == count, "AR4's gripper"
 
 
 @pytest.mark.parametrize(

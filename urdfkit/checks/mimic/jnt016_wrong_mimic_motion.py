@@ -15,6 +15,8 @@ Sources:
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
 """
 
+import re
+
 from urdfkit.core.spatial import dot, length, minus, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import Joint, Mimic
@@ -35,6 +37,9 @@ _MIN_GAP = 1e-3
 
 #: Relative difference of two multipliers above which they are not equal.
 _MAX_DIFFERENCE = 0.01
+
+#: In the names of fingers.
+_FINGER = "finger|jaw|claw"
 
 #: Cosine of the angle up to which a finger moves along the gap.
 _ALONG_GAP = 0.9
@@ -142,9 +147,10 @@ def _fingers(joint: Joint, mimic: Mimic, leader: Joint) -> Findings:
 
 
 def _are_named_fingers(joint: Joint, leader: Joint) -> bool:
-    """True for a left and a right finger, by the names of their links."""
+    """True for a left and a right finger, or two numbered ones, by the names of their links."""
     names = joint.child_name, leader.child_name
-    return bool(pairs(names)) and all("finger" in name.lower() for name in names)
+    are_two = bool(pairs(names)) or len({re.sub(r"\d+", "", name) for name in names}) == 1
+    return are_two and all(re.search(_FINGER, name.lower()) for name in names)
 
 
 def _are_fingers(joint: Joint, leader: Joint) -> bool:
