@@ -23,6 +23,8 @@ _RIGHT_OF = {"left": "right", "l": "r"} | {
     left: left.replace("l", "r") for end in "frbhm" for left in (end + "l", "l" + end)
 }
 
+_SIDES = frozenset((*_RIGHT_OF, *_RIGHT_OF.values()))
+
 _NUMBER = r"\d+"
 
 #: Longer names are not compared: the cost is quadratic in their length.
@@ -63,6 +65,12 @@ def _right_names(name: str) -> tuple[str, ...]:
             right = right.capitalize()
         names.append(name[: match.start()] + right + name[match.end() :])
     return tuple(names)
+
+
+def has_one_side(name: str) -> bool:
+    """True for a name with one word for a side, unlike the left finger of the left hand."""
+    words = (word.lower() for word in re.findall(_WORD, name))
+    return sum(word in _SIDES or "left" in word or "right" in word for word in words) == 1
 
 
 def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:

@@ -444,3 +444,22 @@ def test_one_side_is_fixed() -> None:
     assert not any("is fixed" in message for message in messages("JNT025", locked))
     plain = fixed(text, "left_wrist").replace(limit("-1", "2"), "")
     assert not any("is fixed" in message for message in messages("JNT025", plain))
+
+
+@pytest.mark.parametrize(
+    ("sole", "other", "found"),
+    [
+        ("left", "left", []),
+        ("right", "left", [naming("left_sole", "right_foot_link", "right_sole", "left_foot_link")]),
+        ("right", "right", []),  # no other pair is on both feet
+    ],
+)
+def test_both_soles_on_one_foot(sole: str, other: str, found: list[str]) -> None:
+    """Frames at the feet, of which one was copied."""
+    text = ""
+    for side, parents in (("left", (sole, other)), ("right", ("right", "right"))):
+        text += joint(f"{side}_foot", "revolute", REVOLUTE)
+        for name, parent in zip(("sole", "toe"), parents, strict=True):
+            text += joint(f"{side}_{name}", "fixed", "", f"{parent}_foot_link")
+    same = [one for one in messages("JNT025", robot(text)) if "has the counterpart" in one]
+    assert same == found

@@ -11,7 +11,7 @@ by mirrored positions on one link, and are on different branches.
   opposite limits.
   A fixed joint with limits is reported if its counterpart moves and no other pair is so.
 - Parent: if both upper arms are children of the left shoulder, and the right one has no child, the
-  right arm was copied.
+  right arm was copied. So was the left sole if both soles are children of the right foot.
 - Origin: counterparts on one link differ in the sign of one coordinate. If they are at the same
   place, or one is further forward or higher, a sign is missing: the robot stands on three wheels.
   The other joints on that link show which counterpart is misplaced, otherwise left is +y. In the
@@ -29,7 +29,7 @@ Sources:
 from collections.abc import Iterator, Mapping
 from math import isclose, pi
 
-from urdfkit.checks.joints.mirrored import misplaced, on_the_other_side
+from urdfkit.checks.joints.mirrored import misplaced, on_one_side, on_the_other_side
 from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate, rotation_about
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
@@ -93,6 +93,15 @@ def check(context: Context) -> Findings:
             f"'{left.name}', and '{parent}' has no child",
             f"name '{parent}' as its parent",
             related=(Related(left.at.span, f"counterpart '{left.name}'"),),
+            confidence=Confidence.INFERRED,
+        )
+    for correct, wrong, parent in on_one_side(context):
+        yield Finding(
+            wrong.at.child_or_self("parent"),
+            f"joint '{wrong.name}' has the same parent '{wrong.parent_name}' as its counterpart "
+            f"'{correct.name}', although that has the counterpart '{parent}'",
+            f"name '{parent}' as its parent",
+            related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
             confidence=Confidence.INFERRED,
         )
     yield from _axes(context)

@@ -18,7 +18,7 @@ from urdfkit.core.spatial import Vector, dot, minus
 from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.symmetry import have_same_meshes
+from urdfkit.robot.symmetry import has_one_side, have_same_meshes, pairs
 
 #: In m: tolerance, as robots are not quite symmetric.
 _ASYMMETRY = 0.004
@@ -84,6 +84,33 @@ def on_the_other_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
         is_leaf = link and link not in parents
         if is_leaf and left.parent_name == right.parent_name and right.child_name in continued:
             yield left, right, link
+
+
+def on_one_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
+    """Counterparts on one link that has a counterpart: correct and wrong joint, and that link.
+
+    Others are on both links, so that these are sides of a body, not fingers of one hand.
+    """
+    above = {joint.child_name: joint for joint in context.model.joints}
+    other: dict[str, str] = {}
+    rights = set()
+    links = pairs(above)
+    for left, right in links:
+        other |= {left: right, right: left}
+        rights.add(right)
+    split = {
+        above[left].parent_name
+        for left, right in links
+        if other.get(above[left].parent_name) == above[right].parent_name
+    }
+    for left, right in links:
+        parent = above[left].parent_name
+        opposite = other.get(parent)
+        if parent != above[right].parent_name or opposite is None or not has_one_side(left):
+            continue
+        if parent in split or opposite in split:
+            correct, wrong = (right, left) if parent in rights else (left, right)
+            yield above[correct], above[wrong], opposite
 
 
 def _pairs(context: Context) -> Iterator[_Pair]:
