@@ -45,7 +45,10 @@ OPTIONAL |= {code: {"plugins", "srdf"} for code in ("REF001", "GAZ001", "SRD001"
 #: The pairs that the SRDF, if there is one, disables.
 OPTIONAL |= {"COL001": {"srdf"}, "SIM": {"files", "meshes", "srdf"}}
 #: Of the robots that a launch file starts.
-OPTIONAL |= {"LAU023": {"document", "model"}, "WLD": {"document", "model", "plugins", "tree"}}
+OPTIONAL |= {
+    "LAU023": {"document", "model", "tree"},
+    "WLD": {"document", "model", "plugins", "tree"},
+}
 
 #: Rules about the checking itself, and those that are nothing but our judgement of what is untidy.
 OUR_OWN = {"CFG001", "CFG002", "CFG003", "MSH024"}
