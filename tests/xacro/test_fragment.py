@@ -52,6 +52,19 @@ def test_a_named_file_whose_links_hang_on_another_is_less_surely_a_part(
     assert found.severity is severity
 
 
+@pytest.mark.parametrize(
+    ("defined", "severity"), [("wheel", Severity.INFO), ("wheels", Severity.ERROR)]
+)
+def test_a_file_without_a_name_whose_macros_are_next_to_it(
+    tmp_path: Path, defined: str, severity: Severity
+) -> None:
+    """majdros/desktop_ros2_ws: the robot includes the macros, and another of two bases."""
+    macros = f'<xacro:macro name="{defined}"><link name="wheel"/></xacro:macro>'
+    write(tmp_path, part='<link name="base"/><xacro:wheel/>', macros=macros)
+    (found,) = engine.check(tmp_path / "part.xacro", select=["XAC001"]).diagnostics
+    assert found.severity is severity
+
+
 def test_other_errors_of_a_part_stay(tmp_path: Path) -> None:
     write(
         tmp_path, robot='<xacro:include filename="part.xacro"/>', part=f"{PART}\n<x a='${{1/0}}'/>"

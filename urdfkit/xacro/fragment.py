@@ -2,11 +2,14 @@
 
 import os
 import re
+from collections.abc import Iterable
 
+from urdfkit.core import disk
 from urdfkit.core.words import few
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import Source, Span, shown
-from urdfkit.workspace.includes import top_includer
+from urdfkit.workspace.file_head import read_head
+from urdfkit.workspace.includes import MAX_BYTES, top_includer
 from urdfkit.workspace.packages import Packages
 from urdfkit.xacro.dom import Dom, Node
 from urdfkit.xacro.errors import FAILED
@@ -15,6 +18,10 @@ from urdfkit.xacro.errors import FAILED
 _MAX_NAMED = 3
 #: Missing names from which a ``<robot>`` without a name is a part: fewer may be mistakes.
 _MIN_MISSING = 4
+#: Most files next to a file that are searched for what it lacks.
+_MAX_FILES = 100
+
+_DEFINED = re.compile(rb"""<xacro:(?:macro|property|arg)\s[^>]*?\bname\s*=\s*["'](\w+)["']""")
 
 _MISSING = re.compile(r"(?:macro|name|argument|block) '([^']+)' (?:is not defined|has no value)")
 
@@ -25,8 +32,8 @@ def merge_missing_names(
     """The problems of a file; all missing names become one hint if another file includes it.
 
     The same applies if no file includes it, but its parent links are not in the file, or it has no
-    name and lacks many names: a program may write the including file, or another repository have
-    it. It is a warning if the file has the name of a robot.
+    name and lacks many names, or those of the files next to it: a program may write the including
+    file, or another repository have it. It is a warning if the file has the name of a robot.
 
     The including file defines these names before the include. They are not an error of the part,
     and the robot is checked by checking the including file.
@@ -39,7 +46,8 @@ def merge_missing_names(
     severity = Severity.INFO
     if top is None:
         root = document.documentElement if document else None
-        if root is None or not _is_fragment(root, len(distinct)):
+        is_fragment = root is not None and _is_fragment(root, len(distinct))
+        if root is None or not (is_fragment or _is_completed(root, source, distinct)):
             return problems
         top, severity = "", Severity.WARNING if root.hasAttribute("name") else Severity.INFO
     names = few([f"'{name}'" for name in distinct], _MAX_NAMED)
@@ -61,6 +69,19 @@ def _is_fragment(root: Node, missing: int) -> bool:
     if root.hasAttribute("name"):
         return have_parents and not any(FAILED in name for name in links)  # unknown names are equal
     return have_parents or (bool(links) and missing >= _MIN_MISSING)
+
+
+def _is_completed(root: Node, source: Source, missing: Iterable[str]) -> bool:
+    """True for a ``<robot>`` with no name and no includes if files next to it define all names."""
+    if root.hasAttribute("name") or b":include" in source.data:
+        return False
+    directory = os.path.dirname(os.path.abspath(source.path))
+    own = os.path.basename(source.path)
+    _, _, files = next(iter(disk.walk(directory)), ("", [], []))
+    others = [name for name in sorted(files) if name.endswith(".xacro") and name != own]
+    heads = (read_head(os.path.join(directory, name), MAX_BYTES) for name in others[:_MAX_FILES])
+    defined = {name.decode() for head in heads for name in _DEFINED.findall(head)}
+    return defined.issuperset(missing)
 
 
 def _missing(problem: Problem) -> str:

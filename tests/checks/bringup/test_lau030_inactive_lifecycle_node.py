@@ -15,6 +15,7 @@ from tests.launched import reported
         ('"controller_server", "planner_server"', "waits for planner_server"),
         ('"planner_server"', ""),  # whose nodes another file starts
         ("", ""),
+        ('"controller_server", "robot_0/controller_server"', ""),
     ],
 )
 def test_lifecycle_managers(tmp_path: Path, names: str, message: str) -> None:

@@ -364,3 +364,18 @@ def test_sliders_in_a_simulation(tmp_path: Path, spawn: str, more: str, count: i
     text = f"{IMPORT}nodes = [{spawn} {other}, Node({program}, parameters=[{more}])]\n"
     found = messages(tmp_path, "LAU031", text, {})
     assert sum("joint_state_publisher lacks use_sim_time" in one for one in found) == count
+
+
+@pytest.mark.parametrize(
+    ("condition", "count"), [("Unless", 0), ("If", 1)], ids=["other choice", "same choice"]
+)
+def test_servers_in_timers_of_two_choices(tmp_path: Path, condition: str, count: int) -> None:
+    """siddharthtiwari1/wheelchair_nav: each timer has a condition, the node in it has none."""
+    node = 'Node(package="nav2_amcl", executable="amcl", name="amcl")'
+    timer = f"TimerAction(period=1.0, actions=[{node}], condition={{}}Condition(choice))"
+    text = (
+        f'{IMPORT}choice = LaunchConfiguration("choice", default="true")\n'
+        f"first = {timer.format('If')}\nsecond = {timer.format(condition)}\n"
+    )
+    found = messages(tmp_path, "LAU021", text, {})
+    assert ["is started twice" in one for one in found] == [True] * count

@@ -223,3 +223,29 @@ def test_a_slash_too_many(robot: str) -> None:
     assert fixed(CODE, text, robot) == fixed(CODE, right, robot)
     (found,) = reported(CODE, mesh_link("package:///no/such.stl"), robot)
     assert found.fix is None
+
+
+@pytest.mark.parametrize(
+    ("path", "expected"),
+    [
+        ("file:///home/me/install/hand/share/hand/meshes/palm.stl", "package://hand/meshes/palm"),
+        ("file:///home/me/install/hand/share/hand/meshes/forearm.stl", "package://arm/meshes/fore"),
+    ],
+)
+def test_a_file_of_an_installed_package_of_another_computer(
+    robot: str, path: str, expected: str
+) -> None:
+    """Collaborative-Robotic-Arms/dual_arms: a file of the same name is another robot's."""
+    add_file(Path(robot).parents[1] / "other" / "palm.stl")
+    (found,) = reported(CODE, mesh_link(path), robot)
+    assert expected in found.help
+
+
+def test_the_file_at_the_same_place_of_the_own_package(robot: str) -> None:
+    """acflemos/ros2_ws: the URDF was copied with its meshes, into a package of another name."""
+    (Path(robot).parents[2] / ".git").mkdir()
+    other = add_package(Path(robot).parents[2] / "old", "old")
+    add_file(other / "setup.py", "setup(name='old')")
+    add_file(other / "nested" / "meshes" / "forearm.stl")
+    (found,) = reported(CODE, mesh_link("package://old/meshes/forearm.stl"), robot)
+    assert found.help == "did you mean 'package://arm/meshes/forearm.stl'?"

@@ -137,9 +137,12 @@ def _not_activated(context: Context) -> Findings:
 
 
 def _managed(*launches: Launch) -> set[str | None]:
-    """The names in the lists of lifecycle managers; None among them if one is unknown."""
+    """The names in the lists of lifecycle managers, without their namespaces.
+
+    None is among them if one is unknown.
+    """
     return {
-        name
+        name and name.rpartition("/")[2]
         for launch in launches
         for node in launch.programs
         if node.package == _MANAGER

@@ -242,7 +242,9 @@ def _missing(context: Context, mesh: MeshReference, suggestions: MeshSuggestions
         key = f"ignored {_missing_directory(located)}"
         return Finding(mesh.at, message, help, group_key=key, severity=Severity.WARNING)
     if suggested is None:
-        return Finding(mesh.at, message, group_key=_missing_directory(located))
+        installed = suggestions.installed_reference(located)
+        help = f"write {installed}, and add the package" if installed else ""
+        return Finding(mesh.at, message, help, group_key=_missing_directory(located))
     new = suggested.reference
     fix = _fix(mesh, new, f"refer to {new}") if suggested.sure else None
     group_key = f"{'fixed' if fix else 'suggested'} {_missing_directory(located)}"

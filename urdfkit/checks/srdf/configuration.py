@@ -3,7 +3,7 @@
 import os
 import re
 
-from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, TYPO, Suggester, did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.ros.catalog import data
@@ -157,8 +157,9 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
     unknown = [(who, joint) for who, joint in joints if joint.text not in known | of_others]
     if 2 * len(unknown) > len(joints) > 2:
         unknown = []  # the file is for another robot or variant
+    suggester = Suggester(known)
     for who, joint in unknown:
-        message = f"{who}: unknown joint '{joint.text}'{did_you_mean(joint.text, known)}"
+        message = f"{who}: unknown joint '{joint.text}'{suggester.hint(joint.text)}"
         yield Finding(joint.span, message, "fix the name")
     yield from _manager(context)
     for name, others, is_outside in context.moveit_config.names_without_settings():

@@ -68,15 +68,17 @@ class MeshSuggestions:
     def nearest(self, mesh: MeshReference) -> Suggestion | None:
         """The file that was probably intended by a reference to a missing file.
 
-        In this order: the file of the package that an installed path names, a file of another
-        format in the same directory, a file of the same name elsewhere in the package, a file of a
-        similar name in the same directory, a file of another format elsewhere. It is sure if it is
-        the only candidate and no other link uses it. A file whose name resembles the missing files
-        of several links is not offered.
+        In this order: the file of the package that an installed path names, the file at this place
+        in the package of the model, a file of another format in the same directory, a file of the
+        same name elsewhere in the package, a file of a similar name in the same directory, a file
+        of another format elsewhere. It is sure if it is the only candidate and no other link uses
+        it. A file whose name resembles the missing files of several links is not offered.
         """
         located = mesh.located
-        if suggestion := self._installed(located):
+        if suggestion := self._installed(located) or self._in_own_package(located):
             return suggestion
+        if self.installed_reference(located):
+            return None
         similar = self._similar_name(located)
         if similar and not similar.is_sure and self._is_similar_to_several(similar.path):
             similar = None
@@ -99,6 +101,26 @@ class MeshSuggestions:
         reference = f"package://{match[1]}/{match[2]}"
         path = self._files.resolver.locate(reference, self._files.top).path
         return Suggestion(reference, sure=True) if path else None
+
+    def installed_reference(self, located: ResolvedReference) -> str:
+        """The reference to a file of an installation, if its package is not found; else empty."""
+        if located.scheme != "absolute" or not (match := re.search(_INSTALLED, located.reference)):
+            return ""
+        name, path = match.groups()
+        is_known = name in self._files.resolver.packages.known(self._files.top)
+        return "" if is_known else f"package://{name}/{path}"
+
+    def _in_own_package(self, located: ResolvedReference) -> Suggestion | None:
+        """The file at the same place in the package of the model."""
+        own = self._files.resolver.packages.enclosing(self._files.top)
+        is_installed = located.scheme == "absolute"
+        match = re.search(_INSTALLED, located.reference) if is_installed else None
+        name, relative = match.groups() if match else (located.package, located.relative)
+        if not own or not name or name == own[0]:
+            return None
+        reference = f"package://{own[0]}/{relative}"
+        path = self._files.resolver.locate(reference, self._files.top).path
+        return Suggestion(reference, path not in self._used) if path else None
 
     def _expected(self, located: ResolvedReference) -> tuple[str, str]:
         """The base directory of a missing file, and its path below it."""

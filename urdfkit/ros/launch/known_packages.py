@@ -1,9 +1,9 @@
 """The launch files and executables of ROS packages: ``catalog/launch.json``."""
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
-from urdfkit.core.suggest import SIMILAR_FILE, TYPO, did_you_mean, meant, nearest
+from urdfkit.core.suggest import SIMILAR, SIMILAR_FILE, TYPO, did_you_mean, meant, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import GivenParameters, IncludedFile, StartedProgram, Word
@@ -194,11 +194,20 @@ def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
         is_reported = is_ros_1 or is_world or argument in former or nearest(argument, known, TYPO)
         if argument in known or not is_reported:
             continue
-        suggested = former[argument][0] if argument in former else nearest(argument, known)
+        suggested = former[argument][0] if argument in former else _similar(argument, known)
         suggested = "gz_args" if is_world and not is_ros_1 else suggested
         message = f"'{name}': unknown argument '{argument}'{meant(suggested)}"
         severity = Severity.ERROR if is_ros_1 else Severity.WARNING
         yield Problem("LAU005", word.span, message, frame=included.frame, severity=severity)
+
+
+def _similar(argument: str, known: Sequence[str]) -> str | None:
+    """The most similar known argument; a common ``rgb_camera.`` does not make two similar."""
+    begin, dot, name = argument.rpartition(".")
+    begin += dot
+    inside = [other.removeprefix(begin) for other in known if other.startswith(begin)]
+    similar = nearest(name, inside, TYPO if dot else SIMILAR)
+    return begin + similar if similar else None
 
 
 def missing_arguments(included: IncludedFile) -> Iterator[Problem]:

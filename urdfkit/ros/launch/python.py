@@ -174,7 +174,7 @@ class _PythonReader(PythonLaunchFile):
             self.report_relative(node, "launch file")
         self.collector.problems += self.configurations.include(call, path)
         visible = self.configurations.visible(call)
-        if self.condition(call) is False:
+        if self.is_off(call):
             return
         if visible is None or not exists:
             self.collector.unread.append(path)

@@ -8,6 +8,7 @@ from urdfkit.core import disk
 from urdfkit.ros.launch.branches import decided_calls
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.contents import LaunchedFile
+from urdfkit.ros.launch.launch_description import TRIGGERS
 from urdfkit.ros.launch.values import COMPUTED, Values, argument, called
 from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
@@ -110,11 +111,13 @@ class PythonLaunchFile:
 
     def is_sure(self, action: ast.Call) -> bool:
         """True if an action certainly runs."""
-        return not self._has_conditional_groups and self.condition(action) is True
+        is_free = not self._has_conditional_groups and action not in self._triggered
+        return is_free and self.condition(action) is True
 
     def is_off(self, action: ast.Call) -> bool:
-        """True if a condition switches an action off, or the group that contains it."""
-        return action in self._in_groups_that_are_off or self.condition(action) is False
+        """True if a condition switches an action off, or the action that contains it."""
+        is_inside = action in self._in_groups_that_are_off or self._triggered.get(action) is False
+        return is_inside or self.condition(action) is False
 
     @cached_property
     def _decided(self) -> frozenset[ast.Call]:
@@ -129,6 +132,18 @@ class PythonLaunchFile:
     def _in_groups_that_are_off(self) -> frozenset[ast.AST]:
         groups = (group for group in self._groups if self.condition(group) is False)
         return frozenset(node for group in groups for node in ast.walk(group))
+
+    @cached_property
+    def _triggered(self) -> dict[ast.AST, bool | None]:
+        """The conditions, unless they are true, of what starts actions later, by the action."""
+        triggered: dict[ast.AST, bool | None] = {}
+        for trigger in self.calls:
+            if called(trigger) in TRIGGERS and (holds := self.condition(trigger)) is not True:
+                for node in ast.walk(trigger):
+                    action = self.values.resolved(node) if isinstance(node, ast.Name) else node
+                    if isinstance(action, ast.Call) and action is not trigger:
+                        triggered[action] = holds
+        return triggered
 
     @property
     def _groups(self) -> list[ast.Call]:
