@@ -5,6 +5,7 @@ from tests.massive import shape
 from tests.naming import naming, values
 from tests.reported import fixed, messages, places
 from tests.sensing import findings
+from tests.xacros import reported as in_xacro
 from urdfkit import Diagnostic
 
 CAMERA = child("camera", "fixed")
@@ -170,6 +171,17 @@ def test_a_merged_joint_has_no_sensor() -> None:
 @pytest.mark.parametrize("tag", ["preserveFixedJoint", "disableFixedJointLumping"])
 def test_a_joint_that_is_kept_has_one(tag: str) -> None:
     assert unmeasured("force_torque", reference="wrist", beside=KEPT.format(tag)) == []
+
+
+def test_a_joint_that_is_kept_below_a_link_of_another_package() -> None:
+    """JRL-CARI-CNR-UNIBS/elastoplastic_test: its parent is in a package that is not found."""
+    absent = '<xacro:include filename="$(find absent)/a.xacro"/>'
+    joint = '<joint name="j" type="fixed"><parent link="ft"/><child link="base"/></joint>'
+    sensor = '<sensor name="s" type="force_torque"><topic>t</topic></sensor>'
+    kept = block(KEPT.format("preserveFixedJoint") + sensor, "j")
+    assert len(in_xacro("XAC011", absent + BASE + joint + kept)) == 1
+    assert in_xacro("GAZ067", absent + BASE + joint + kept) == []
+    assert len(in_xacro("GAZ067", absent + BASE + joint + block(sensor, "j"))) == 1
 
 
 @pytest.mark.parametrize(("text", "count"), [("true", 1), ("yes", 1), ("false", 0)])

@@ -182,8 +182,11 @@ def _lost(shape: Element, link: str, top: str, tags: list[Element]) -> Finding:
 
 
 def _merged_force_sensors(context: Context) -> Findings:
-    """The fixed joints whose forces are measured, but which Gazebo merges."""
-    kept = {joint.joint.name for joint in context.gazebo.joints}
+    """The fixed joints whose forces are measured, but which Gazebo merges.
+
+    A joint that a tag keeps may have a parent in a package that is not found.
+    """
+    kept = {joint.joint.name for joint in context.gazebo.joints} | context.gazebo.preserved
     for name, at, who in measured_joints(context.model):
         joint = context.model.joints_by_name.get(name)
         if joint is not None and joint.kind == "fixed" and name not in kept:
