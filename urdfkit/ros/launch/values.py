@@ -45,6 +45,9 @@ _OF_ENVIRONMENT = {
     "get": "default",
     "getenv": "default",
 }
+_ENVIRONMENTS = ("os.environ", "environ")
+#: Variables that are always set, with a value that files for several distributions expect.
+_ASSUMED = {"ROS_DISTRO": "jazzy"}
 #: Substitutions whose result is computed: the name in XML, and the names of the arguments.
 COMPUTED = {
     "PythonExpression": ("eval", ("expression",)),
@@ -100,7 +103,22 @@ class Values:
             return _joined(self.text(part, depth + 1) for part in node.values)
         if isinstance(node, ast.FormattedValue):
             return self.text(node.value, depth + 1)
+        if isinstance(node, ast.IfExp):
+            holds = self._holds(node.test, depth + 1)
+            branch = node.body if holds else node.orelse
+            return None if holds is None else self.text(branch, depth + 1)
+        if isinstance(node, ast.Subscript) and ast.unparse(node.value) in _ENVIRONMENTS:
+            return _ASSUMED.get(self.text(node.slice, depth + 1) or "")
         return self._of_call(node, depth) if isinstance(node, ast.Call) else None
+
+    def _holds(self, test: ast.expr, depth: int) -> bool | None:
+        """Whether two texts are equal; None for any other test, or unknown texts."""
+        if not isinstance(test, ast.Compare) or not isinstance(test.ops[0], (ast.Eq, ast.NotEq)):
+            return None
+        left, right = (self.text(side, depth) for side in (test.left, test.comparators[0]))
+        if left is None or right is None or len(test.ops) > 1:
+            return None
+        return (left == right) == isinstance(test.ops[0], ast.Eq)
 
     def resolved(self, node: ast.expr | None) -> ast.expr | None:
         """An expression, or the value of a name; None if it is ambiguous."""
@@ -184,9 +202,11 @@ class Values:
         if name == "dirname":
             return _directory(self.text(argument(call, 0, "p"), depth + 1))
         if name in _OF_ENVIRONMENT:
-            is_mapping = ast.unparse(call.func) in ("os.environ.get", "environ.get")
+            if name == "get" and ast.unparse(call.func).removesuffix(".get") not in _ENVIRONMENTS:
+                return None
             default = argument(call, 1, _OF_ENVIRONMENT[name])
-            return self.text(default, depth + 1) if name != "get" or is_mapping else None
+            variable = "" if default else self.text(argument(call, 0, "name"), depth + 1)
+            return _ASSUMED.get(variable or "") or self.text(default, depth + 1)
         if name == "find" and isinstance(call.func, ast.Attribute):
             package = call.func.value  # FindPackageShare(...).find(...): its argument counts
             is_one = called(package) in PACKAGE_DIRECTORY
