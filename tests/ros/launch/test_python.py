@@ -289,6 +289,27 @@ def test_a_value_that_is_passed_on(package, side):
 
 
 @pytest.mark.parametrize(
+    ("distribution", "test", "value"),
+    [
+        ("os.environ.get('ROS_DISTRO')", "== 'humble'", "right"),
+        ("os.environ['ROS_DISTRO']", "!= 'humble'", "left"),
+        ("os.getenv('ROS_DISTRO', 'humble')", "== 'humble'", "left"),
+        ("EnvironmentVariable('ROS_DISTRO')", "== 'jazzy'", "left"),
+        ("os.environ.get('GAZEBO')", "== 'humble'", None),
+        ("os.environ['ROS_DISTRO']", "in ('humble', 'jazzy')", None),
+    ],
+)
+def test_an_argument_for_a_distribution(package, distribution, test, value):
+    """Of a launch file for several, the branch for current ones, wherever it is checked."""
+    included(package)
+    body = f"distribution = {distribution}\n"
+    body += f"side = 'left' if distribution {test} else 'right'\n"
+    body += include("rsp.launch.py", ", launch_arguments={'side': side}.items()")
+    (description,) = read(package, body).descriptions
+    assert description.arguments == ({} if value is None else {"side": value})
+
+
+@pytest.mark.parametrize(
     "directory",
     [
         "os.path.dirname(os.path.realpath(__file__))",
