@@ -92,8 +92,6 @@ class Values:
             if node.id == "__file__":
                 return os.path.abspath(self.source.path)
             return self.text(self._scopes.value(node), depth + 1)
-        if isinstance(node, ast.Attribute) and node.attr == "parent":
-            return _directory(self.text(node.value, depth + 1))
         if isinstance(node, (ast.List, ast.Tuple)):
             return _joined(self.text(item, depth + 1) for item in node.elts)
         if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Div)):
@@ -103,6 +101,12 @@ class Values:
             return _joined(self.text(part, depth + 1) for part in node.values)
         if isinstance(node, ast.FormattedValue):
             return self.text(node.value, depth + 1)
+        return self._of_expression(node, depth)
+
+    def _of_expression(self, node: ast.expr, depth: int) -> str | None:
+        """The text of an attribute, a condition, an item or a call."""
+        if isinstance(node, ast.Attribute) and node.attr == "parent":
+            return _directory(self.text(node.value, depth + 1))
         if isinstance(node, ast.IfExp):
             holds = self._holds(node.test, depth + 1)
             branch = node.body if holds else node.orelse
