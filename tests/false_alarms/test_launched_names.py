@@ -112,10 +112,8 @@ def test_a_package_for_both_ros(tmp_path: Path) -> None:
     assert _porter(tmp_path / "ws", cmake, "find_package(ament_cmake REQUIRED)", both) == []
 
 
-@pytest.mark.parametrize(
-    "planner", ["RRTConnectkConfigDefault", "RRTstarkConfigDefault", "my_planner", "mine"]
-)
-def test_planners_of_moveit_and_of_the_file(tmp_path: Path, planner: str) -> None:
+@pytest.mark.parametrize("planner", ["my_planner", "mine"])
+def test_planners_of_a_file(tmp_path: Path, planner: str) -> None:
     ompl = tmp_path / "ws" / "porter_moveit_config" / "config" / "ompl_planning.yaml"
     shutil.copytree(CARRIERS / "porter", tmp_path / "ws")
     ompl.write_text(

@@ -46,6 +46,18 @@ def nodes(tree: ast.Module) -> tuple[ast.AST, ...]:
     return tuple(ast.walk(tree))
 
 
+def dotted_name(node: ast.AST) -> str:
+    """A name with its attributes, such as ``os.path.join``; empty for any other expression.
+
+    ``ast.unparse`` fails for a chain of a thousand attributes.
+    """
+    names = []
+    while isinstance(node, ast.Attribute):
+        names.append(node.attr)
+        node = node.value
+    return ".".join((node.id, *reversed(names))) if isinstance(node, ast.Name) else ""
+
+
 def string(node: ast.AST | None) -> str | None:
     """The value of a string literal; None for any other expression."""
     value = node.value if isinstance(node, ast.Constant) else None

@@ -404,3 +404,18 @@ def test_a_name_is_compared_once_for_each_assignment() -> None:
         return executed_lines(values)
 
     assert lines(400) < 6 * lines(100)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        "os" + "[0]" * 500,
+        "os.environ" + ".get" * 500 + "('ROS_DISTRO')",
+        "'a' if distribution == 'b' else " * 90 + "'c'",
+    ],
+)
+def test_a_long_chain_is_unknown(package, value):
+    """Python parses what its own functions for syntax trees are too deep for."""
+    text = f"import os\nside = {value}\n" + include("rsp.launch.py", ", launch_arguments=side")
+    text += "\nNode(package='joy', executable=side)"
+    assert [program.executable for program in read(package, text).programs][-1:] == [""]

@@ -9,7 +9,7 @@ from urdfkit.ros.launch.components import wrong_component, wrong_container
 from urdfkit.ros.launch.python_names import modules_with
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.python_source import nodes, string
+from urdfkit.text.python_source import dotted_name, nodes, string
 
 #: Arguments with a list of actions, by class or method.
 _HOLDERS = {
@@ -104,7 +104,7 @@ def _imported(tree: ast.Module) -> set[str]:
 def _is_of_launch(call: ast.Call, imported: set[str]) -> bool:
     if isinstance(call.func, ast.Name):
         return call.func.id in imported
-    first = ast.unparse(call.func).partition(".")[0]
+    first = dotted_name(call.func).partition(".")[0]
     return first in ("launch", "launch_ros") or first in imported
 
 

@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, called, parts_of_path
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.python_source import string
+from urdfkit.text.python_source import dotted_name, string
 
 #: Substitutions, whose text is known only at run time.
 _SUBSTITUTIONS = ("Command", "FindPackageShare", "LaunchConfiguration", "PathJoinSubstitution")
@@ -53,7 +53,7 @@ def _dropped_directory(call: ast.Call, values: Values) -> Problem | None:
 
 def _joined(call: ast.Call, values: Values) -> Problem | None:
     """A substitution in a function of Python that expects a text: its value is unknown."""
-    function = ast.unparse(call.func) if isinstance(call.func, (ast.Name, ast.Attribute)) else ""
+    function = dotted_name(call.func)
     if function not in _OF_TEXTS:
         return None
     for part in call.args if function == "os.path.join" else call.args[:1]:

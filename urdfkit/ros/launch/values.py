@@ -111,7 +111,10 @@ class Values:
             holds = self._holds(node.test, depth + 1)
             branch = node.body if holds else node.orelse
             return None if holds is None else self.text(branch, depth + 1)
-        if isinstance(node, ast.Subscript) and ast.unparse(node.value) in _ENVIRONMENTS:
+        if (
+            isinstance(node, ast.Subscript)
+            and python_source.dotted_name(node.value) in _ENVIRONMENTS
+        ):
             return _ASSUMED.get(self.text(node.slice, depth + 1) or "")
         return self._of_call(node, depth) if isinstance(node, ast.Call) else None
 
@@ -206,7 +209,10 @@ class Values:
         if name == "dirname":
             return _directory(self.text(argument(call, 0, "p"), depth + 1))
         if name in _OF_ENVIRONMENT:
-            if name == "get" and ast.unparse(call.func).removesuffix(".get") not in _ENVIRONMENTS:
+            if (
+                name == "get"
+                and python_source.dotted_name(call.func).removesuffix(".get") not in _ENVIRONMENTS
+            ):
                 return None
             default = argument(call, 1, _OF_ENVIRONMENT[name])
             variable = "" if default else self.text(argument(call, 0, "name"), depth + 1)
@@ -276,7 +282,9 @@ def parts_of_path(call: ast.Call) -> list[ast.expr]:
         return [function.value, *parts]
     if name == "Path":
         return parts if len(parts) > 1 else []
-    is_path = name == "join" and (len(parts) > 1 or ast.unparse(function) == "os.path.join")
+    is_path = name == "join" and (
+        len(parts) > 1 or python_source.dotted_name(function) == "os.path.join"
+    )
     return parts if is_path else []
 
 
