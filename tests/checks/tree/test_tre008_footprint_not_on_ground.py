@@ -1,14 +1,11 @@
 from math import pi
-from pathlib import Path
 
 import pytest
 
-from tests import meshed
 from tests.conftest import MISSION
 from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit.lint import engine
-from urdfkit.mesh import samples
 
 LINK = (
     '<link name="{}"><collision><origin xyz="{}" rpy="{}"/><geometry>{}</geometry></collision>'
@@ -174,19 +171,3 @@ def test_the_fingers_of_a_robot_on_other_wheels() -> None:
             f'<parent link="{above}"/><child link="{side}"/>',
         )
     assert messages("TRE008", arms) == []
-
-
-#: 0.2 m long and high, 0.04 m wide.
-TYRE = samples.stl(samples.box((-0.1, -0.02, -0.1), (0.1, 0.02, 0.1)))
-
-
-@pytest.mark.parametrize(("height", "depth"), [(0.1, ""), (0.09, ""), (0.05, "0.05 m"), (0.3, "")])
-def test_wheels_with_meshes(tmp_path: Path, height: float, depth: str) -> None:
-    """Volksbot: the sign of a height in the joint of the footprint."""
-    text = car(height, height, root="base_footprint")
-    text = text[: text.index('<link name="caster"')] + text[text.index('<link name="left"') :]
-    cylinder = '<cylinder radius="0.1" length="0.04"/>'
-    assert text.count(cylinder) == 2
-    text = text.replace(cylinder, '<mesh filename="tyre.stl"/>').replace(f"{pi / 2} 0 0", "0 0 0")
-    found = meshed.messages(tmp_path, "TRE008", text, {"tyre.stl": TYRE})
-    assert found == ([naming("right", depth, "base_footprint")] if depth else [])

@@ -5,27 +5,16 @@ By convention (REP 120), `base_footprint` is the position of the robot on the fl
 If the robot extends below it, the robot starts stuck in the floor and is thrown out; if the robot
 ends above it, the robot drops. Give the joint between the two links the height of the lowest wheel
 or foot. If a caster extends lower than the wheels, the caster is wrong: the wheels do not touch the
-ground. Without a `base_footprint` that is reported if another link than a leg or arm extends at
-least 2 cm lower than all wheels. The meshes of wheels are reported from a depth of 3 cm.
+ground. Without a `base_footprint` this is reported if another link than a leg or arm extends at
+least 2 cm lower than all wheels.
 
 Sources:
     REP 120, frames of humanoids: https://github.com/ros-infrastructure/rep/blob/master/rep-0120.rst
     REP 105, frames of mobile robots: http://www.ros.org/reps/rep-0105.html
 """
 
-from collections.abc import Iterator
-
-from urdfkit.core.spatial import (
-    Z_AXIS,
-    Transform,
-    Vector,
-    dot,
-    minus,
-    rotate,
-    transposed,
-    vector,
-)
-from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
+from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate, vector
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.link import Body
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
@@ -52,9 +41,6 @@ _MAX_COSINE_LEVEL = 0.1
 #: In m: a link that extends lower than the wheels by more is not a caster.
 _MAX_CASTER_DEPTH = 0.1
 
-#: In m: depth of a mesh below the ground from which it is reported; treads are deep.
-_MIN_DEPTH_OF_MESH = 0.03
-
 #: In m: height of the wheels of a robot without a footprint, from which it is reported.
 _MIN_HANGING = 0.02
 
@@ -65,11 +51,7 @@ _MAX_RISE = 2.0
 MAX_FOOTPRINTS = 10
 
 
-@rule(
-    Severity.WARNING,
-    needs=(Need.MODEL, Need.MESHES),
-    help="raise the robot by that height in the joint below base_footprint",
-)
+@rule(Severity.WARNING, help="raise the robot by that height in the joint below base_footprint")
 def check(context: Context) -> Findings:
     tree = context.tree
     if len(tree.roots) != 1:
@@ -107,29 +89,6 @@ def check(context: Context) -> Findings:
             )
         elif joints and (hanging := _hanging_wheels(tree, name, robot)):
             yield _hanging(tree, *hanging)
-        elif joints and (sunk := _sunk_wheel(context, name, robot)):
-            depth, wheel = sunk
-            yield Finding(
-                joints[0].at,
-                f"the mesh of wheel '{wheel}' extends {depth:.3g} m below '{name}', which by "
-                "convention lies on the ground",
-                "" if tree.children[name] else f"lower '{name}' by {depth:.3g} m in its joint",
-            )
-
-
-def _sunk_wheel(context: Context, footprint: str, robot: list[str]) -> tuple[float, str] | None:
-    """Depth in m and name of the wheel whose mesh extends lowest below the footprint."""
-    ground = context.tree.frames[footprint]
-    down = vector(-part for part in rotate(ground.rotation, Z_AXIS))
-    depths: list[tuple[float, str]] = []
-    for name in _wheels(context.tree, footprint, robot):
-        frame = context.tree.frames[name]
-        for body in context.model.links_by_name[name].collisions:
-            if mesh := context.mesh_solid(body):
-                reach = mesh.reach(rotate(transposed(frame.rotation), down))
-                depths.append((dot(down, minus(frame.position, ground.position)) + reach, name))
-    deepest = max(depths, default=(0.0, ""))
-    return deepest if deepest[0] > _MIN_DEPTH_OF_MESH else None
 
 
 def _hanging(tree: KinematicTree, gap: float, wheels: list[str], standing: str) -> Finding:
@@ -233,6 +192,8 @@ def _is_wheel(name: str) -> bool:
 def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) -> dict[str, float]:
     """Height of each wheel above the lowest point, in m, by link name.
 
+    Wheels are links of continuous joints with a horizontal axis.
+
     Args:
         robot: names of the links of the robot.
         height: height of the lowest point above the footprint, in m.
@@ -240,25 +201,19 @@ def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) 
     ground = tree.frames[footprint]
     up = rotate(ground.rotation, Z_AXIS)
     gaps: dict[str, float] = {}
-    for name in _wheels(tree, footprint, robot):
+    for name in robot:
+        above = tree.parents[name]
+        if not above or above[0].kind != "continuous":
+            continue
         frame = tree.frames[name]
+        if abs(dot(up, rotate(frame.rotation, direction(above[0])))) > _MAX_COSINE_LEVEL:
+            continue
         for body in tree.model.links_by_name[name].collisions:
             bottom = _bottom(body, frame, up)
             if bottom is not None:
                 gap = bottom - dot(up, ground.position) - height
                 gaps[name] = min(gap, gaps.get(name, gap))
     return gaps
-
-
-def _wheels(tree: KinematicTree, footprint: str, robot: list[str]) -> Iterator[str]:
-    """The links of continuous joints with a horizontal axis."""
-    up = rotate(tree.frames[footprint].rotation, Z_AXIS)
-    for name in robot:
-        above = tree.parents[name]
-        if above and above[0].kind == "continuous":
-            axis = rotate(tree.frames[name].rotation, direction(above[0]))
-            if abs(dot(up, axis)) <= _MAX_COSINE_LEVEL:
-                yield name
 
 
 def _lifted_wheels(gaps: dict[str, float], lowest: str) -> str:
