@@ -139,6 +139,7 @@ READERS = {
     "workspace/program_strings.py": ADMITTED,
     "workspace/submodules.py": IN_PACKAGE,
     "xacro/file_reader.py": "Resolver.allows",
+    "xacro/fragment.py": IN_PACKAGE,
 }
 
 

@@ -139,7 +139,8 @@ def test_a_misspelt_option_is_not_to_be_removed(tmp_path: Path) -> None:
 )
 def test_a_project_whose_name_ends_in_a_variable(tmp_path: Path, project: str, count: int) -> None:
     """A driver for several cameras, whose name the command line completes."""
-    files = {"CMakeLists.txt": f"project({project})\nament_package()\n"}
+    text = f"project({project})\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+    files = {"CMakeLists.txt": text}
     assert len(of_launch(tmp_path / "arm", "PKG005", "a.launch", "", files)) == count
 
 
