@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.growth import assert_linear
-from tests.workspaces import add_file, mesh_link
+from tests.workspaces import add_file, add_files, mesh_link
 from urdfkit import check
 from urdfkit.lint.config import Config
 from urdfkit.lint.discovery import discover
@@ -139,6 +139,38 @@ def test_a_directory(piece: bytes, tmp_path: Path):
         return lambda: discover(str(directory), Config(), Resolver())
 
     assert_linear(reading, MANY)
+
+
+MANIFEST = "<package><name>arm</name>"
+XACRO = "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'><link name='a'/>"
+PROPERTY = "<xacro:property name='p' value='1'/>"
+SLAM = "-configuration_directory $(dirname) -configuration_basename a.lua"
+LAUNCH = f"<launch><node pkg='cartographer_ros' exec='cartographer_node' args='{SLAM}'/>"
+
+
+@pytest.mark.parametrize(
+    ("file", "head", "piece", "tail"),
+    [
+        ("package.xml", MANIFEST, "<build_type ", ""),
+        ("package.xml", MANIFEST, "<depend ", ""),
+        ("part.xacro", "", "<xacro:arg ", ""),
+        ("r.urdf.xacro", f"{XACRO}{PROPERTY}<!-- ", "${", " --></robot>"),
+        ("a.launch.xml", f'{LAUNCH}<node pkg="a" exec="b" args="', "$(eval ", '"/></launch>'),
+        ("a.lua", "options = {", "x", ""),
+    ],
+)
+def test_a_workspace(file: str, head: str, piece: str, tail: str, tmp_path: Path) -> None:
+    """Each took 20 s and more."""
+    files = {
+        "package.xml": f"{MANIFEST}</package>",
+        "r.urdf.xacro": "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:a/></robot>",
+        "a.launch.xml": f"{LAUNCH}</launch>",
+        file: head + piece * 150_000 + tail,
+    }
+    add_files(tmp_path, files)
+    start = time.process_time()
+    assert check(tmp_path).crashed == ()
+    assert time.process_time() - start < 15
 
 
 def test_a_comment_of_200_000_codes_is_read_once_a_rule() -> None:

@@ -38,7 +38,7 @@ def includer(path: str, packages: Packages) -> str | None:
     directory = package[1] if package else os.path.dirname(path)
     own_name = re.escape(os.path.basename(path).encode())
     pattern = re.compile(
-        rb"""<(?:(?:xacro:)?include|xacro:arg)\b[^>]*[/"'\s]""" + own_name + rb"""[)"'\s]"""
+        rb"""<(?:(?:xacro:)?include|xacro:arg)\b[^<>]*[/"'\s]""" + own_name + rb"""[)"'\s]"""
     )
     includers: list[str] = []
     entries = searched = 0

@@ -35,7 +35,7 @@ _END_OF_MACRO = r"(?i)\bend(?:macro|function)\b"
 _AFTER_VARIABLE = r"\$\{\w+\}([\w.-]+)"
 _COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
 _VARIABLE = r"\$\{(\w+)\}"
-_IS_PYTHON = rb"<build_type\b[^>]*>\s*ament_python\s*<"
+_IS_PYTHON = rb"<build_type\b[^<>]*>\s*ament_python\s*<"
 #: Words of a setup.py that lists its files at build time.
 _WALK = r"\b(?:walk|rglob|scandir|recursive)\b|\*\*"
 

@@ -21,8 +21,8 @@ from urdfkit.workspace.submodules import absent_submodules
 #: Directories of a package that are searched for descriptions.
 MAX_DIRECTORIES = 200
 
-_FORMAT = rb"""<package\b[^>]*\bformat\s*=\s*["'](\d+)["']"""
-_BUILD = rb"<(?:buildtool_depend|build_type)\b[^>]*>\s*(ament|catkin)"
+_FORMAT = rb"""<package\b[^<>]*\bformat\s*=\s*["'](\d+)["']"""
+_BUILD = rb"<(?:buildtool_depend|build_type)\b[^<>]*>\s*(ament|catkin)"
 
 #: Tags that every package.xml has.
 REQUIRED = ("name", "version", "description", "maintainer", "license")

@@ -10,7 +10,7 @@ from urdfkit.text.comments import without_comments
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.file_head import read_head
 
-_DEPENDENCY = rb"<(\w*depend)\b[^>]*>\s*([\w.-]+)\s*</\1>"
+_DEPENDENCY = rb"<(\w*depend)\b[^<>]*>\s*([\w.-]+)\s*</\1>"
 
 
 class PackageDirectories:

@@ -21,7 +21,7 @@ _MIN_MISSING = 4
 #: Most files next to a file that are searched for what it lacks.
 _MAX_FILES = 100
 
-_DEFINED = re.compile(rb"""<xacro:(?:macro|property|arg)\s[^>]*?\bname\s*=\s*["'](\w+)["']""")
+_DEFINED = re.compile(rb"""<xacro:(?:macro|property|arg)\s[^<>]*?\bname\s*=\s*["'](\w+)["']""")
 
 _MISSING = re.compile(r"(?:macro|name|argument|block) '([^']+)' (?:is not defined|has no value)")
 

@@ -13,7 +13,7 @@ from urdfkit.xacro.errors import IN_CONDITION, MessageText
 
 #: In Python's message of a NameError.
 UNDEFINED = re.compile(r"name '(\w+)' is not defined")
-_INCLUDED_AS = re.compile(rb"""<xacro:include\b[^>]*\bns\s*=\s*["']([\w.-]+)["']""")
+_INCLUDED_AS = re.compile(rb"""<xacro:include\b[^<>]*\bns\s*=\s*["']([\w.-]+)["']""")
 _BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
 _BARE_HELP = "write <xacro:include>: xacro ignores an <include> without the prefix"
 _BARE_PROPERTY = rb"""<property\s[^<>]*?\bname\s*=\s*["']%s["'][^<>]*>"""
@@ -104,7 +104,7 @@ def _defined_elsewhere(defined: Definitions, kind: str, name: str) -> str:
 def _include_of(defined: Definitions, path: str) -> re.Match[bytes] | None:
     """The tag that includes a file; None if there is none."""
     file = re.escape(os.path.basename(path)).encode()
-    pattern = re.compile(rb"""<xacro:include\b[^>]*%s["'][^>]*>""" % file)
+    pattern = re.compile(rb"""<xacro:include\b[^<>]*%s["'][^<>]*>""" % file)
     matches = (pattern.search(source.data) for source in defined.sources.values())
     return next(filter(None, matches), None)
 

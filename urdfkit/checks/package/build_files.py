@@ -125,7 +125,7 @@ def finds_catkin(directory: str) -> Findings:
     manifest, source = (package_file(directory, file) for file in ("package.xml", "CMakeLists.txt"))
     if manifest is None or source is None or b"ament_cmake" not in manifest.data:
         return
-    kinds = re.findall(rb"<build_type\b([^>]*)>\s*(\w+)", blank_comments(manifest.data))
+    kinds = re.findall(rb"<build_type\b([^<>]*)>\s*(\w+)", blank_comments(manifest.data))
     match = re.search(rb"(?m)^[ \t]*find_package\s*\(\s*(catkin)\b", source.data)
     has_other = re.search(rb"(?m)^[ \t]*find_package\s*\(\s*ament_cmake|ROS_VERSION", source.data)
     if kinds == [(b"", b"ament_cmake")] and match and not has_other:
@@ -143,7 +143,7 @@ def other_build_type(directory: str) -> Findings:
     if manifest is None or b"<build_type" not in manifest.data:
         return
     data = bytes(blank_comments(manifest.data))
-    match = re.search(rb"<build_type\b[^>]*>\s*(\w+)\s*<", data)
+    match = re.search(rb"<build_type\b[^<>]*>\s*(\w+)\s*<", data)
     if match is None or len(re.findall(rb"<build_type\b", data)) > 1:
         return
     kind = match.group(1).decode()
@@ -180,7 +180,7 @@ def not_registered(name: str, directory: str) -> Findings:
     manifest, setup = (package_file(directory, file) for file in ("package.xml", "setup.py"))
     if manifest is None or setup is None:
         return
-    named = re.search(rb"<build_type\b[^>]*>\s*(\w*)", manifest.data)
+    named = re.search(rb"<build_type\b[^<>]*>\s*(\w*)", manifest.data)
     if named and named.group(1) == b"ament_python":
         yield from _unregistered(setup, directory, name)
     elif not named and _INDEX.encode() in setup.data:

@@ -102,7 +102,7 @@ def _words(call: re.Match[bytes], build: Source) -> Iterator[tuple[str, Span]]:
 
 def _not_in_group(manifest: Source, span: Span) -> Findings:
     data = blank_comments(manifest.data)
-    if not re.search(rb"<member_of_group\b[^>]*>\s*%s\s*<" % _GROUP.encode(), data):
+    if not re.search(rb"<member_of_group\b[^<>]*>\s*%s\s*<" % _GROUP.encode(), data):
         message = (
             f"package.xml has no <member_of_group> {_GROUP}: the build of the interfaces stops"
         )

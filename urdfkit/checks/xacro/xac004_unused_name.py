@@ -70,7 +70,7 @@ def _properties(context: Context, undefined: Iterable[str]) -> Findings:
 
 def _is_in_comment(name: str, context: Context) -> bool:
     """True if a use of a property is commented out: it may come back."""
-    use = re.compile(rb"\$\{[^}]*\b" + re.escape(name.encode()) + rb"\b")
+    use = re.compile(rb"\$\{[^{}]*\b" + re.escape(name.encode()) + rb"\b")
     return any(use.search(comment[1]) for comment in comments(context.source.data))
 
 

@@ -85,7 +85,7 @@ def _forgotten_prefixes(context: Context) -> Findings:
 
 def _expression(argument: str, source: Source) -> str:
     """The value of an argument, as a file writes it: a macro without it has no such property."""
-    used = re.search(rb"\$\{[^}]*\b" + argument.encode() + rb"\b", source.data)
+    used = re.search(rb"\$\{[^{}]*\b" + argument.encode() + rb"\b", source.data)
     return f"${{{argument}}}" if used else f"$(arg {argument})"
 
 

@@ -9,7 +9,7 @@ from urdfkit.output.bundle.meshes import BundledFile
 from urdfkit.workspace.manifest import manifest_of
 
 #: Elements that are copied from the original package of the robot.
-_KEPT = rb"<(version|maintainer|license)\b[^>]*>[^<]*</\1>"
+_KEPT = rb"<(version|maintainer|license)\b[^<>]*>[^<]*</\1>"
 _DEFAULT = {
     "version": "<version>0.0.0</version>",
     "maintainer": '<maintainer email="todo@example.com">todo</maintainer>',

@@ -24,7 +24,7 @@ DEFAULT_STEP = 0.001
 #: Directories of a workspace that are searched for models.
 MAX_DIRECTORIES = 2000
 
-_FILENAME = rb"""<plugin\b[^>]*\bfilename\s*=\s*["']([^"']+)"""
+_FILENAME = rb"""<plugin\b[^<>]*\bfilename\s*=\s*["']([^"']+)"""
 #: URI of a model on Gazebo's resource path.
 _MODEL = re.compile(r"model://([^/]+)/?$")
 _DEFINITIONS = ("model.config", "model.sdf")

@@ -21,8 +21,9 @@ _DIRECTORY, _NAME = "-configuration_directory", "-configuration_basename"
 _COMMENT = re.compile(rb"--[^\n]*")
 _TABLE = re.compile(rb"\boptions\s*=\s*\{")
 _INNER = re.compile(rb"\{[^{}]*\}")
-_OPTION = re.compile(rb"(\w+)\s*=\s*(?:\"([^\"\n]*)\"|([\w.+-]+))?")
-_INCLUDE = re.compile(rb"\binclude\s*\(?\s*[\"']([^\"']+)")
+# A search that begins within a word would take quadratic time.
+_OPTION = re.compile(rb"(?<!\w)(\w+)\s*=\s*(?:\"([^\"\n]*)\"|([\w.+-]+))?")
+_INCLUDE = re.compile(rb"\binclude[\s(]*[\"']([^\"']+)")
 #: Files that come with Cartographer.
 _SHIPPED = re.compile(
     rb"(map_builder|trajectory_builder(_[23]d)?|pose_graph|map_builder_server)\.lua"

@@ -34,7 +34,7 @@ _CHILDREN: dict[int, dict[str, tuple[str, ...]]] = {
     2: {"node": ("remap", "param", "env"), "composable_node": ("remap", "param", "extra_arg")},
 }
 #: An argument in an expression of ROS 1.
-_EVAL_OF_ROS_1 = re.compile(r"""\$\(eval\b.*?\barg\(\s*["'](\w+)["']\s*\)""")
+_EVAL_OF_ROS_1 = re.compile(r"""\$\(eval\b[^$]*?\barg\(\s*["'](\w+)["']\s*\)""")
 
 #: Attributes of namespaces, of rosmon, and for separators of lists in ROS 2.
 _OF_OTHERS = re.compile(r":|^rosmon-|-sep$")
