@@ -61,7 +61,7 @@ def _run_block(block: str) -> str:
     """
     with tempfile.TemporaryDirectory() as scratch:
         commands = {one: one.replace("/tmp/", f"{scratch}/") for one in _commands(block)}
-        return _run_lines(commands, str(ROOT)).replace(f"{scratch}/", "/tmp/")
+        return _run_lines(commands, str(ROOT)).replace(scratch, "/tmp")
 
 
 def _commands(block: str) -> dict[str, str]:
