@@ -5,6 +5,8 @@ import pytest
 from tests.growth import executed_lines
 from tests.naming import naming
 from tests.reported import messages
+from urdfkit import check
+from urdfkit.text.source import Source
 
 LINK = (
     '<link name="{}"><visual><origin xyz="0 0 0.1"/><geometry><box size="0.1 0.1 0.2"/></geometry>'
@@ -91,3 +93,18 @@ def test_a_link_of_a_numbered_joint_skips_the_one_before() -> None:
 )
 def test_chains_and_branches_of_numbered_links(parents: tuple[str, ...]) -> None:
     assert messages("JNT037", chain(*parents)) == []
+
+
+def test_a_name_of_many_numbers() -> None:
+    """The first eight are tried: each makes two names of the same length."""
+
+    def work(count: int) -> int:
+        name = "1a" * count
+        links = f'<link name="base"/><link name="{name}"/>'
+        ends = f'<parent link="base"/><child link="{name}"/>'
+        joint = f'<joint name="j" type="continuous">{ends}</joint>'
+        source = Source("r.urdf", f'<robot name="r">{links}{joint}</robot>'.encode())
+        return executed_lines(lambda: check(source, select=["JNT037"]))
+
+    work(10)  # imports
+    assert work(2000) < 1.1 * work(200)

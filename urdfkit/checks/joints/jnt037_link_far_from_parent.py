@@ -14,6 +14,7 @@ Sources:
 
 import re
 from collections.abc import Iterator, Mapping
+from itertools import islice
 
 from urdfkit.core.spatial import Transform
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
@@ -34,6 +35,8 @@ _MIN_RELATIVE_GAP = 4.0
 _MIN_GAP = 0.5
 
 _NUMBER = r"\d{1,9}"
+#: Most numbers of a name that are tried: of the robot, an arm, a finger, a link.
+_MAX_NUMBERS = 8
 
 #: Types of joints whose links stay together; prismatic and free links may be anywhere.
 _JOINTS_WITHOUT_GAP = ("fixed", "revolute", "continuous")
@@ -68,7 +71,7 @@ def _skipped(context: Context) -> Findings:
         {joint.name: joint for joint in moving},
     ):
         for name, joint in named.items():
-            for match in re.finditer(_NUMBER, name):
+            for match in islice(re.finditer(_NUMBER, name), _MAX_NUMBERS):
                 previous, following = (named.get(_numbered(name, match, step)) for step in (-1, 1))
                 if previous is None or following is None or joint.name in reported:
                     continue

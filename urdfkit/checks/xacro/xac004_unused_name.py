@@ -51,27 +51,32 @@ def check(context: Context) -> Findings:
 
 def _properties(context: Context, undefined: Iterable[str]) -> Findings:
     """Unused properties of the checked file; those of other files may be for other robots."""
-    written: set[float] | None = None
-    for definition in context.xacro.properties:
-        name = definition.name.removeprefix("**")
-        if definition.tag.source is context.source and name not in context.xacro.usage.names:
-            written = _numbers_written(context) if written is None else written
-            misleads = _is_written_out(definition, written) or _is_misspelt(name, undefined)
-            yield Finding(
-                Location(definition.tag.span, definition.frame),
-                f"property '{name}' is never used",
-                fix=None
-                if _is_in_comment(name, context)
-                else Fix("delete the property", remove_spans([definition.tag.whole_span])),
-                group_key="unused",
-                severity=None if misleads else Severity.INFO,
-            )
+    unused = [
+        (definition, name)
+        for definition in context.xacro.properties
+        if (name := definition.name.removeprefix("**")) not in context.xacro.usage.names
+        and definition.tag.source is context.source
+    ]
+    written = _numbers_written(context) if unused else set()
+    commented = _names_in_comments(context) if unused else set()
+    for definition, name in unused:
+        misleads = _is_written_out(definition, written) or _is_misspelt(name, undefined)
+        yield Finding(
+            Location(definition.tag.span, definition.frame),
+            f"property '{name}' is never used",
+            fix=None
+            if name in commented
+            else Fix("delete the property", remove_spans([definition.tag.whole_span])),
+            group_key="unused",
+            severity=None if misleads else Severity.INFO,
+        )
 
 
-def _is_in_comment(name: str, context: Context) -> bool:
-    """True if a use of a property is commented out: it may come back."""
-    use = re.compile(rb"\$\{[^{}]*\b" + re.escape(name.encode()) + rb"\b")
-    return any(use.search(comment[1]) for comment in comments(context.source.data))
+def _names_in_comments(context: Context) -> set[str]:
+    """The names in expressions that are commented out: they may come back."""
+    texts = (comment[1] for comment in comments(context.source.data))
+    expressions = (one for text in texts for one in re.findall(rb"\$\{([^{}]*)", text))
+    return {word.decode() for one in expressions for word in re.findall(rb"[A-Za-z_]\w*", one)}
 
 
 def _arguments(context: Context, undefined: Iterable[str]) -> Findings:

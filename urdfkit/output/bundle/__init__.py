@@ -226,9 +226,9 @@ def located_files(robot: Context, references: Iterable[Placed[str]]) -> dict[int
     raise UrdfkitError(f"{'; '.join(reasons)}; see 'urdfkit check {shown(robot.source.path)}'")
 
 
-def _reason(files: dict[str, Span], defect: str, likewise: str) -> Iterator[str]:
+def _reason(files: dict[str, Span], defect: str, of_others: str) -> Iterator[str]:
     """Why files cannot be used: the first one with its place, and some of the others."""
     if files:
         (first, span), *others = files.items()
-        more = f", {likewise} {few([name for name, _ in others], _MAX_NAMED)}" if others else ""
+        more = f", {of_others} {few([name for name, _ in others], _MAX_NAMED)}" if others else ""
         yield f"{span}: '{first}' {defect}{more}"
