@@ -87,6 +87,29 @@ def test_robots_are_found_all_over_the_repository(repository, changed, expected)
     assert found.libraries == ()
 
 
+@pytest.mark.parametrize("is_named_by", ["the SRDF", "the assistant"])
+def test_a_changed_file_of_moveit_leads_to_the_robot_of_another_package(
+    repository: Path, is_named_by: str
+) -> None:
+    """The robot is in its own package in most workspaces; a hook passed such a file unchecked."""
+    settings = repository / "settings"
+    add_file(settings / "config" / "kinematics.yaml", b"arm: {}")
+    if is_named_by == "the SRDF":
+        add_file(settings / "config" / "a.srdf", b'<robot name="arm"><group name="arm"/></robot>')
+        robot = add_file(
+            repository / "robot" / "urdf" / "a.urdf",
+            b'<robot name="arm"><link name="base"/></robot>',
+        )
+    else:
+        robot = repository / "robot" / "urdf" / "robot.xacro"
+        add_file(
+            settings / ".setup_assistant",
+            b"config:\n  URDF:\n    package: robot\n    relative_path: urdf/robot.xacro\n",
+        )
+    found = affected([str(settings / "config" / "kinematics.yaml")], Config(), Resolver())
+    assert names(found) == [robot.name]
+
+
 def test_nothing_to_check_is_no_mistake(repository):
     report = check(repository / "settings" / "x.yaml", options=Options(changed=True))
     assert (report.files, report.diagnostics, report.exit_code()) == ((), (), 0)
@@ -241,6 +264,12 @@ def test_a_library_that_is_named_is_reported_to_hold_no_robot(tmp_path: Path):
         str(library),
         "defines no link; check a robot that uses it",
     )
+
+
+def test_an_srdf_that_is_named_is_reported_to_be_none(tmp_path: Path):
+    srdf = add_file(tmp_path / "a.srdf", b'<robot name="a"><group name="arm"/></robot>')
+    (skip,) = [skip for skip in check(srdf).skipped if not skip.code]
+    assert skip == ("", str(srdf), "is an SRDF; check the robots that it is for with --changed")
 
 
 @pytest.mark.parametrize("is_repository", [False, True])

@@ -16,10 +16,11 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.merging import Checked
 from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job
-from urdfkit.lint.report import DEFINES_NO_LINK, Skipped, crash
+from urdfkit.lint.report import DEFINES_NO_LINK, IS_SRDF, Skipped, crash
 from urdfkit.lint.runner import FileResult, run_rules
 from urdfkit.lint.unknown_arguments import unknown_arguments
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
+from urdfkit.text.file_kinds import has_srdf_tags
 from urdfkit.text.source import shown
 from urdfkit.workspace.resolve import Resolver
 
@@ -198,8 +199,8 @@ def check_context(job: Job, context: Context, options: Options) -> FileResult:
     missing = context.reading.missing_argument_codes if job.may_fail else ()
     codes = [code for code in chosen if code not in missing]
     result = run_rules(context, codes, options)
-    if not job.may_fail and context.reading.xacro and context.reading.xacro.is_library:
-        no_robot = Skipped("", context.source.path, DEFINES_NO_LINK)
+    if reason := "" if job.may_fail else _why_no_robot(context):
+        no_robot = Skipped("", context.source.path, reason)
         result = result._replace(skipped=(*result.skipped, no_robot))
     result = _skipped_as_one(result, context)
     unknown = {"": unknown_arguments(context, options.arguments)}
@@ -207,6 +208,14 @@ def check_context(job: Job, context: Context, options: Options) -> FileResult:
         entry = f"{shown(options.config.path)}: {shown(job.path)} has no"
         unknown[entry] = unknown_arguments(context, sorted(names))
     return result._replace(unknown_arguments=unknown)
+
+
+def _why_no_robot(context: Context) -> str:
+    """Why a file that the user named is no robot; empty for a robot."""
+    reading = context.reading
+    if reading.xacro is not None and reading.xacro.is_library:
+        return DEFINES_NO_LINK
+    return IS_SRDF if reading.document and has_srdf_tags(reading.document.root) else ""
 
 
 def _skipped_as_one(result: FileResult, context: Context) -> FileResult:

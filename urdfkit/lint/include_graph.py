@@ -9,6 +9,7 @@ from urdfkit.core import disk
 from urdfkit.text.comments import comments, without_comments
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.srdf_files import are_for
 
 SUFFIXES = (".urdf", ".xacro")
 #: Suffixes of xacros that do not describe a robot.
@@ -106,8 +107,9 @@ class IncludeGraph:
             return False
         packages = self.resolver.packages
         package = packages.enclosing(file)
-        if package is not None and package == packages.enclosing(root):
-            return True
+        if package is not None:
+            if package == packages.enclosing(root) or are_for(package[1], root, self.resolver):
+                return True
         name = os.path.basename(file).encode("utf-8", "surrogateescape")
         return any(name in self.text(path) for path in closure if path in self.names)
 

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 #: Why only the text of a file of macros is checked.
 DEFINES_NO_LINK = "defines no link; check a robot that uses it"
+#: Why only the text of an SRDF is checked.
+IS_SRDF = "is an SRDF; check the robots that it is for with --changed"
 
 
 class Skipped(Record):

@@ -14,6 +14,7 @@ from urdfkit.workspace.resolve import Resolver
 _SRDF, _ROBOT = (".srdf", ".srdf.xacro"), (".urdf", ".xacro")
 #: The root of a robot; the root of a part has no name.
 _NAMED = rb"<robot\b[^<>]*\bname\s*="
+_ROBOT_NAME = r"<robot\b[^<>]*\bname\s*=\s*[\"']([^\"'$]+)[\"']"
 #: A section of ``.setup_assistant`` with its content; compiled when needed, which is rare.
 _SECTION = r"(?mi)^([ \t]*){}:[ \t]*\n((?:\1[ \t]+\S.*\n?)+)"
 _ENTRY = r"(?m)^\s*{}:\s*\"?([^\s\"]+)"
@@ -84,6 +85,17 @@ def _includes(robot: str, setup: SetupAssistant) -> bool:
     """True if a robot names the file that the assistant read, and so extends it."""
     file = os.path.basename(setup.urdf)
     return os.path.basename(robot) != file and file.encode() in read_head(robot, 100_000)
+
+
+def are_for(package: str, robot: str, resolver: Resolver) -> bool:
+    """True if the SRDFs of a package may be for a robot of any package, by what they name."""
+    setup, own = setup_assistant(package), resolver.packages.enclosing(robot)
+    if own is not None and setup.is_for(robot, own):
+        return True
+    files = srdf_in(dict.fromkeys(_directories(package, setup)), resolver)
+    heads = (head_text(file, 20_000) for file in files)
+    names = (match.group(1) for match in map(re.compile(_ROBOT_NAME).search, heads) if match)
+    return any(has_robot_name(robot, name) for name in names)
 
 
 def is_of_namesake(srdf: str, robot: str, resolver: Resolver) -> bool:
