@@ -107,9 +107,10 @@ class IncludeGraph:
             return False
         packages = self.resolver.packages
         package = packages.enclosing(file)
-        if package is not None:
-            if package == packages.enclosing(root) or are_for(package[1], root, self.resolver):
-                return True
+        if package is not None and (
+            package == packages.enclosing(root) or are_for(package[1], root, self.resolver)
+        ):
+            return True
         name = os.path.basename(file).encode("utf-8", "surrogateescape")
         return any(name in self.text(path) for path in closure if path in self.names)
 
