@@ -47,6 +47,12 @@ def test_a_controller_and_its_parameters() -> None:
     assert [value.text for value in found] == ["0.1", "größe", "left"]
 
 
+def test_a_controller_that_only_the_launch_file_names() -> None:
+    """<rosparam ns="drive"> of ROS 1; messages called it controller ''."""
+    (drive,) = of(f"type: {DRIVE}\nwheel_radius: 0.1\n")
+    assert (drive.name, drive.title) == ("", "the controller")
+
+
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
 def test_the_place_of_a_value(end: str) -> None:
     (drive,) = of(PLAIN.replace("\n", end))

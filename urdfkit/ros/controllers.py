@@ -66,12 +66,17 @@ class Section(Record):
 class Controller(Record):
     """A controller with a type."""
 
-    name: str  # of its node
+    name: str  # of its node; empty if only the launch file names it, in ROS 1
     type: str  # class that the controller manager loads
     type_at: Span  # location of the type
     ros: int  # 1 or 2
     section: Section  # parameters as written
     namespaces: int = 0  # in ROS 1, the number of keys above its own
+
+    @property
+    def title(self) -> str:
+        """Designation in messages."""
+        return f"controller '{self.name}'" if self.name else "the controller"
 
     @property
     def is_typed_by_itself(self) -> bool:

@@ -130,7 +130,7 @@ def of_drives(programs: Iterable[StartedProgram], context: Context) -> Iterator[
         yield OdometryTransform(
             _first_frame(parents, "odom"),
             _first_frame(values("base_frame_id"), "base_link"),
-            f"controller '{controller.name}'",
+            controller.title,
             Location(at),
         )
 

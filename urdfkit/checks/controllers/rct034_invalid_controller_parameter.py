@@ -107,12 +107,12 @@ def check(context: Context) -> Findings:
                 continue
             own = sections.get(controller.name, controller.section)
             for severity, (span, message, help) in _problems(controller, own, others):
-                at, text = span, f"controller '{controller.name}': {message}"
+                at, text = span, f"{controller.title}: {message}"
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
             known = parameters_of(controller.type, controller.ros)
             for at, message, help in _outdated(known, own):
                 is_jazzy = is_for_jazzy(context.source.path, context.resolver)
-                text = f"controller '{controller.name}': {message}"
+                text = f"{controller.title}: {message}"
                 severity = Severity.WARNING if is_jazzy else Severity.INFO
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
 
@@ -155,7 +155,7 @@ def _not_exported(context: Context, controller: Controller, file: ParameterFile)
     """A type of a package in the workspace that its plugin description does not have."""
     near, at = context.source.path, controller.type_at
     if problem := why_unknown(controller.type, _BASE, near, context.resolver):
-        message, help = f"controller '{controller.name}': {problem[0]}", problem[1]
+        message, help = f"{controller.title}: {problem[0]}", problem[1]
         yield Finding(at, message, help, related=(file.note,), severity=Severity.WARNING)
 
 

@@ -129,7 +129,7 @@ def _check_controller(controller: Controller, context: Context) -> Findings:
             is_info = _slips(measure, controller) and _may_slip(value, real)
             yield Finding(
                 values[0].span,
-                f"controller '{controller.name}': {measure.parameter} is {value:g} m, but "
+                f"{controller.title}: {measure.parameter} is {value:g} m, but "
                 f"{_MEASURED[measure.kind]} {real[0]:.4g} m",
                 _help(real[0]) + f", and calibrate {measure.parameter}_multiplier" * is_info,
                 weight=abs(value - real[0]),

@@ -106,7 +106,7 @@ def _wrong_drives(context: Context) -> Findings:
             joints = [context.model.joints_by_name.get(name.text) for name in (left, right)]
             first, second = (wheel_of(joint, context.tree) if joint else None for joint in joints)
             if first and second and (wrong := wrong_direction(first, second)):
-                message = f"controller '{controller.name}': {wrong[0]}"
+                message = f"{controller.title}: {wrong[0]}"
                 yield Finding(left.span, message, wrong[1], related=(file.note,))
                 break
 
@@ -120,7 +120,7 @@ def _wrong_axles(controller: Controller, context: Context) -> Findings:
         else:
             wrong = wrong_steering(left, right, rolling) if rolling else None
         if wrong:
-            message = f"controller '{controller.name}': {wrong[0]}"
+            message = f"{controller.title}: {wrong[0]}"
             help = f"{wrong[1]}; the list begins with the right joint"
             yield Finding(right_name.span, message, help)
             return

@@ -113,7 +113,7 @@ def _check_controller(controller: Controller, frame: Value, context: Context) ->
         message = f"'{name}' is a child of '{parent}'; a frame has one parent"
     yield Finding(
         frame.span,
-        f"controller '{controller.name}' publishes the transform to '{name}': {message}",
+        f"{controller.title} publishes the transform to '{name}': {message}",
         _help(name, root, links),
     )
 
@@ -131,13 +131,13 @@ def _moving_odometry(controller: Controller, context: Context) -> Findings:
     for odometry in controller.values(["odom_frame_id"]) if is_drive else ():
         name = odometry.text.strip("/")
         if name in context.model.links_by_name and name not in _WORLDS:
-            message = f"controller '{controller.name}': odom_frame_id '{name}' is a link of the "
+            message = f"{controller.title}: odom_frame_id '{name}' is a link of the "
             message += "robot, which moves with it"
             yield Finding(odometry.span, message, "write odom_frame_id: odom")
     for frame in controller.values(["odom_frame_id", "base_frame_id"]) if is_drive else ():
         if frame.text.startswith("/") and controller.ros == 2:
             name = frame.text.lstrip("/")
-            message = f"controller '{controller.name}': tf2 rejects '{frame.text}': the name of a "
+            message = f"{controller.title}: tf2 rejects '{frame.text}': the name of a "
             message += "frame has no leading slash"
             yield Finding(frame.span, message, f"write {name}")
 

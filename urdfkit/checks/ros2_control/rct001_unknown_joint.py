@@ -193,7 +193,7 @@ def _unknown_joint(
     is_certain = use.controller.ros != 1 or (is_likely and bool(control_plugins(context.model)))
     return Finding(
         joint.span,
-        f"controller '{use.controller.name}': unknown joint '{joint.text}'{hint}",
+        f"{use.controller.title}: unknown joint '{joint.text}'{hint}",
         "fix the name in the parameter file",
         related=(use.file.note,),
         group_key="" if hint else use.file.path,

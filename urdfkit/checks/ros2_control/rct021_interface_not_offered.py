@@ -97,7 +97,7 @@ def _claimed_by_name(context: Context, free: Collection[str]) -> Findings:
             others = ", ".join(sorted(available)) or "none"
             yield Finding(
                 value.span,
-                f"controller '{controller.name}' requires command interface {interface} of joint "
+                f"{controller.title} requires command interface {interface} of joint "
                 f"'{joint}', which offers: {others}",
                 "remove the parameter, or add the <command_interface> to the joint",
                 related=(file.note,),
@@ -155,7 +155,7 @@ def _missing(
                 help = f"name '{joint.leader}', which moves this joint, too, or remove it"
             yield Finding(
                 value.span,
-                f"controller '{controller.name}' requires {direction} interface "
+                f"{controller.title} requires {direction} interface "
                 f"{', '.join(missing)} of joint '{value.text}', which offers: "
                 + (", ".join(sorted(available)) or "none"),
                 help,
@@ -184,7 +184,7 @@ def _forgotten(
     if is_known and missing[0].text in context.model.joints_by_name:
         yield Finding(
             missing[0].span,
-            f"controller '{controller.name}' requires command interface {', '.join(needed)} of "
+            f"{controller.title} requires command interface {', '.join(needed)} of "
             f"joint '{missing[0].text}', which no <ros2_control> has",
             "add the joint to <ros2_control>, or remove it from the controller",
             related=(file.note,),

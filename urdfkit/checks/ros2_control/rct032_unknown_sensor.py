@@ -80,7 +80,7 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
             if name and not is_expression(name) and not is_known:
                 yield Finding(
                     value.span,
-                    f"controller '{controller.name}': sensor '{name}' does not exist in "
+                    f"{controller.title}: sensor '{name}' does not exist in "
                     f"<ros2_control>{did_you_mean(name, known)}",
                     "use the name of a <sensor> in <ros2_control>",
                     related=(file.note,),
