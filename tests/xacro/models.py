@@ -44,6 +44,7 @@ units:
 table: {a: {b: {c: 4}}, items: 5}
 """,
     "bad.yaml": "a: [1, 2\n",
+    "tab_in_text.yaml": "a: |\n  \tb\nc: 2\n",
     "bad_unit.yaml": "a: !degrees 1 +\n",
 }
 
