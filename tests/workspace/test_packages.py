@@ -261,6 +261,18 @@ def test_the_nearest_of_two_packages_of_a_name(tmp_path: Path) -> None:
     assert first(finder(), "hand", near) == str(hand)
 
 
+def test_a_package_that_the_build_skips_comes_last(tmp_path: Path) -> None:
+    """A workspace keeps an old version next to the one that colcon builds."""
+    add_file(tmp_path / "src" / "old" / "COLCON_IGNORE")
+    old = add_package(tmp_path / "src" / "old" / "arm", "arm")
+    foot = add_package(tmp_path / "src" / "old" / "foot", "foot")
+    arm = add_package(tmp_path / "src" / "robots" / "v2" / "arm", "arm")
+    near = add_package(tmp_path / "src" / "bringup", "bringup") / "arm.urdf"
+    assert first(finder(), "arm", near) == str(arm)
+    assert first(finder(), "foot", near) == str(foot)
+    assert first(finder(), "arm", foot / "foot.urdf") == str(old)
+
+
 def test_nested_packages_of_neighbours_are_not_looked_for(tmp_path: Path) -> None:
     near = add_package(tmp_path / "arm", "arm") / "arm.urdf"
     add_package(tmp_path / "hand", "hand")

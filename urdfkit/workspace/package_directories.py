@@ -10,6 +10,9 @@ from urdfkit.text.comments import without_comments
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.file_head import read_head
 
+#: Files that exclude a directory from a build.
+IGNORE_FILES = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
+
 _DEPENDENCY = rb"<(\w*depend)\b[^<>]*>\s*([\w.-]+)\s*</\1>"
 
 

@@ -7,7 +7,7 @@ from urdfkit.core import disk
 from urdfkit.core.paths import is_within, upwards
 from urdfkit.core.words import counted
 from urdfkit.workspace.directories import is_walked
-from urdfkit.workspace.package_directories import PackageDirectories
+from urdfkit.workspace.package_directories import IGNORE_FILES, PackageDirectories
 
 #: Limits of a scan, which reports that it stopped. Real workspaces have some thousand directories.
 MAX_DIRECTORIES = 20_000
@@ -17,7 +17,8 @@ MAX_SECONDS = 2.0
 class PackageScan:
     """The packages below a directory; the scan continues only as far as queries require.
 
-    Of two packages with the same name, the nearest to the root counts, then the first by path.
+    Of two packages with the same name, one that is built counts, then the nearest to the root, then
+    the first by path.
     """
 
     def __init__(
@@ -28,6 +29,8 @@ class PackageScan:
         self._depth = depth
         self._nested = nested
         self._queue: list[tuple[str, int]] = [(root, 0)]
+        #: The directories that a build skips, which come last; None once they are in the queue.
+        self._ignored: list[tuple[str, int]] | None = []
         self._next = 0
         self._seconds = 0.0
         self._packages: dict[str, str] = {}
@@ -54,6 +57,9 @@ class PackageScan:
         return f"{self.root} ({counted(len(self._packages), 'package')}{stopped})"
 
     def _may_continue(self, started: float) -> bool:
+        if self._next == len(self._queue) and self._ignored:
+            self._queue += self._ignored
+            self._ignored = None
         if self._next >= min(len(self._queue), MAX_DIRECTORIES):
             return False
         if self._seconds + time.monotonic() - started < MAX_SECONDS:
@@ -63,6 +69,9 @@ class PackageScan:
 
     def _visit(self, directory: str, depth: int) -> None:
         entries = self._directories.names_in(directory)
+        if depth and self._ignored is not None and any(map(entries.__contains__, IGNORE_FILES)):
+            self._ignored.append((directory, depth))
+            return
         if "package.xml" in entries or "manifest.xml" in entries:
             name = self._directories.name_of(directory)
             if name:

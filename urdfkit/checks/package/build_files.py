@@ -13,6 +13,7 @@ from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.install_rules import InstallRules, build_file
 from urdfkit.workspace.installs import read_rules
 from urdfkit.workspace.manifest import depends_on
+from urdfkit.workspace.package_directories import IGNORE_FILES
 from urdfkit.workspace.resolve import Resolver
 
 #: Where each build file gives the name, as far as it is written out.
@@ -26,15 +27,13 @@ _BUILT_BY = {
     "ament_cmake": ("CMakeLists.txt", "setup.py"),
     "ament_python": ("setup.py", "CMakeLists.txt"),
 }
-#: Files that exclude a directory from a build.
-_IGNORED = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 _INDEX = "share/ament_index/resource_index/packages"
 
 
 def is_ignored(directory: str) -> bool:
     """True for a package that the build skips, as a file in its directory or above it says."""
     for above in upwards(directory):
-        if any(disk.exists(os.path.join(above, mark)) for mark in _IGNORED):
+        if any(disk.exists(os.path.join(above, mark)) for mark in IGNORE_FILES):
             return True
         if disk.exists(os.path.join(above, ".git")):
             break
