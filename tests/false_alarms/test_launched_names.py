@@ -137,7 +137,7 @@ def test_misspelt_planners(tmp_path: Path, given: str, message: str) -> None:
     plugin = "ompl_interface" if "planner" in given else "ompl_interface_ros"
     ompl.write_text(f"planning_plugin: {plugin}/OMPLPlanner\narm:\n  {given}\n")
     (found,) = check(tmp_path / "ws").diagnostics
-    assert (found.code, found.message.endswith(message)) == ("SRD001", True)
+    assert (found.code, found.message.endswith(message)) == ("SRD026", True)
 
 
 def test_a_parameter_of_hardware_that_is_not_known(tmp_path: Path) -> None:

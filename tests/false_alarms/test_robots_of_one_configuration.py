@@ -1,4 +1,4 @@
-"""SRD001: two robots of one package share the YAML files of MoveIt, which are for both."""
+"""SRD026: two robots of one package share the YAML files of MoveIt, which are for both."""
 
 from pathlib import Path
 
@@ -38,6 +38,6 @@ def test_names_of_the_other_robot(tmp_path: Path, name: str, group: str, count: 
     }
     for file, text in texts.items():
         add_file(tmp_path / "config" / file, text.encode())
-    assert len(check(arm, select=["SRD001"]).diagnostics) == 3, "there is no other robot"
+    assert len(check(arm, select=["SRD026"]).diagnostics) == 3, "there is no other robot"
     _write(tmp_path / "config", "arm_hand", "a", "finger", group="hand")
-    assert len(check(arm, select=["SRD001"]).diagnostics) == count
+    assert len(check(arm, select=["SRD026"]).diagnostics) == count

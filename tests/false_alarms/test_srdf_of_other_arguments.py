@@ -148,7 +148,7 @@ def test_the_name_of_the_srdf_is_not_that_of_the_variant(
     text = NAMED.replace("WORDS", words)
     reported(tmp_path / "arm", "SRD001", "a.launch.py", text, files)
     path = tmp_path / "arm" / "r.urdf.xacro"
-    report = check(path, select=["SRD001", "SRD011"], arguments={"name": "r2"})
+    report = check(path, select=["SRD026", "SRD011"], arguments={"name": "r2"})
     assert report.crashed == ()
     assert len(report.diagnostics) == count
 

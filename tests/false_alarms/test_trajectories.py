@@ -53,7 +53,7 @@ def test_joints_that_no_trajectory_moves(
     add_file(tmp_path / "config" / "r.srdf", SRDF.encode())
     add_file(tmp_path / "config" / "moveit_controllers.yaml", MOVEIT.format(moveit).encode())
     add_file(tmp_path / "config" / "ros2_controllers.yaml", CONTROL.format(control).encode())
-    found = [one.message for one in check(robot, select=["SRD001"]).diagnostics]
+    found = [one.message for one in check(robot, select=["SRD029"]).diagnostics]
     assert ["controller 'hand' has other" in one for one in found] == [True] * count
 
 
@@ -68,6 +68,6 @@ def test_an_action_that_is_written_is_not_said_to_be_missing(tmp_path: Path) -> 
     add_file(tmp_path / "config" / "moveit_controllers.yaml", moveit.encode())
     control = f"controller_manager:\n  ros__parameters:\n    hand: {{type: {kind}}}\n"
     add_file(tmp_path / "config" / "ros2_controllers.yaml", control.encode())
-    (found,) = check(robot, select=["SRD001"]).diagnostics
+    (found,) = check(robot, select=["SRD029"]).diagnostics
     assert found.message == naming("action_ns", "hand", "gripper_action", kind, "gripper_cmd")
     assert found.help == "write gripper_cmd"

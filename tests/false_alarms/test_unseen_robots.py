@@ -293,7 +293,7 @@ def test_the_name_of_pilz_in_moveit_1(tmp_path: Path, build: str, count: int) ->
     plugin = "planning_plugin: pilz_industrial_motion_planner::CommandPlanner\n"
     (tmp_path / "pilz_industrial_motion_planner_planning.yaml").write_text(plugin)
     group = '<group name="arm"><link name="arm"/></group>'
-    assert len(of_srdf(tmp_path, group, "SRD001")) == count
+    assert len(of_srdf(tmp_path, group, "SRD026")) == count
 
 
 def test_a_control_plugin_without_transmissions() -> None:

@@ -95,14 +95,20 @@ def scalars(node: Node) -> list[Value]:
     return [item for item in node if isinstance(item, Value)] if isinstance(node, list) else []
 
 
+def items(node: Node, *path: str) -> Iterator[tuple[Key, Node]]:
+    """The keys and values of the mapping at a path of keys; none if there is no mapping."""
+    for key, value in mapping(node, *path).items():
+        if isinstance(key, Key):
+            yield key, value
+
+
 def entries(node: Node) -> Iterator[tuple[Key, Node]]:
     """The keys of a mapping and of the mappings in it, with their values."""
-    stack = [mapping(node)]
+    stack = [node]
     while stack:
-        for key, value in stack.pop().items():
-            if isinstance(key, Key):
-                yield key, value
-                stack.append(mapping(value))
+        for key, value in items(stack.pop()):
+            yield key, value
+            stack.append(value)
 
 
 def _compose(source: Source, events: Iterable[Any]) -> Node:

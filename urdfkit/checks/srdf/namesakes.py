@@ -32,7 +32,7 @@ def has_incomplete_namesake(context: Context, srdf: Srdf) -> bool:
     """True if the SRDF may be for a xacro of its name next to a URDF that lacks a package."""
     directory, own = os.path.split(os.path.abspath(context.source.path))
     name = srdf.root.get("name") or ""
-    if is_xacro(context.source) or not name:
+    if not srdf.unknown or is_xacro(context.source) or not name:
         return False
     names = context.resolver.directories.entries(directory) or ()
     paths = (os.path.join(directory, file) for file in names if file != own)

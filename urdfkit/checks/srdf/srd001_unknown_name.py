@@ -1,4 +1,4 @@
-"""The SRDF or a MoveIt configuration file contains an unknown name.
+"""The SRDF contains an unknown name.
 
 - An unknown link, joint or group in a group, state, end effector, virtual or passive joint: MoveIt
   drops the group or state, and planning fails with "group not found" or with joints that never
@@ -6,30 +6,6 @@
 - An unknown link in the collision matrix (warning): "Link is not known to URDF. Cannot disable
   collisions"; the entry has no effect.
 - A state that sets a joint outside its group (warning): MoveIt ignores the value.
-- An unknown joint in `joint_limits.yaml` (warning): MoveIt ignores the entry, and plans with the
-  limits of the URDF and without acceleration limits.
-- An unknown group in `kinematics.yaml` or `ompl_planning.yaml` (warning): MoveIt plans with the
-  default planner, and without inverse kinematics.
-- In `ompl_planning.yaml`, a planner of a group that it does not define (warning): "Could not find
-  the planner configuration"; a misspelt planning plugin: "Exception while loading planner"; an
-  unknown adapter, or one for responses among those for requests.
-- A misspelt solver in `kinematics.yaml`: "The kinematics plugin (arm) failed to load", and the
-  group cannot be moved to a pose.
-- In `moveit_controllers.yaml` (or the files of ROS 1) or `initial_positions.yaml`, an unknown
-  joint, or a controller without settings: "Unable to identify any set of controllers that can
-  actuate the specified joints".
-- In `moveit_controllers.yaml` of ROS 2, a controller that no parameter file of ros2_control in the
-  workspace defines, while another controller commands its joints; or a controller with other joints
-  than in ros2_control, which rejects each trajectory ("Joints on incoming trajectory don't match
-  the controller joints"; fixed, mimic, passive and virtual joints are ignored); or with another
-  type or action ("Action client not connected"). Or no launch file names the controller, while a
-  spawner loads another one of the file (warning).
-- In the file of MoveIt Servo, an unknown group or frame, or the topic of a controller that is not
-  defined, or that reads another type (warning): the robot does not follow the commands. A parameter
-  that is missing, or has another type or an invalid value: Servo stops.
-- A misspelt or misplaced setting of a controller or of `trajectory_execution`, a list that is a
-  text, a pipeline that is half of Humble and half of Jazzy, an octomap updater or the Cartesian
-  limits of Pilz without a required parameter (mostly warnings).
 
 The SRDF is out of date, or the name is misspelt.
 
@@ -37,24 +13,10 @@ Sources:
     SRDF: https://wiki.ros.org/srdf
     srdfdom, model.cpp: https://github.com/moveit/srdfdom/blob/ros2/src/model.cpp
     MoveIt, robot_model.cpp: https://github.com/moveit/moveit2/blob/main/moveit_core/robot_model/src/robot_model.cpp
-    MoveIt, robot_model_loader.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/robot_model_loader/src/robot_model_loader.cpp
-    MoveIt, kinematics: https://moveit.picknik.ai/main/doc/examples/kinematics_configuration/kinematics_configuration_tutorial.html
-    MoveIt, OMPL: https://moveit.picknik.ai/main/doc/examples/ompl_interface/ompl_interface_tutorial.html
-    MoveIt, controllers: https://moveit.picknik.ai/main/doc/examples/controller_configuration/controller_configuration_tutorial.html
-    ros2_controllers, joint_trajectory_controller: https://control.ros.org/rolling/doc/ros2_controllers/joint_trajectory_controller/doc/userdoc.html
-    MoveIt, moveit_simple_controller_manager.cpp: https://github.com/moveit/moveit2/blob/main/moveit_plugins/moveit_simple_controller_manager/src/moveit_simple_controller_manager.cpp
-    MoveIt, Servo: https://moveit.picknik.ai/main/doc/examples/realtime_servo/realtime_servo_tutorial.html
-    ros-controls/gz_ros2_control#456: https://github.com/ros-controls/gz_ros2_control/issues/456
-    moveit/moveit#955: https://github.com/moveit/moveit/issues/955
-    moveit/moveit_planners#6: https://github.com/moveit/moveit_planners/issues/6
     moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 
-from urdfkit.checks.srdf.configuration import unknown_names
-from urdfkit.checks.srdf.configuration_layout import invalid_layout
 from urdfkit.checks.srdf.namesakes import has_incomplete_namesake, launched_namesakes
-from urdfkit.checks.srdf.servo import unknown_in_servo
-from urdfkit.checks.srdf.trajectory_controllers import mismatched_controllers
 from urdfkit.core.suggest import SIMILAR, Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
@@ -83,8 +45,7 @@ FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
 def check(context: Context) -> Findings:
     srdf = context.required_srdf
     elsewhere = set[str]()
-    is_of_namesake = bool(srdf.unknown) and has_incomplete_namesake(context, srdf)
-    if is_of_namesake:
+    if has_incomplete_namesake(context, srdf):
         elsewhere = set(srdf.unknown)
     elif srdf.unknown:
         elsewhere = _names_in_namesakes(context, srdf) | names_of_namesakes(context)
@@ -107,11 +68,6 @@ def check(context: Context) -> Findings:
                     severity=Severity.WARNING,
                 )
     yield from _not_in_group(context, srdf)
-    if not is_of_namesake:
-        yield from unknown_names(context, srdf)
-    yield from invalid_layout(context, srdf)
-    yield from mismatched_controllers(context, srdf)
-    yield from unknown_in_servo(context, srdf)
 
 
 def _names_in_namesakes(context: Context, srdf: Srdf) -> set[str]:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.text.located_yaml import Key, Node, Value, entries, load, mapping, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, entries, items, load, mapping, scalars
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -129,8 +129,8 @@ class MoveItConfig:
                 if not joint.text.startswith(_OPEN):
                     yield f"controller '{name}'", joint
         for _, positions in _mappings(self.load(_INITIAL)):
-            for key in positions:
-                if isinstance(key, Key) and not key.startswith(_OPEN):
+            for key, _ in items(positions):
+                if not key.startswith(_OPEN):
                     yield _INITIAL, key.at
 
     def controllers(self) -> Iterator[tuple[str, dict[str, Node]]]:
@@ -218,6 +218,6 @@ def _is_manager(root: dict[str, Node]) -> bool:
 
 
 def _mappings(node: dict[str, Node]) -> Iterator[tuple[Key, dict[str, Node]]]:
-    for key, inner in node.items():
-        if isinstance(key, Key) and isinstance(inner, dict):
+    for key, inner in items(node):
+        if isinstance(inner, dict):
             yield key, inner

@@ -1,4 +1,4 @@
-"""SRD001: a joint of an arm that the controller of MoveIt lacks."""
+"""SRD028: a joint of an arm that the controller of MoveIt lacks."""
 
 from pathlib import Path
 
@@ -40,7 +40,7 @@ def messages(directory: Path, joints: str, srdf: str = "", robot: str = "</robot
     add_file(directory / "config" / "r.srdf", SRDF.format(srdf).encode())
     add_file(directory / "config" / "moveit_controllers.yaml", MOVEIT.format(joints).encode())
     add_file(directory / "config" / "ros2_controllers.yaml", CONTROL.encode())
-    return [one.message for one in check(path, select=["SRD001"]).diagnostics]
+    return [one.message for one in check(path, select=["SRD028"]).diagnostics]
 
 
 def test_one_is_forgotten(tmp_path: Path) -> None:

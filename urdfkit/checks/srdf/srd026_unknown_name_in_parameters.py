@@ -1,23 +1,56 @@
-"""Unknown names in MoveIt's YAML files."""
+"""A parameter file of MoveIt contains an unknown joint, group, planner, solver or plugin.
+
+- An unknown joint in `joint_limits.yaml` (warning): MoveIt ignores the entry, and plans with the
+  limits of the URDF and without acceleration limits.
+- An unknown joint of a controller in `moveit_controllers.yaml` (or the files of ROS 1), or in
+  `initial_positions.yaml`: "Unable to identify any set of controllers that can actuate the
+  specified joints".
+- An unknown group in `kinematics.yaml` or `ompl_planning.yaml` (warning): MoveIt plans with the
+  default planner, and without inverse kinematics. An unknown planning group in RViz (info).
+- A misspelt solver in `kinematics.yaml`: "The kinematics plugin (arm) failed to load", and the
+  group cannot be moved to a pose.
+- In `ompl_planning.yaml`, a planner of a group that it does not define (warning): "Could not find
+  the planner configuration"; a misspelt planning plugin: "Exception while loading planner"; an
+  unknown adapter, or one for responses among those for requests; an unknown joint in a projection
+  (warning).
+
+The name is misspelt, or the file is that of another robot.
+
+Sources:
+    MoveIt, robot_model_loader.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/robot_model_loader/src/robot_model_loader.cpp
+    MoveIt, kinematics: https://moveit.picknik.ai/main/doc/examples/kinematics_configuration/kinematics_configuration_tutorial.html
+    MoveIt, OMPL: https://moveit.picknik.ai/main/doc/examples/ompl_interface/ompl_interface_tutorial.html
+    moveit/moveit#955: https://github.com/moveit/moveit/issues/955
+    moveit/moveit_planners#6: https://github.com/moveit/moveit_planners/issues/6
+"""
 
 import os
 import re
 
+from urdfkit.checks.srdf.namesakes import has_incomplete_namesake
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, Suggester, did_you_mean, nearest
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
-from urdfkit.ros.moveit.config import MANAGER
+from urdfkit.ros.gazebo.samples import SHOULDER
+from urdfkit.ros.launch.rviz import displays
 from urdfkit.ros.moveit.joint_limits import planned_limits
+from urdfkit.ros.moveit.samples import configurations, named_xml
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_variant import names_of_other_robots
 from urdfkit.ros.ros_control import ROS1
 from urdfkit.text.located_yaml import scalar
 
+BAD = named_xml("bad", SHOULDER)
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = configurations(
+    "kinematics.yaml",
+    "manipulator: {kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin}\n",
+    "arm: {kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin}\n",
+)
+
 #: The plugins of IKFast are named after the robot.
 _OF_ROBOTS = "IKFast"
-#: The controller manager whose settings are checked.
-_OF_MOVEIT = "moveit_simple_controller_manager/MoveItSimpleControllerManager"
 #: The name of Pilz's planner in MoveIt 1.
 _PILZ_OF_ROS1 = "pilz_industrial_motion_planner::CommandPlanner"
 
@@ -28,18 +61,24 @@ _ADAPTERS_OF_HUMBLE = "default_planner_request_adapters"
 _PROJECTION = re.compile(r"joints\(([^()$]*)\)")
 #: Most groups that a help names.
 _MAX_NAMED = 8
+#: Most directories of a package that are searched for configurations of RViz.
+_MAX_DIRECTORIES = 200
 
 
-def unknown_names(context: Context, srdf: Srdf) -> Findings:
-    """The unknown joints, groups, controllers and solvers in the configuration files."""
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
+def check(context: Context) -> Findings:
+    srdf = context.required_srdf
+    yield from _rviz_groups(context, srdf)
+    if has_incomplete_namesake(context, srdf):
+        return
     yield from _joint_limits(context, srdf)
+    yield from _joints(context, srdf)
     yield from _groups(context, srdf)
     yield from _solvers(context, srdf)
     yield from _planners(context)
     yield from _planning_plugins(context)
     yield from _adapters(context)
     yield from _projections(context, srdf)
-    yield from _controllers(context, srdf)
 
 
 def _joint_limits(context: Context, srdf: Srdf) -> Findings:
@@ -150,7 +189,8 @@ def _planner(name: str, known: list[str], defined: list[str]) -> str | None:
     return nearest(name, known, TYPO) or next(begins, None)
 
 
-def _controllers(context: Context, srdf: Srdf) -> Findings:
+def _joints(context: Context, srdf: Srdf) -> Findings:
+    """Unknown joints of controllers and of the initial positions."""
     known = srdf.known("joint")
     joints = list(context.moveit_config.joint_entries())
     of_others = names_of_other_robots(context, srdf, {joint.text for _, joint in joints} - known)
@@ -161,31 +201,20 @@ def _controllers(context: Context, srdf: Srdf) -> Findings:
     for who, joint in unknown:
         message = f"{who}: unknown joint '{joint.text}'{suggester.hint(joint.text)}"
         yield Finding(joint.span, message, "fix the name")
-    yield from _manager(context)
-    for name, others, is_outside in context.moveit_config.names_without_settings():
-        hint = did_you_mean(name.text, others)
-        if is_outside:
-            hint = f" in {MANAGER}: they are at the top level of the file"
-        message = f"controller '{name.text}' has no settings{hint}"
-        help = "indent the settings" if is_outside else "fix the name"
-        yield Finding(name.span, message, help)
 
 
-def _manager(context: Context) -> Findings:
-    """A misspelt controller manager, sections that it ignores, controllers without joints."""
-    plugin = context.moveit_config.controller_manager()
-    if plugin is None:
-        return
-    match = nearest(plugin.text, data("moveit")["managers"], CLOSE_TYPO)
-    if match and plugin.text != match:
-        hint = f"unknown controller manager '{plugin.text}'; did you mean '{match}'?"
-        yield Finding(plugin.span, hint, f"write {match}")
-    if match != _OF_MOVEIT:
-        return
-    for key in context.moveit_config.misplaced_controllers():
-        message = f"MoveIt reads its controllers below {MANAGER}, not below '{key}'"
-        yield Finding(key.span, message, f"write {MANAGER}")
-    for key, entry in context.moveit_config.controller_entries():
-        if "type" in entry and "joints" not in entry:
-            message = f"controller '{key}' has no joints, so MoveIt ignores it"
-            yield Finding(key.span, message, "list the joints that it moves")
+def _rviz_groups(context: Context, srdf: Srdf) -> Findings:
+    """A planning group of another robot in the MotionPlanning of RViz."""
+    package = context.resolver.packages.enclosing(srdf.path)
+    directory = package[1] if package else os.path.dirname(srdf.path)
+    known = srdf.known("group")
+    for path in context.resolver.directories.files_below(directory, _MAX_DIRECTORIES):
+        source = context.resolver.readable(path) if path.endswith(".rviz") else None
+        for display in displays(source) if source and known else ():
+            group = scalar(display, "Planning Request", "Planning Group")
+            if group and group.text and group.text not in known:
+                message = f"RViz: unknown planning group '{group.text}'"
+                message += did_you_mean(group.text, known)
+                help = f"write one of {few(sorted(known), 4)}"
+                # RViz takes the first group instead.
+                yield Finding(group.span, message, help, severity=Severity.INFO)

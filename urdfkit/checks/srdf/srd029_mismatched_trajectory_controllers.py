@@ -1,17 +1,32 @@
-"""MoveIt's trajectory controllers that do not match the controllers of ros2_control."""
+"""A controller of MoveIt does not match the controllers of ros2_control.
 
-from collections.abc import Iterator
-from itertools import chain, islice
+- No parameter file of ros2_control in the workspace defines the controller of
+  `moveit_controllers.yaml`, while another controller commands its joints.
+- The controller has other joints than in ros2_control, and rejects each trajectory: "Joints on
+  incoming trajectory don't match the controller joints". Fixed, mimic, passive and virtual joints
+  are ignored.
+- It has another type or action (warning): "Action client not connected". Or it has none.
+- No launch file names the controller, while a spawner loads another one of the file (warning).
 
+Sources:
+    MoveIt, controllers: https://moveit.picknik.ai/main/doc/examples/controller_configuration/controller_configuration_tutorial.html
+    ros2_controllers, joint_trajectory_controller: https://control.ros.org/rolling/doc/ros2_controllers/joint_trajectory_controller/doc/userdoc.html
+    ros-controls/gz_ros2_control#456: https://github.com/ros-controls/gz_ros2_control/issues/456
+"""
+
+from itertools import chain
+
+from urdfkit.checks.srdf.trajectories import defined_controllers, omitted_joints
 from urdfkit.core.grouping import by_key
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity
-from urdfkit.robot.model import RobotModel
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.ros.catalog import data
-from urdfkit.ros.controllers import Controller, read
+from urdfkit.ros.controllers import Controller
+from urdfkit.ros.gazebo.samples import SHOULDER
 from urdfkit.ros.launch.contents import Word
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.launch.spawned_controllers import MANAGER, spawned_controllers
+from urdfkit.ros.moveit.samples import configurations, named_xml
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Key, Node, Value, scalars
 from urdfkit.workspace.launch_files import MAX_FILES, launch_files
@@ -19,17 +34,34 @@ from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 
-#: Most files of the workspace that are read, and directories that are searched.
-_MAX_FILES, _MAX_DIRECTORIES = 500, 1000
-#: Least number of joints of a chain of which one is forgotten.
-_LEAST_JOINTS = 3
+BAD = named_xml("bad", SHOULDER)
+GOOD = BAD.replace('"bad"', '"good"')
+_CONTROLLERS = """\
+moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager
+moveit_simple_controller_manager:
+  controller_names: [shoulder_controller]
+  shoulder_controller:
+    {type: FollowJointTrajectory, action_ns: follow_joint_trajectory, joints: [shoulder]}
+"""
+FILES = configurations(
+    "moveit_controllers.yaml", _CONTROLLERS, _CONTROLLERS.replace("shoulder_", "arm_")
+) | {
+    "ros2_controllers.yaml": b"""\
+controller_manager:
+  ros__parameters:
+    arm_controller: {type: joint_trajectory_controller/JointTrajectoryController}
+arm_controller: {ros__parameters: {joints: [shoulder]}}
+"""
+}
+
 #: Functions of MoveIt that spawn all of its controllers.
 _SPAWNING_ALL = (b"generate_spawn_controllers", b"generate_demo_launch")
 _TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 
 
-def mismatched_controllers(context: Context, srdf: Srdf) -> Findings:
-    """Controllers of MoveIt 2 that are not defined, or have other joints or actions."""
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
+def check(context: Context) -> Findings:
+    srdf = context.required_srdf
     manifest = manifest_of(context.resolver, srdf.path)
     if manifest is None or manifest.ros != 2:
         return
@@ -45,8 +77,7 @@ def mismatched_controllers(context: Context, srdf: Srdf) -> Findings:
             yield from _undefined(key, entry, served, defined)
             continue
         yield from _action(key, entry, same)
-        yield from _other_joints(key, entry, same, _omitted_joints(context.model, srdf))
-    yield from _uncommanded(context.model, srdf, entries)
+        yield from _other_joints(key, entry, same, omitted_joints(context.model, srdf))
     yield from _not_spawned(context, srdf, [key for key, _ in entries if key.strip("/") in defined])
 
 
@@ -67,35 +98,6 @@ def _undefined(
             f"write {other.name}, or define '{key}'",
             related=(Related(other.type_at, f"controller '{other.name}'"),),
         )
-
-
-def _uncommanded(
-    model: RobotModel, srdf: Srdf, entries: list[tuple[Key, dict[str, Node]]]
-) -> Findings:
-    """A joint at the end of a chain, or in it, that the controller of the chain lacks."""
-    omitted = _omitted_joints(model, srdf)
-    commanded = {joint: key for key, entry in entries for joint in _joints(entry)}
-    reported: set[str] = set()
-    for name in srdf.groups_by_name:
-        links = srdf.links_of(name)
-        chain = [joint for joint in model.joints if joint.child_name in links]
-        parents = [joint.parent_name for joint in chain]
-        moved = {joint.name for joint in chain} - omitted
-        missing = moved - commanded.keys()
-        owners = {commanded[joint] for joint in moved - missing}
-        is_chain = len(set(parents)) == len(parents)
-        if len(missing) != 1 or len(owners) != 1 or len(moved) < _LEAST_JOINTS or not is_chain:
-            continue
-        (joint,), (key,) = missing, owners
-        if joint not in reported:
-            reported.add(joint)
-            yield Finding(
-                key.span,
-                f"controller '{key}' lacks joint '{joint}' of group '{name}', so that MoveIt finds "
-                "no controllers for a trajectory of the group",
-                f"add '{joint}' to its joints",
-                severity=Severity.WARNING,
-            )
 
 
 def _not_spawned(context: Context, srdf: Srdf, keys: list[Key]) -> Findings:
@@ -135,17 +137,8 @@ def _spawned(path: str, resolver: Resolver) -> dict[str, Word]:
     return {spawned.word.text or "": spawned.word for spawned in spawned_controllers(spawners)}
 
 
-def _omitted_joints(model: RobotModel, srdf: Srdf) -> set[str]:
-    """The joints that MoveIt omits from trajectories."""
-    joints = {
-        joint.name for joint in model.joints if joint.kind == "fixed" or joint.mimic is not None
-    }
-    elements = (*srdf.root.all("virtual_joint"), *srdf.root.all("passive_joint"))
-    return joints.union(element.get("name") or "" for element in elements)
-
-
 def _other_joints(
-    key: Key, entry: dict[str, Node], same: list[Controller], unmoved: set[str]
+    key: Key, entry: dict[str, Node], same: list[Controller], omitted: set[str]
 ) -> Findings:
     """A trajectory controller with other joints, which rejects each trajectory."""
     joints = _joints(entry)
@@ -157,7 +150,7 @@ def _other_joints(
     partial = filter(_is_partial, same)
     if not joints or not known or any(_commanded(controller) >= joints for controller in partial):
         return
-    moved = joints - unmoved
+    moved = joints - omitted
     if any(
         _commanded(controller) in (joints, moved) or _has_unknown_joints(controller)
         for controller in known
@@ -191,10 +184,6 @@ def _action(key: Key, entry: dict[str, Node], same: list[Controller]) -> Finding
             return
 
 
-def _joints(entry: dict[str, Node]) -> set[str]:
-    return {value.text for value in scalars(entry.get("joints"))}
-
-
 def _commanded(controller: Controller) -> set[str]:
     return {value.text for value in controller.values(["joints", "joint"])}
 
@@ -209,14 +198,5 @@ def _has_unknown_joints(controller: Controller) -> bool:
     return any(mark in joint for joint in _commanded(controller) for mark in "$<{")
 
 
-def defined_controllers(context: Context, srdf: Srdf) -> Iterator[Controller]:
-    """The ROS 2 controllers in YAML files of the workspaces of the robot and the SRDF."""
-    resolver = context.resolver
-    workspaces = {resolver.packages.workspace(path) for path in (context.source.path, srdf.path)}
-    for workspace in sorted(workspaces):
-        files = resolver.directories.files_below(workspace, _MAX_DIRECTORIES)
-        yaml_files = (path for path in files if path.endswith((".yaml", ".yml")))
-        for path in islice(yaml_files, _MAX_FILES):
-            source = resolver.readable(path)
-            if source and b"controller_manager" in source.data:
-                yield from (controller for controller in read(source) if controller.ros == 2)
+def _joints(entry: dict[str, Node]) -> set[str]:
+    return {value.text for value in scalars(entry.get("joints"))}

@@ -1,4 +1,4 @@
-"""SRD001 in the files of MoveIt Servo."""
+"""SRD030: see the rule."""
 
 from pathlib import Path
 
@@ -6,6 +6,7 @@ import pytest
 
 from tests.naming import naming
 from tests.srdfs import findings
+from urdfkit import Severity
 
 GROUP = '<group name="arm"><chain base_link="base" tip_link="hand"/></group>'
 VIRTUAL = '<virtual_joint name="v" type="fixed" parent_frame="world" child_link="base"/>'
@@ -33,7 +34,7 @@ def messages(
     (directory / "servo_config.yaml").write_text(text)
     (directory / "ros2_controllers.yaml").write_text(controllers)
     (directory / "package.xml").write_text(f"<package><name>r</name>{manifest}</package>")
-    return [found.message for found in findings(directory, body, "SRD001")]
+    return [found.message for found in findings(directory, body, "SRD030")]
 
 
 @pytest.mark.parametrize(
@@ -105,3 +106,51 @@ def test_the_group_is_required(tmp_path: Path) -> None:
     )
     (found,) = messages(tmp_path, text)
     assert "move_group_name is missing" in found
+
+
+TYPED = "move_group_name: arm\ncommand_out_topic: {}\ncommand_out_type: {}\n"
+
+
+@pytest.mark.parametrize(
+    ("topic", "kind", "count"),
+    [
+        ("/c/joint_trajectory", "std_msgs/Float64MultiArray", 1),
+        ("/c/joint_trajectory", "trajectory_msgs/JointTrajectory", 0),
+        ("/c/my_ectory", "std_msgs/Float64MultiArray", 0),
+    ],
+)
+def test_types_of_commands(tmp_path: Path, topic: str, kind: str, count: int) -> None:
+    (tmp_path / "servo.yaml").write_text(TYPED.format(topic, kind))
+    found = findings(tmp_path, GROUP, "SRD030")
+    assert [(one.span.line, one.severity, one.help) for one in found] == [
+        (3, Severity.WARNING, "write trajectory_msgs/JointTrajectory")
+    ] * count
+    words = naming("servo.yaml", "command_out_type", kind, topic, "trajectory_msgs/JointTrajectory")
+    assert [one.message for one in found] == [words] * count
+
+
+TWO_CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    c: {type: joint_trajectory_controller/JointTrajectoryController}
+    f: {type: forward_command_controller/ForwardCommandController}
+"""
+
+
+@pytest.mark.parametrize(
+    ("topic", "read"),
+    [
+        ("/c/command", "/c/joint_trajectory"),
+        ("/robot/c/commands", "/robot/c/joint_trajectory"),
+        ("f/joint_trajectory", "f/commands"),
+        ("/f/commands", ""),
+        ("/other/command", ""),
+        ("joint_trajectory", ""),
+    ],
+)
+def test_a_topic_of_servo_that_its_controller_does_not_read(
+    tmp_path: Path, topic: str, read: str
+) -> None:
+    text = f"move_group_name: arm\ncommand_out_topic: {topic}\n"
+    found = messages(tmp_path, text, controllers=TWO_CONTROLLERS)
+    assert found == ([naming("servo_config.yaml", topic, read)] if read else [])

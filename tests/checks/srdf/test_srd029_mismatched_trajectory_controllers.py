@@ -1,4 +1,4 @@
-"""SRD001: a controller of MoveIt that no launch file spawns."""
+"""SRD029: see the rule."""
 
 from pathlib import Path
 
@@ -59,5 +59,5 @@ def test_a_controller_that_nothing_spawns(
     add_file(tmp_path / "config" / "moveit_controllers.yaml", MOVEIT)
     add_file(tmp_path / "config" / "ros2_controllers.yaml", CONTROL.format(defined).encode())
     add_file(tmp_path / "launch" / "r.launch.py", launch.encode())
-    found = check(path, select=["SRD001"]).diagnostics
+    found = check(path, select=["SRD029"]).diagnostics
     assert [(one.span.line, one.span.text) for one in found] == [(6, "hand")] * count

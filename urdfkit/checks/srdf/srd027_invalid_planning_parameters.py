@@ -1,0 +1,138 @@
+"""Parameters of MoveIt's planning or sensors are missing, or have the form of another version.
+
+- An octomap updater in `sensors_3d.yaml` lacks a parameter, such as `image_topic` (warning):
+  move_group does not load it. Or the sensor has no settings, `sensors` is no list, or it is the
+  list of settings that MoveIt 1 reads: launch stops.
+- The Cartesian limits of Pilz's planner lack one (warning): "not fully set", and LIN and CIRC fail.
+- The file of a planning pipeline is half of Humble, with `planning_plugin` and a text of adapters,
+  and half of Jazzy, with `planning_plugins` and lists (warning).
+- `planner_configs` of a group is a single planner, not a list: move_group stops.
+
+Sources:
+    MoveIt, OMPL: https://moveit.picknik.ai/main/doc/examples/ompl_interface/ompl_interface_tutorial.html
+    MoveIt, planning_context_manager.cpp: https://github.com/moveit/moveit2/blob/main/moveit_planners/ompl/ompl_interface/src/planning_context_manager.cpp
+    MoveIt, pointcloud_octomap_updater.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/perception/pointcloud_octomap_updater/src/pointcloud_octomap_updater.cpp
+    MoveIt, cartesian_limits_parameters.yaml: https://github.com/moveit/moveit2/blob/main/moveit_planners/pilz_industrial_motion_planner/src/cartesian_limits_parameters.yaml
+"""
+
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.ros.catalog import data
+from urdfkit.ros.gazebo.samples import SHOULDER
+from urdfkit.ros.moveit.config import PIPELINES
+from urdfkit.ros.moveit.samples import configurations, named_xml
+from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.text.located_yaml import Node, Value, items, mapping, scalar, scalars
+from urdfkit.workspace.launch_files import launch_files
+from urdfkit.workspace.manifest import manifest_of
+
+BAD = named_xml("bad", SHOULDER)
+GOOD = BAD.replace('"bad"', '"good"')
+FILES = configurations(
+    "ompl_planning.yaml",
+    "arm: {planner_configs: RRTConnectkConfigDefault}\n",
+    "arm: {planner_configs: [RRTConnectkConfigDefault]}\n",
+)
+
+_SENSORS = "sensors_3d.yaml"
+_CARTESIAN = "pilz_cartesian_limits.yaml"
+_ADAPTERS = ("request_adapters", "response_adapters")
+
+
+@rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
+def check(context: Context) -> Findings:
+    yield from _sensors(context, context.required_srdf)
+    yield from _cartesian_limits(context)
+    yield from _pipelines(context)
+    yield from _planners_of_groups(context)
+
+
+def _sensors(context: Context, srdf: Srdf) -> Findings:
+    """Sensors of the octomap that move_group does not load."""
+    root = context.moveit_config.load(_SENSORS)
+    listed = root.get("sensors")
+    if isinstance(listed, Value) and listed.text:
+        message, help = f"sensors is '{listed.text}', not a list", f"write [{listed.text}]"
+        yield Finding(listed.span, message, help)
+    for item in listed if isinstance(listed, list) and _loads_sensors(context, srdf) else ():
+        written = scalar(item, "sensor_plugin")
+        if written:
+            message = (
+                "sensors contains settings, but MoveIt 2 reads names of sections: launch stops"
+            )
+            help = "write sensors: [camera], and the settings below camera:"
+            yield Finding(written.span, message, help)
+    for name in scalars(listed):
+        section = mapping(root, name.text)
+        if name.text and not section:
+            yield Finding(name.span, f"sensor '{name.text}' has no settings", "fix the name")
+        plugin = section.get("sensor_plugin")
+        updater = data("moveit")["updaters"].get(getattr(plugin, "text", ""))
+        if updater is None or not isinstance(plugin, Value):
+            continue
+        required = updater["required"].split()
+        missing = [key for key in required if key not in section]
+        others = [key for key in section if key not in (*required, *updater["others"].split())]
+        if missing:
+            class_name = plugin.text.rpartition("/")[2]
+            message = f"{class_name} has no {', '.join(missing)}"
+            help = "add " + ", ".join(missing)
+            if others:
+                message += f"; it does not read {', '.join(others)}"
+                help = f"add {', '.join(missing)}, or name the plugin that reads {others[0]}"
+            yield Finding(plugin.span, message, help, severity=Severity.WARNING)
+
+
+def _loads_sensors(context: Context, srdf: Srdf) -> bool:
+    """True if launch files of ROS 2 load the sensors: by name, or with all files of the package."""
+    resolver = context.resolver
+    manifest = manifest_of(resolver, srdf.path)
+    package = resolver.packages.enclosing(srdf.path)
+    if manifest is None or manifest.ros != 2 or package is None:
+        return False
+    workspace = resolver.packages.workspace(srdf.path)
+    return any(launch_files(workspace, _SENSORS.partition(".")[0], resolver)) or any(
+        package[0].encode() in launch.data
+        for launch in launch_files(workspace, "MoveItConfigsBuilder", resolver)
+    )
+
+
+def _cartesian_limits(context: Context) -> Findings:
+    """A limit without which Pilz's planner plans no lines: "not fully set"."""
+    root = context.moveit_config.load(_CARTESIAN)
+    limits = mapping(root, "cartesian_limits")
+    missing = [name for name in data("moveit")["cartesian_limits"].split() if name not in limits]
+    for key, _ in items(root):
+        if key == "cartesian_limits" and limits and missing:
+            message = f"cartesian_limits has no {', '.join(missing)}: LIN and CIRC fail"
+            help = "add " + ", ".join(missing)
+            yield Finding(key.span, message, help, severity=Severity.WARNING)
+
+
+def _pipelines(context: Context) -> Findings:
+    """Files of pipelines that are half of Humble and half of Jazzy."""
+    for file in PIPELINES:
+        root = context.moveit_config.load(file)
+        is_new = "planning_plugins" in root
+        for key, value in items(root):
+            if key in _ADAPTERS and is_new and isinstance(value, Value) and value.text:
+                names = value.text.split()
+                message = f"{key} is a text, but with planning_plugins (Jazzy) it is a list"
+                help = f"write each on a line: - {names[0]}"
+                yield Finding(key.span, message, help, severity=Severity.WARNING)
+            elif key == "planning_plugin" and not is_new and _has_lists(root):
+                message = "planning_plugin is of Humble, and the lists of adapters are of Jazzy"
+                help = f"write planning_plugins: [{getattr(value, 'text', '')}]"
+                yield Finding(key.span, message, help, severity=Severity.WARNING)
+
+
+def _has_lists(root: dict[str, Node]) -> bool:
+    return any(isinstance(root.get(key), list) for key in _ADAPTERS)
+
+
+def _planners_of_groups(context: Context) -> Findings:
+    """A single planner where a group has a list: move_group stops at the type."""
+    for entry in context.moveit_config.group_entries():
+        value = scalar(entry.values, "planner_configs")
+        if value and value.text:
+            message = f"planner_configs of group '{entry.name}' is not a list"
+            yield Finding(value.span, message, f"write [{value.text}]")
