@@ -180,6 +180,52 @@ def test_renaming_changes_no_robot(tmp_path: Path, before: str, after: str, new:
     )
 
 
+LENGTH = '<xacro:property name="length" value="2"/>'
+ARG = '<xacro:arg name="si|de" default="true"/>'
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        # The default of a parameter is evaluated where the macro is called.
+        LENGTH.replace("th", "|th")
+        + '<xacro:macro name="m" params="length:=${length}"><link name="a${length}"/></xacro:macro>'
+        "<xacro:m/>",
+        LENGTH + '<xacro:macro name="m" params="le|ngth:=${2 * length} b">'
+        '<link name="${length}${b}"/></xacro:macro><xacro:m b="1"/>',
+        # A word of a quoted default is no parameter.
+        LENGTH + '<xacro:macro name="m" params="a:=\'big length\' b">'
+        '<link name="${a}${b}${len|gth}"/></xacro:macro><xacro:m b="1"/>',
+        '<xacro:macro name="m|m" params="c"/><xacro:call macro="mm" c="1"/>',
+        '<xacro:macro name="mm" params="c|d"/><xacro:call macro="mm" cd="1"/>',
+        ARG + '<link name="$(eval side)"/>',
+        ARG + "<link name=\"${xacro.arg('side')}\"/>",
+        LENGTH.replace("th", "|th") + "<link name=\"${dict(length=1)['length']}${length}\"/>",
+    ],
+)
+def test_renaming_reaches_all_uses_and_nothing_else(tmp_path: Path, text: str) -> None:
+    text = XACRO.replace("{}", text)
+    file = Edited(tmp_path / "r.xacro", text)
+    new = renamed(file, "other")
+    assert new != text.replace("|", "")
+    assert _expanded(tmp_path, new) == _expanded(tmp_path, text.replace("|", ""))
+
+
+@pytest.mark.parametrize("name", ["property", "params"])
+def test_a_property_that_a_macro_forwards_is_not_renamed(tmp_path: Path, name: str) -> None:
+    """``length:=^`` passes the property of the parameter's name."""
+    text = XACRO.replace(
+        "{}",
+        LENGTH
+        + '<xacro:macro name="m" params="length:=^|1"><link name="a${length}"/></xacro:macro>'
+        "<xacro:m/>",
+    )
+    file = Edited(tmp_path / "r.xacro", text)
+    file.offset = text.index("length", text.index(name))
+    with pytest.raises(CannotRename, match=r"the macro at r\.xacro:2 forwards 'length'"):
+        rename(file.robot, file.page, file.offset, "other")
+
+
 def _expanded(directory: Path, text: str) -> str:
     (directory / "x.xacro").write_text(text)
     return urdfkit.expand(directory / "x.xacro").text().replace("x.xacro", "")

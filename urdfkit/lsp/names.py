@@ -23,11 +23,18 @@ from urdfkit.text.source import Source, Span
 KINDS = ("link", "joint", "frame", "material", "macro", "property", "parameter", "arg", "package")
 
 _EXPRESSION = re.compile(rb"\$\{([^}]*)\}?|\$\((\w+)\s+([^)]*)\)?")
-_WORD = re.compile(rb"(?<![\w.'\"])[A-Za-z_]\w*")
+#: A name in an expression, but no attribute and no keyword of a call.
+_WORD = re.compile(rb"(?<![\w.'\"])[A-Za-z_]\w*(?!\w|\s*=(?!=))")
 _QUOTED = re.compile(rb"'[^']*'|\"[^\"]*\"")
 _PREFIX = b"xacro:"
 _PACKAGE = re.compile(rb"\b(?:package|model)://([\w-]+)")
-_PARAMETER = re.compile(rb"\**(\w+)\s*(?::=[^\s]*|=[^\s]*)?")
+#: The argument of ``xacro.arg('name')``.
+_ARGUMENT = re.compile(rb"\barg\(\s*['\"](\w+)['\"]")
+#: A parameter of a macro; the second group is the ``^`` that forwards a property of its name.
+_PARAMETER = re.compile(
+    rb"""(?:^|(?<=\s))\**(\w+)(?:\s*:?=\s*(\^)?"""
+    rb"""(?:\$\{[^}$]*\}|\$\([^)$]*\)|'[^'\n]*'|"[^"\n]*"|[^\s'"])*)?"""
+)
 _PLUGIN_WORD = re.compile(rb"[^\s,]+")
 _OWN_TAGS = frozenset((*XACRO_TAGS, "call", "element", "attribute"))
 
@@ -166,6 +173,9 @@ class NameIndex:
             yield from self._value(node, own, "name", is_definition=True)
         elif node.name == "xacro:insert_block":
             yield from self._inserted_block(node)
+        elif node.name == "xacro:call":
+            yield from self._value(node, "macro", "macro", is_definition=False)
+            yield from self._arguments(node, node.get("macro"))
         elif node.name.startswith("xacro:") and own not in _OWN_TAGS:
             yield from self._call(node)
         else:
@@ -180,9 +190,15 @@ class NameIndex:
         if not (written and written.value_span):
             return
         source, start, end = written.value_span
-        for match in _PARAMETER.finditer(source.data, start, end):
-            span = Span(source, *match.span(1))
+        for match in _PARAMETER.finditer(source.data[start:end]):
+            span, forward = (
+                Span(source, start + match.start(group), start + match.end(group))
+                for group in (1, 2)
+            )
             yield NameUse("parameter", span.text, span, True, macro, "", _id(macro))
+            if match[2]:
+                yield NameUse("parameter", span.text, forward, False, macro, "", _id(macro))
+                yield self._variable(macro, span)._replace(span=forward)
 
     def _inserted_block(self, node: TagNode) -> Iterator[NameUse]:
         written = node.attribute("name")
@@ -190,13 +206,17 @@ class NameIndex:
             yield self._variable(node, written.value_span)
 
     def _call(self, node: TagNode) -> Iterator[NameUse]:
-        """The name of the macro in start tag and end tag, and the parameters of the call."""
+        """The name of the macro in start tag and end tag, and the parameters that it sets."""
         for span in (node.name_span, node.end_name):
             if span:
                 text = span.text.removeprefix("xacro:")
                 at = Span(span.source, span.end - len(text.encode()), span.end)
                 yield NameUse("macro", text, at, False, node)
-        macro = self.macros.get(node.name.removeprefix("xacro:"))
+        yield from self._arguments(node, node.name.removeprefix("xacro:"))
+
+    def _arguments(self, node: TagNode, name: str) -> Iterator[NameUse]:
+        """The parameters that a call of a macro sets."""
+        macro = self.macros.get(name)
         for written in node.attributes if macro else ():
             assert macro is not None
             yield NameUse("parameter", written.name, written.name_span, False, node, "", _id(macro))
@@ -244,30 +264,39 @@ class NameIndex:
             at = Span(source, *match.span(1))
             yield NameUse("package", at.text, at, False, node)
         for match in _EXPRESSION.finditer(source.data, start, end):
-            if match[1] is not None:
-                yield from self._in_expression(node, source, match.start(1), match[1])
-            elif match[2] in (b"arg", b"find"):
-                at = Span(source, *match.span(3))
-                yield NameUse("arg" if match[2] == b"arg" else "package", at.text, at, False, node)
+            command = match[2]
+            at = Span(source, *match.span(1 if command is None else 3))
+            if command in (b"arg", b"find"):
+                yield NameUse("arg" if command == b"arg" else "package", at.text, at, False, node)
+            elif command in (None, b"eval"):
+                yield from self._in_expression(node, at, is_eval=command is not None)
 
-    def _in_expression(
-        self, node: TagNode, source: Source, start: int, expression: bytes
-    ) -> Iterator[NameUse]:
+    def _in_expression(self, node: TagNode, span: Span, *, is_eval: bool) -> Iterator[NameUse]:
+        """The names in an expression; in ``$(eval ...)`` they are arguments."""
+        source, start, end = span
+        for name in _ARGUMENT.finditer(source.data, start, end):
+            at = Span(source, *name.span(1))
+            yield NameUse("arg", at.text, at, False, node)
+        expression = source.data[start:end]
         masked = _QUOTED.sub(lambda quoted: b" " * len(quoted.group()), expression)
         for word in _WORD.finditer(masked):
-            yield self._variable(node, Span(source, start + word.start(), start + word.end()))
+            at = Span(source, start + word.start(), start + word.end())
+            yield NameUse("arg", at.text, at, False, node) if is_eval else self._variable(node, at)
 
     def _variable(self, node: TagNode, span: Span) -> NameUse:
-        """A word of an expression: a parameter of the enclosing macro, or else a property."""
+        """A word of an expression: a parameter of the enclosing macro, or else a property.
+
+        Defaults of parameters are evaluated where the macro is called.
+        """
         for macro in (node, *node.ancestors()):
-            if macro.name == "xacro:macro" and span.text in parameters(macro):
+            is_inside = macro.name == "xacro:macro" and span.start >= macro.tag_end
+            if is_inside and span.text in parameters(macro):
                 return NameUse("parameter", span.text, span, False, node, "", _id(macro))
         return NameUse("property", span.text, span, False, node)
 
 
 def parameters(macro: TagNode) -> list[str]:
-    words = _PARAMETER.findall(macro.get("params").encode())
-    return [word.decode() for word in words]
+    return [match[1].decode() for match in _PARAMETER.finditer(macro.get("params").encode())]
 
 
 def _id(macro: TagNode) -> tuple[str, int]:

@@ -117,8 +117,10 @@ def renamable(robot: OpenRobot, page: Page, offset: int) -> NameUse:
     if not any(use.is_definition for use in same):
         raise CannotRename(f"'{name.text}' is not defined in this robot")
     for use in same:
+        place = f"{os.path.basename(use.span.source.path)}:{use.span.line}"
+        if use.span.text == "^":
+            raise CannotRename(f"the macro at {place} forwards '{use.text}' by its name")
         if use.is_computed:
-            place = f"{os.path.basename(use.span.source.path)}:{use.span.line}"
             raise CannotRename(f"'{use.text}' at {place} comes from an expression; change it there")
     return name
 
