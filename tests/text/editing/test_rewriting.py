@@ -27,12 +27,14 @@ CHANGES = {
 
 
 @pytest.mark.skipif(shutil.which("patch") is None, reason="it needs patch")
-@pytest.mark.parametrize("name", CHANGES)
-def test_patch_takes_the_diff(name: str, tmp_path: Path):
+@pytest.mark.parametrize(
+    ("name", "path"), [*((name, "a.urdf") for name in CHANGES), ("plain", "my arm [1].urdf")]
+)
+def test_patch_takes_the_diff(name: str, path: str, tmp_path: Path):
     before, after = CHANGES[name]
-    file = tmp_path / "a.urdf"
+    file = tmp_path / path
     file.write_bytes(before)
-    diff = Rewrite("a.urdf", before, after).diff()
+    diff = Rewrite(path, before, after).diff()
     subprocess.run(
         ["patch", "-p0", "--binary", "-s"], input=diff.encode(), cwd=tmp_path, check=True
     )

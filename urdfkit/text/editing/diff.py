@@ -24,6 +24,8 @@ def diff(path: str, before: bytes, after: bytes) -> str:
     if common := _common(old, new):
         vars(matcher)["matching_blocks"] = common  # replaces difflib's own search
     name = shown(path)
+    if " " in name:
+        name += "\t"  # otherwise ``patch`` and ``git apply`` take the first word alone
     lines = [f"--- {name}\n", f"+++ {name}\n"] if before != after else []
     for group in matcher.get_grouped_opcodes():
         lines.append(f"@@ -{_range(group, 1)} +{_range(group, 3)} @@\n")
