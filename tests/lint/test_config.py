@@ -273,6 +273,11 @@ def test_what_is_selected_by_hand_runs_although_the_configuration_ignores_it(tmp
         ("a/b.urdf", "a/", True),
         ("ab/b.urdf", "a", False),
         ("a/b.urdf", "a/*.xacro", False),
+        ("a/b.urdf", "./a", True),
+        ("a/b.urdf", "**/a/**", True),
+        ("c/a/b.urdf", "**/a/**", True),
+        ("a/b.urdf", "a/**/b.urdf", True),
+        ("ca/b.urdf", "**/a/**", False),
     ],
 )
 def test_patterns(path, pattern, expected):

@@ -128,10 +128,15 @@ class Config(Record):
 
 
 def matches(path: str, patterns: tuple[str, ...]) -> bool:
-    """True if a path or a directory above it matches a pattern; ``*`` also matches ``/``."""
+    """True if a path or a directory above it matches a pattern.
+
+    ``*`` also matches ``/``, and ``**/`` any number of directories, also none.
+    """
     import fnmatch  # not needed if no file is ignored
 
+    written = [pattern.removeprefix("./").rstrip("/") for pattern in patterns]
+    written += [pattern.replace("**/", "") for pattern in written if "**/" in pattern]
     return any(
-        fnmatch.fnmatchcase(path, pattern) or fnmatch.fnmatchcase(path, f"{pattern.rstrip('/')}/*")
-        for pattern in patterns
+        fnmatch.fnmatchcase(path, pattern) or fnmatch.fnmatchcase(path, f"{pattern}/*")
+        for pattern in written
     )
