@@ -35,6 +35,8 @@ def rejected(directory: Path, yaml: str, text: str = NODE) -> list[tuple[int, st
         (f"{GOOD}    own: [a, yes]\n", 4, "mixes types"),
         (f"{GOOD}    own: [0.1, map]\n", 4, "map is a string"),
         (f"{GOOD}    own: [{{name: a}}]\n", 4, ""),
+        (f"{GOOD}    own: [{{names: [a]}}, {{names: [b]}}]\n", 4, ""),
+        (f"{GOOD}    own: [{{names: [a], rate: [1, 0.5]}}]\n", 4, "'rate' mixes types"),
     ],
 )
 def test_the_place(tmp_path: Path, yaml: str, line: int, words: str) -> None:
@@ -54,6 +56,7 @@ def test_the_place(tmp_path: Path, yaml: str, line: int, words: str) -> None:
         'own: ["1", a]',
         "own: [$(var a), 1]",
         "own: {inner: [1]}",
+        "own: [{names: [a], rate: 1}]",  # so the documentation of gpio_controllers writes it
     ],
 )
 def test_sound_values(tmp_path: Path, own: str) -> None:

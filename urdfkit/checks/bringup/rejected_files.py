@@ -87,6 +87,9 @@ def _wrong_values(parameters: Node, *, is_rewritten: bool) -> Iterator[Finding]:
             if isinstance(value, dict):
                 sections.append(value)
             elif isinstance(value, list):
+                if isinstance(section := _only_section(value), dict):
+                    sections.append(section)
+                    continue
                 yield from _mixed(key, value)
                 if any(isinstance(item, dict) for item in value) and isinstance(key, Key):
                     message = f"ROS 2 does not read '{key}', a list of mappings"
@@ -94,6 +97,16 @@ def _wrong_values(parameters: Node, *, is_rewritten: bool) -> Iterator[Finding]:
             elif isinstance(key, Key) and not is_rewritten and _is_empty(value):
                 message = f"ROS 2 rejects the file: '{key}' has no value"
                 yield Finding(key.span, message, f'write a value, or {key}: ""')
+
+
+def _only_section(items: list[Node]) -> Node | None:
+    """The mapping that ROS 2 reads without its dash, as in ``- interfaces: [enable]``.
+
+    So the documentation of gpio_controllers writes it. The parser takes the values of a list for
+    parts of it until the next list ends: so the first value in the mapping must be a list.
+    """
+    is_alone = len(items) == 1 and isinstance(items[0], dict) and items[0]
+    return items[0] if is_alone and isinstance(next(iter(is_alone.values())), list) else None
 
 
 def _is_empty(node: Node) -> bool:
