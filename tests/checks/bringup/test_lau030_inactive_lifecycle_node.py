@@ -31,10 +31,27 @@ MANAGER = (
 
 @pytest.mark.parametrize(
     ("more", "count"),
-    [("", 1), (", 'autostart': True", 0), (", 'autostart': False", 1), (", 'autostart': x()", 0)],
+    [
+        ("", 1),
+        (", 'autostart': True", 0),
+        (", 'autostart': False", 1),
+        (", 'autostart': x()", 0),
+        (", 'autostart': False}, {'service': '/m/manage_nodes'", 0),
+    ],
 )
 def test_autostart(tmp_path: Path, more: str, count: int) -> None:
     found = reported(tmp_path / "arm", "LAU030", "a.launch.py", MANAGER.format(more))
+    assert ["stay unconfigured" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("program", "count"),
+    [("client = '/m/manage_nodes'", 0), ("Client('m', node)", 0), ("'/n/manage_nodes'", 1)],
+)
+def test_a_program_that_starts_the_nodes(tmp_path: Path, program: str, count: int) -> None:
+    """ROS2_WS of Jane-0221: Nav2 is activated when the map is there."""
+    text, files = MANAGER.format(", 'autostart': False"), {"scripts/gate.py": program}
+    found = reported(tmp_path / "arm", "LAU030", "a.launch.py", text, files)
     assert ["stay unconfigured" in one.message for one in found] == [True] * count
 
 

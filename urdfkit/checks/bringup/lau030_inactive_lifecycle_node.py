@@ -27,9 +27,10 @@ from urdfkit.checks.bringup.workspace_launches import (
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.contents import Launch
+from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.releases import is_for_jazzy
+from urdfkit.workspace.program_strings import strings_in_programs
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "launch/navigation.launch.xml"
@@ -49,6 +50,8 @@ _LOADING = ("navigation_launch.py", "localization_launch.py")
 _SWITCH, _NAME, _DEFAULT = "use_composition", "container_name", "nav2_container"
 _MANAGER = "nav2_lifecycle_manager"
 _NAMES, _AUTOSTART = "node_names", "autostart"
+#: The service of a lifecycle manager that starts its nodes.
+_SERVICE = "manage_nodes"
 #: The switch of a node of Jazzy and later that activates itself.
 _OF_NODE = "autostart_node"
 _SLAM = "slam_toolbox"
@@ -188,7 +191,8 @@ def _not_started(context: Context) -> Findings:
     for node in context.launch.started if not context.launch.has_scopes else ():
         text = given_parameter(node, _AUTOSTART, context.resolver)
         is_manager = node.package == _MANAGER and node.is_sure
-        if is_manager and text is not None and text.lower() in ("", "false"):
+        is_off = is_manager and text is not None and text.lower() in ("", "false")
+        if is_off and not _is_called(node, context):
             is_default = " by default" if not text else ""
             yield Finding(
                 node.at,
@@ -196,6 +200,14 @@ def _not_started(context: Context) -> Findings:
                 f"{is_default}",
                 f"set {_AUTOSTART}: true",
             )
+
+
+def _is_called(manager: StartedProgram, context: Context) -> bool:
+    """True if the launch file, or a program of the workspace, names the manager's service."""
+    if _SERVICE.encode() in context.source.data:
+        return True
+    names = (manager.title, f"{manager.title}/{_SERVICE}")
+    return bool(strings_in_programs(names, context.source.path, context.resolver))
 
 
 def _inactive_mapping(context: Context) -> Findings:
