@@ -38,6 +38,16 @@ def test_files_that_the_user_names_or_makes(tmp_path: Path, name: str, count: in
     assert len(reported(tmp_path / "arm", "LAU003", "a.launch", text, files)) == count
 
 
+@pytest.mark.parametrize(
+    ("default", "count"),
+    [("ERROR: did not specify argument --file--", 0), ("config of arm.yaml", 1), ("my arm", 1)],
+)
+def test_a_sentence_that_says_to_pass_a_file(tmp_path: Path, default: str, count: int) -> None:
+    """mas_common_robotics: the launch file that includes this one passes the file."""
+    text = f'<arg name="file" default="{default}"/><rosparam file="$(arg file)"/>'
+    assert len(reported(tmp_path / "arm", "LAU003", "a.launch", text)) == count
+
+
 def test_what_roslaunch_does_not_read_uses_no_argument(tmp_path: Path) -> None:
     """MoveIt configurations of Robotnik: <param> in <include>, with arguments in a comment."""
     files = {"b.launch": "<launch/>"}

@@ -217,10 +217,13 @@ def _unknown_world(context: Context, world: StartedWorld) -> Findings:
 def _may_exist_elsewhere(context: Context, path: str) -> bool:
     """True if a build or a user generates the file, or it may exist on the robot's computer.
 
-    Also if the name is unknown: an argument is empty by default (``$(arg model).yaml``), or
-    arguments result in an expression (``$(arg dollar)(find robot)``).
+    Also if the name is unknown: an argument is empty by default (``$(arg model).yaml``), or is a
+    sentence that says to pass one, or arguments result in an expression (``$(arg dollar)(find
+    robot)``).
     """
-    if os.path.basename(path).startswith(".") or "$(" in path or is_ignored(path) or is_built(path):
+    name = os.path.basename(path)
+    is_unknown = name.startswith(".") or "$(" in path or (name.count(" ") > 1 and "." not in name)
+    if is_unknown or is_ignored(path) or is_built(path):
         return True
     packages = context.resolver.packages
     home = packages.enclosing(path)
