@@ -290,6 +290,9 @@ def test_mirror_images_to_either_side(left: str, right: str) -> None:
         hips("0 1 0", "1 0 0", places=("0.1 0.2 0", "0.3 -0.2 0")),  # two arms on a table
         hips("0 1 0", "1 0 0", places=("0.1 0 0", "0.1 0 0")),
         robot(hip("upper", PLACES[0], "0 1 0"), hip("lower", PLACES[1], "1 0 0")),
+        hips(
+            "1 1 1", "1 1 1"
+        ),  # balls of warehouse_robot_simulation: the message named no difference
     ],
 )
 def test_what_is_no_mirror_image(other: str) -> None:

@@ -55,6 +55,8 @@ _MAX_OFFSET = 4e-3
 _TURN = Transform(rotation_about(Z_AXIS, pi / 2))
 #: Cosine of the angle between two axes below which they are different, not rounded.
 _MAX_COSINE = 0.5
+#: Cosine of the angle between two axes above which they are parallel.
+_PARALLEL = 0.99
 #: Least number of pairs with mirrored limits next to one whose limits are not.
 _CONSISTENT_PAIRS = 2
 #: Allowed ratio of damping and friction, which are measured.
@@ -201,6 +203,8 @@ def _axes(context: Context) -> Findings:
         a, b = _axis(left, left_frame), _axis(right, right_frame)
         if abs(dot((a[0], -a[1], a[2]), b)) < _MAX_COSINE:
             a, b = (_axis(each, context.tree.frames[each.child_name]) for each in (left, right))
+            if abs(dot(a, b)) > _PARALLEL:
+                continue  # an oblique one for both, as for balls, which turn about any axis
             yield Finding(
                 right.at.child_or_self("axis"),
                 f"joint '{right.name}' turns about {rounded(b, 3)} in the root frame, but its "
