@@ -20,6 +20,7 @@ from tests.sensing import findings, scan
         ("<mu1>0,5</mu1>", "<mu1> is '0,5', which Gazebo reads as 0"),
         ('<mu1 value="0,5"/>', "<mu1> is '0,5', which Gazebo reads as 0"),
         ("<kp>1.2.3</kp>", "<kp> is '1.2.3', which Gazebo reads as 1.2"),
+        ("<kp>1.2.</kp>", "<kp> is '1.2.', which Gazebo reads as 1.2"),
         ("<minDepth>1 mm</minDepth>", "<minDepth> is '1 mm', which Gazebo reads as 1"),
         ("<kd>nan</kd>", "<kd> is 'nan': the simulation spreads it to all links"),
         ("<fdir1>a b c</fdir1>", "<fdir1> is 'a b c', not 3 numbers"),
@@ -36,6 +37,13 @@ from tests.sensing import findings, scan
 )
 def test_what_gazebo_makes_of_it(tag: str, message: str) -> None:
     assert messages("GAZ004", BASE + block(tag)) == [message]
+
+
+@pytest.mark.parametrize(("text", "severity"), [("1.2.", "warning"), ("1.2.3", "error")])
+def test_a_point_behind_a_number(text: str, severity: str) -> None:
+    """bumperbot-ros2-core: Gazebo reads 0.1. as intended."""
+    (found,) = reported("GAZ004", BASE + block(f"<mu2>{text}</mu2>"))
+    assert found.severity.value == severity
 
 
 @pytest.mark.parametrize(

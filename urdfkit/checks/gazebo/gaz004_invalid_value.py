@@ -108,7 +108,9 @@ def _number(child: Element, text: str, found: str) -> Findings:
         right = corrected(text)
         is_written = rest.startswith(",") and child.text.strip() == text
         fix = fix_value(child, right) if is_written else None
-        yield Finding(child, f"{found}, which Gazebo reads as {read}", f"write {right}", fix)
+        severity = Severity.WARNING if right == read else None
+        message = f"{found}, which Gazebo reads as {read}"
+        yield Finding(child, message, f"write {right}", fix, severity=severity)
     elif isnan(value(read)):
         yield Finding(child, f"{found}: the simulation spreads it to all links", "write a number")
     elif child.tag in _NOT_NEGATIVE and value(read) < 0:

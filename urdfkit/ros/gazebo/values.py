@@ -62,5 +62,5 @@ def quoted(text: str) -> str:
 
 def corrected(text: str) -> str:
     """Replacement of a number with trailing text, as the end of a help."""
-    right = text.replace(",", ".")
+    right = text.replace(",", ".").removesuffix(".")
     return right if number(right) is not None else "only the number"
