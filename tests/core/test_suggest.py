@@ -40,6 +40,9 @@ def test_nearest(word: str, suggested: str | None) -> None:
         ("robt.xacro", ["robot.gazebo.xacro", "robot.xacro", "robot.yaml"], "robot.xacro"),
         ("arm.xacro", ["arm.urdf.xacro"], "arm.urdf.xacro"),
         ("arm.yaml", ["arm.xacro"], None),
+        # trossen_arm_ros: parts of a robot of different kinds
+        ("wxai.ros2_control.xacro", ["wxai.srdf.xacro", "wxai.urdf.xacro"], None),
+        ("arm.ros2_contol.xacro", ["arm.ros2_control.xacro"], "arm.ros2_control.xacro"),
         (".rviz", ["arm.rviz"], None),
     ],
 )
@@ -173,3 +176,10 @@ def test_a_name_with_another_namespace(word: str, suggested: str) -> None:
 
 def test_a_name_with_a_space_is_not_suggested() -> None:
     assert Suggester(["tool0 ", "tool 0"]).suggested("tool0") == ""
+
+
+def test_a_known_name_with_the_kind_of_thing() -> None:
+    """The macro of a lidar adds the suffix to the name of its link: msd700_robot_description."""
+    known = ["base_link", "livox_joint", "livox_link"]
+    assert Suggester(known).suggested("livox") == "livox_link"
+    assert Suggester(known).suggested("scan") == ""

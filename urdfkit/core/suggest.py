@@ -112,7 +112,8 @@ def nearest_file(path: str) -> str | None:
 def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
     """The known file name most similar to ``name``; None if none is similar, or of its suffix.
 
-    Suffixes make no names similar: ``start_cameras.launch.xml`` is not ``start_driver.launch.xml``.
+    Suffixes make no names similar: ``start_cameras.launch.xml`` is not ``start_driver.launch.xml``,
+    and different ones make them different: ``arm.srdf.xacro`` is not ``arm.ros2_control.xacro``.
     Nor do common words: ``chomp_planning.yaml`` is not ``ompl_planning.yaml``.
     """
     kind = os.path.splitext(name)[1]
@@ -120,7 +121,7 @@ def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
     stems: dict[str, str] = {}
     for other in sorted(known):
         first, _, rest = other.partition(".")
-        if os.path.splitext(other)[1] == kind and (rest == suffix or first not in stems):
+        if _is_of_kind(suffix, rest) and (rest == suffix or first not in stems):
             stems[first] = other
     for _ in range(_MAX_COMPARED):
         suggested = nearest(stem, stems)
@@ -128,6 +129,15 @@ def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
             return stems[suggested] if suggested else None
         del stems[suggested]
     return None
+
+
+def _is_of_kind(suffix: str, other: str) -> bool:
+    """True for suffixes that a file may have instead: ``.xacro`` for ``.urdf.xacro``."""
+    *parts, last = suffix.split(".")
+    *others, other_last = other.split(".")
+    if last != other_last:
+        return False
+    return not (parts and others) or nearest(parts[-1], others[-1:]) is not None
 
 
 def _has_similar_words(name: str, other: str, kind: str) -> bool:
@@ -190,13 +200,18 @@ class Suggester:
 
     def _likely(self, word: str) -> str:
         """The known name; a common namespace does not make names similar."""
-        if known := self._in_another_namespace(word):
+        if known := self._in_another_namespace(word) or self._with_kind(word):
             return known
         space, slash, name = word.rpartition("/")
         space += slash
         inside = [known.removeprefix(space) for known in self._known if known.startswith(space)]
         suggestion = nearest(name, inside, self._cutoff)
         return space + suggestion if suggestion and not _are_siblings(name, suggestion) else ""
+
+    def _with_kind(self, word: str) -> str:
+        """The known name that has the kind of thing as a further word: ``lidar_link``."""
+        names = (f"{word}_{kind}" for kind in ("link", "frame", "joint"))
+        return next((name for name in names if name in self._known), "")
 
     def _in_another_namespace(self, word: str) -> str:
         """The only known name that differs in its namespace alone; empty if there is none."""

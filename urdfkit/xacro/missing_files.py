@@ -93,8 +93,8 @@ def _other_file(name: str, siblings: Iterable[str]) -> str:
     kinds = next((kinds for kinds in _KINDS if name.endswith(kinds)), (os.path.splitext(name)[1],))
     files = sorted(sibling for sibling in siblings if sibling.endswith(kinds))
     if 0 < len(files) <= _MAX_NAMED:
-        return f"correct the path; available: {', '.join(files)}"
-    return "correct the path; a relative one begins at the directory of its file"
+        return f"create it, or correct the path; available: {', '.join(files)}"
+    return "create it, or correct the path; a relative one begins at the directory of its file"
 
 
 def _nearest_file(path: str) -> str:
