@@ -181,6 +181,8 @@ def test_nothing_of_an_archive_is_written_elsewhere(tmp_path: Path) -> None:
             found = list(models([str(tmp_path / name)]))
             for model in found:
                 extraction.on_disk(model)
+                if name == "a.tar":
+                    assert Path(extraction.on_disk(model).path).is_file()  # without the link
     assert list(outside.iterdir()) == []
 
 

@@ -276,7 +276,7 @@ def _extract(archive: str, directory: str) -> None:
         if archive.lower().endswith(_TARS):
             with tarfile.open(archive, tarinfo=_TarMember) as tar:
                 _check_room(archive, sum(member.size for member in tar), free)
-                tar.extractall(directory, filter="data")
+                tar.extractall(directory, filter=_inside)
         else:
             with zipfile.ZipFile(archive) as packed:
                 _check_room(archive, sum(member.file_size for member in packed.infolist()), free)
@@ -285,6 +285,14 @@ def _extract(archive: str, directory: str) -> None:
         message = f"{archive}: cannot be extracted ({_why(error)})"
         is_full = isinstance(error, OSError) and error.errno == ENOSPC
         raise (UnwritableFile if is_full else UnreadableFile)(message) from error
+
+
+def _inside(member: tarfile.TarInfo, directory: str) -> tarfile.TarInfo | None:
+    """The member; None for one that leads out of the directory, such as a link to /opt/ros."""
+    try:
+        return tarfile.data_filter(member, directory)
+    except tarfile.FilterError:
+        return None
 
 
 def _why(error: Exception) -> str:
