@@ -313,6 +313,8 @@ def test_results_of_the_parts(tmp_path: Path) -> None:
         block("<mu1>1</mu1>", "nobody"),
         block("<sensor name='ft' type='force_torque'/>", "arm_joint"),
         block("<mu2>1</mu2><static>false</static>", ""),
+        child("plate", "fixed", inside=f"<collision name='c'>{BOX}</collision>"),
+        block("<mu1>1</mu1><static>true</static><gravity>1</gravity>", "plate"),
         "<transmission name='t'/>",
     )
     found = convert(robot(*parts), tmp_path / "o", to="sdf")
@@ -330,7 +332,9 @@ def test_results_of_the_parts(tmp_path: Path) -> None:
     assert results["gazebo/arm_joint"] == "lost: joint 'arm_joint' is merged or dropped"
     assert results["transmission/t"].startswith("lost: not in SDF")
     lost = [note for part, note in results.items() if part.endswith("mu2")]
-    assert lost == ["lost: it applies to a collision, and '' has none"]
+    assert lost == ["lost: it applies to a collision, and the <gazebo> has no reference"]
+    assert results["gazebo/plate/mu1"] == "lost: no collision of 'plate' has a name that it applies to"
+    assert results["gazebo/plate/static"].startswith("lost: it applies to the model")
 
 
 REFUSED = {

@@ -178,8 +178,7 @@ def _extension(losses: LossTable, extension: GazeboBlock, conversion: SdfConvers
         if child.tag in KEEPING_TAGS:
             receiver = "joint"
         elif receiver and receiver not in extension.receivers:
-            missing = "the model" if receiver == "model" else f"a {receiver}"
-            losses.lose(child, f"it applies to {missing}, and '{reference}' has none")
+            losses.lose(child, _unreceived(receiver, reference, conversion))
             continue
         _keep_all(losses, child, f"of the {receiver}" if receiver else "as written")
         pose = child.child("pose") if child.tag in POSED else None
@@ -192,6 +191,19 @@ def _keep_all(losses: LossTable, root: Element, note: str) -> None:
         losses.keep(element, note)
         for attribute in element.attributes.values():
             losses.keep(attribute, "as written")
+
+
+def _unreceived(receiver: str, reference: str, conversion: SdfConversion) -> str:
+    """The reason why a setting of a block for some SDF tag is ignored."""
+    if not reference:
+        return f"it applies to a {receiver}, and the <gazebo> has no reference"
+    if receiver == "model":
+        return "it applies to the model, in a <gazebo> without a reference"
+    link = conversion.model.links_by_name.get(reference)
+    shapes = {"collision": link.collisions, "visual": link.visuals} if link else {}
+    if shapes.get(receiver):  # GAZ067 explains which names are
+        return f"no {receiver} of '{reference}' has a name that it applies to"
+    return f"it applies to a {receiver}, and '{reference}' has none"
 
 
 def _nothing(reference: str, joint: Joint | None, conversion: SdfConversion) -> str:

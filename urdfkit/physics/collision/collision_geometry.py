@@ -213,7 +213,8 @@ class DistanceQuery:
             if 0 < depth <= TOUCH:  # another pair of triangles may be deeper
                 depth = self._depth(self._many)
             if depth > TOUCH:
-                return -depth
+                # coal's depth of triangles may be the length of one of them
+                return max(-depth, bound) if bound < -TOUCH else -depth
             if limit <= 0:
                 return 0.0
         return max(0.0, self._measure(self.first.exact, self.second.exact, limit))
