@@ -77,7 +77,7 @@ def test_unknown_values_fit_a_terminal(tmp_path: Path, capsys: pytest.CaptureFix
     lines = run(capsys, str(tmp_path / "frames.urdf")).splitlines()
     notes = lines[-3:]
     assert notes[0].startswith(f"{names[0]}, {names[1]}")
-    assert notes[-1].endswith(f"{names[-1]}: it has no shape")
+    assert notes[-1].endswith(f"{names[-1]}: no shape")
     assert max(map(len, notes)) <= 80
     assert all(line == line.rstrip() for line in lines)
 

@@ -32,7 +32,7 @@ def test_a_turned_inertial_has_turned_axes() -> None:
     columns = list(zip(*row.axes, strict=True))
     assert [abs(part) for part in columns[0]] == pytest.approx([0, 1, 0], abs=1e-12)
     assert row.density is None
-    assert row.reason == "it has no shape"
+    assert row.reason == "no shape"
 
 
 def test_links_without_mass_or_shape_are_no_rows() -> None:

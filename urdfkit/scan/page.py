@@ -54,9 +54,9 @@ def _counts(summary: Summary) -> Iterator[str]:
     yield f"{summary.models} models: {statuses}"
     yield (
         f"{summary.with_errors} with errors, {summary.with_warnings} with warnings only, "
-        f"{summary.clean} without errors and warnings; {summary.redundant} copies of others; "
-        f"{summary.cpu_seconds:.1f} s of processor time"
+        f"{summary.clean} without errors and warnings"
     )
+    yield (f"{summary.redundant} copies of others; {summary.cpu_seconds:.1f} s of processor time")
 
 
 def _tables(summary: Summary) -> Iterator[_Table]:

@@ -121,7 +121,7 @@ def test_where_the_mass_comes_from(tmp_path: Path) -> None:
     ]
     assert [one.mass for one in masses if one] == [2.0, 5.0, 1240.0]
     bare = robot(tmp_path, collision('<box size="1 1 1"/>'), "")
-    assert only(bare).reason.startswith("it has no mass")
+    assert only(bare).reason.startswith("no mass")
     assert only(bare, density=1.0).verdict == "missing"
 
 

@@ -78,7 +78,7 @@ def _meshes(robot: Context, link: Link, visual: bool, found: Solids) -> list[Mes
         mesh = body_mesh(robot, body)
         if mesh is None:
             why = robot.meshes.reason(body.shape) if body.shape else ""
-            found.left_out.append(f"{what} is left out: {why or 'it has no shape'}")
+            found.left_out.append(f"{what} is left out: {why or 'no shape'}")
             continue
         try:
             solid = closed(mesh)

@@ -152,7 +152,7 @@ def _proposal(
     if mass is None:
         mass = density * shapes.properties.mass if density else link.mass
     if not mass > 0:
-        reason = "it has no mass; pass --mass, --density or --material"
+        reason = "no mass; pass --mass, --density or --material"
         return InertiaProposal(link, (link.name,), declared, shapes, None, reason)
     return InertiaProposal(link, (link.name,), declared, shapes, shapes.with_mass(mass), "")
 

@@ -48,7 +48,7 @@ def shape_mass(link: Link, source: str, measures: Measure) -> ShapeMass | str:
     collisions = (link.collisions, "the collision")
     visuals = (link.visuals, "the visual")
     choices = {"collision": [collisions], "visual": [visuals]}.get(source, [collisions, visuals])
-    reason = "it has no shape"
+    reason = "no shape"
     for bodies, name in choices:
         if not bodies:
             continue
