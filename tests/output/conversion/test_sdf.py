@@ -333,7 +333,9 @@ def test_results_of_the_parts(tmp_path: Path) -> None:
     assert results["transmission/t"].startswith("lost: not in SDF")
     lost = [note for part, note in results.items() if part.endswith("mu2")]
     assert lost == ["lost: it applies to a collision, and the <gazebo> has no reference"]
-    assert results["gazebo/plate/mu1"] == "lost: no collision of 'plate' has a name that it applies to"
+    assert results["gazebo/plate/mu1"].endswith(
+        "no collision of 'plate' has a name that it applies to"
+    )
     assert results["gazebo/plate/static"].startswith("lost: it applies to the model")
 
 
