@@ -94,6 +94,28 @@ def test_an_srdf_is_written_compared_and_updated(
     assert 'link1="tip"' not in srdf.read_text()
 
 
+@pytest.mark.parametrize("encoding", ["iso-8859-1", "utf-16"])
+def test_an_srdf_keeps_its_encoding(encoding: str, bent: str, tmp_path: Path) -> None:
+    srdf = tmp_path / "bent.srdf"
+    comment = f'<?xml version="1.0" encoding="{encoding}"?>\n<!-- Gr\xf6\xdfe -->\n'
+    srdf.write_bytes(f'{comment}<robot name="bent">\n</robot>\n'.encode(encoding))
+    assert main(["collisions", bent, *FEW, "-o", str(srdf)]) == 0
+    text = srdf.read_bytes().decode(encoding)
+    assert text.startswith(comment)
+    assert "<disable_collisions" in text
+
+
+def test_an_srdf_with_a_byte_that_is_no_text_is_not_touched(
+    bent: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    srdf = tmp_path / "bent.srdf"
+    srdf.write_bytes(b'<!-- Gr\xf6\xdfe --><robot name="bent"></robot>')
+    before = srdf.read_bytes()
+    assert main(["collisions", bent, *FEW, "-o", str(srdf)]) == 2
+    assert "not valid text" in capsys.readouterr().err
+    assert srdf.read_bytes() == before
+
+
 @pytest.mark.parametrize(
     ("words", "reason"),
     [

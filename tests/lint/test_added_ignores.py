@@ -78,6 +78,18 @@ def test_a_file_that_is_not_xml(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert (tmp_path / "robot.urdf").read_text() == "robot"
 
 
+def test_a_file_with_a_byte_that_is_no_text(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A comment in Latin-1 without a declaration, which the source does not hold."""
+    path = tmp_path / "r.urdf"
+    before = b'<!-- Gr\xf6\xdfe --><robot name="r"><link name="a"/><joint name="j"/></robot>'
+    path.write_bytes(before)
+    main(["check", str(path), "--add-ignore"])
+    assert "the file is not valid text" in capsys.readouterr().out
+    assert path.read_bytes() == before
+
+
 def test_a_generated_file_is_left_unless_forced(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

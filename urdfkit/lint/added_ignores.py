@@ -10,7 +10,7 @@ from urdfkit.lint.fix_checker import finding_key, real_path
 from urdfkit.lint.ignore_comments import CommentPlaces
 from urdfkit.lint.options import Options
 from urdfkit.text.diagnostic import Diagnostic
-from urdfkit.text.editing.rewriting import Rewrite, rewrites
+from urdfkit.text.editing.rewriting import NOT_TEXT, Rewrite, rewrites
 from urdfkit.text.source import Source
 from urdfkit.workspace.ownership import Ownership
 from urdfkit.workspace.resolve import Resolver
@@ -76,6 +76,8 @@ class _CommentFiles:
             return "only XML that can be read takes a comment; for other files: per-file-ignores"
         if places.element(finding.span.start) is None:
             return "only a comment for the whole file would do"
+        if source.undecodable is not None:
+            return NOT_TEXT
         return "" if self._force else self._ownership.why_protected(source)
 
     def rewritten(self, findings: Iterable[Diagnostic]) -> tuple[Rewrite, ...]:

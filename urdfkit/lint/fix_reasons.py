@@ -9,7 +9,7 @@ from urdfkit.core.record import Record
 from urdfkit.lint.report import Report
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.editing.apply import encoded
-from urdfkit.text.editing.rewriting import Rewrite
+from urdfkit.text.editing.rewriting import NOT_TEXT, Rewrite
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.ownership import Ownership
 from urdfkit.workspace.resolve import Resolver
@@ -83,7 +83,7 @@ class FixReasons:
                 return "file not found"
             self.originals[real] = Rewrite(shown(source.path), before, before)
         if source.undecodable is not None:
-            return "the file is not valid text"
+            return NOT_TEXT
         original = self.originals[real].before
         if encoded_as(source, source.data, original) != texts.get(real, original):
             return f"its encoding, {source.encoding}, cannot be kept"

@@ -11,11 +11,12 @@ from tests.physics.collision.robots import robot
 from urdfkit.lint.loading import read
 from urdfkit.physics.collision.matrix import Matrix, PairResult, PairVerdict
 from urdfkit.physics.collision.sampling import collisions
-from urdfkit.physics.collision.srdf_matrix import compare, new_srdf, updated_srdf
+from urdfkit.physics.collision.srdf_matrix import compare, new_srdf, srdf_edits
 from urdfkit.physics.collision.worker_pool import CollisionError
 from urdfkit.physics.poses import pose
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_reader import read as read_srdf
+from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 
@@ -36,6 +37,11 @@ MATRIX = matrix(
 
 def source(text: str) -> Source:
     return Source("r.srdf", text.encode())
+
+
+def updated(text: str) -> bytes:
+    before = source(text)
+    return apply_edits(before.data, srdf_edits(MATRIX, before))
 
 
 def reasons(data: bytes) -> dict[tuple[str, str], str]:
@@ -74,7 +80,7 @@ OLD = """<?xml version="1.0"?>
 
 
 def test_what_is_there_stays() -> None:
-    new = updated_srdf(MATRIX, source(OLD)).decode()
+    new = updated(OLD).decode()
     assert new == (
         OLD.replace('    <disable_collisions link1="a" link2="d" reason="Never"/>\n', "")
         .replace('"b" link2="d" reason="Never"', '"b" link2="d" reason="Default"')
@@ -83,14 +89,14 @@ def test_what_is_there_stays() -> None:
             'reason="User"/>\n    <disable_collisions link1="a" link2="c" reason="Never"/>\n',
         )
     )
-    assert updated_srdf(MATRIX, source(new)).decode() == new
+    assert updated(new).decode() == new
 
 
 def test_a_pair_that_a_person_disabled_stays_so() -> None:
     text = '<robot name="r"><disable_collisions link1="d" link2="a" reason="User"/></robot>'
-    assert reasons(updated_srdf(MATRIX, source(text)))["d", "a"] == "User"
+    assert reasons(updated(text))["d", "a"] == "User"
     text = '<robot name="r"><disable_collisions link1="d" link2="a"/></robot>'
-    assert ("d", "a") in reasons(updated_srdf(MATRIX, source(text)))
+    assert ("d", "a") in reasons(updated(text))
 
 
 @pytest.mark.parametrize(
@@ -103,7 +109,7 @@ def test_a_pair_that_a_person_disabled_stays_so() -> None:
     ],
 )
 def test_a_file_without_a_matrix_gets_one(text: str) -> None:
-    new = updated_srdf(MATRIX, source(text))
+    new = updated(text)
     assert reasons(new) == reasons(new_srdf(MATRIX))
     assert (b"\r\n" in new) == ("\r\n" in text)
     assert new.count(b"\n") == new.count(b"\r\n") or b"\r" not in new
@@ -112,13 +118,13 @@ def test_a_file_without_a_matrix_gets_one(text: str) -> None:
 @pytest.mark.parametrize("text", ["", "<robot", "<sdf/>", "<html></html>"])
 def test_what_is_no_srdf_is_not_touched(text: str) -> None:
     with pytest.raises(CollisionError, match="is not an SRDF file"):
-        updated_srdf(MATRIX, source(text))
+        updated(text)
 
 
 def test_a_xacro_is_not_touched() -> None:
     text = '<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:include filename="x"/></robot>'
     with pytest.raises(CollisionError, match="is a xacro"):
-        updated_srdf(MATRIX, source(text))
+        updated(text)
 
 
 def compared(text: str) -> tuple[list[str], list[str], int]:

@@ -66,6 +66,14 @@ def test_what_has_changed_since_it_was_read_is_not_rewritten(tmp_path: Path):
         rewrites([Edit(Span(source, 1, 2), "b")])
 
 
+def test_a_file_with_a_byte_that_is_no_text_is_not_rewritten(tmp_path: Path):
+    """Its source has a question mark in place of the byte."""
+    (tmp_path / "a.urdf").write_bytes(b"<a><!-- \xf6 --></a>")
+    source = Source.read(tmp_path / "a.urdf")
+    with pytest.raises(UnwritableFile, match="not valid text"):
+        rewrites([Edit(Span(source, 1, 2), "b")])
+
+
 @pytest.mark.skipif(shutil.which("patch") is None, reason="it needs patch")
 @given(*[st.lists(st.sampled_from("abc"), max_size=12)] * 2)
 def test_a_diff_is_the_smallest_and_patch_takes_it(old: list[str], new: list[str]) -> None:

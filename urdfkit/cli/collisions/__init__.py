@@ -15,6 +15,7 @@ from urdfkit.cli.progress import progress_bar
 from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core import atomic
 from urdfkit.core.strict_json import dumped
+from urdfkit.text.editing import rewriting
 from urdfkit.text.source import Source
 
 if TYPE_CHECKING:
@@ -86,9 +87,11 @@ def command(
 
 def _write(matrix: Matrix, path: str) -> None:
     """Write the SRDF, or update the existing one."""
-    from urdfkit.physics.collision.srdf_matrix import new_srdf, updated_srdf
+    from urdfkit.physics.collision.srdf_matrix import new_srdf, srdf_edits
 
-    exists = os.path.exists(path)
-    atomic.write(path, updated_srdf(matrix, Source.read(path)) if exists else new_srdf(matrix))
+    if exists := os.path.exists(path):
+        rewriting.write(rewriting.rewrites(srdf_edits(matrix, Source.read(path))))
+    else:
+        atomic.write(path, new_srdf(matrix))
     action = "updated" if exists else "written"
     print(f"{path} {action}", file=sys.stderr)

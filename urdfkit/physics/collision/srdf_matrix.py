@@ -10,7 +10,6 @@ from urdfkit.physics.collision.worker_pool import CollisionError
 from urdfkit.ros.moveit.srdf import Srdf, is_srdf, pair_of
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Attribute, Element
-from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.editing.edits import (
     escaped,
     insert_after,
@@ -58,8 +57,8 @@ def new_srdf(matrix: Matrix) -> bytes:
     return f'<?xml version="1.0"?>\n<robot name="{name}">\n{"".join(lines)}</robot>\n'.encode()
 
 
-def updated_srdf(matrix: Matrix, source: Source) -> bytes:
-    """An SRDF with an updated matrix; other contents do not change.
+def srdf_edits(matrix: Matrix, source: Source) -> tuple[Edit, ...]:
+    """The edits that update the matrix in an SRDF; other contents do not change.
 
     Pairs that are disabled for a reason that is not computed (``User``), or that could not be
     measured, are kept.
@@ -94,7 +93,7 @@ def updated_srdf(matrix: Matrix, source: Source) -> bytes:
     edits += remove_elements(obsolete)
     if new:
         edits += insert_after(remaining[-1], new) if remaining else insert_last(document.root, new)
-    return apply_edits(source.data, edits)
+    return tuple(edits)
 
 
 def _is_computed(reason: Attribute | None) -> bool:

@@ -13,6 +13,9 @@ from urdfkit.text.diagnostic import Edit
 from urdfkit.text.editing.apply import apply_edits, encoded
 from urdfkit.text.source import Source
 
+#: Why a file with bytes that are no text is not edited.
+NOT_TEXT = "the file is not valid text"
+
 
 class Rewrite(Record):
     """New contents of a file."""
@@ -33,10 +36,13 @@ def rewrites(edits: Iterable[Edit]) -> tuple[Rewrite, ...]:
     """The files of edits with these applied; nothing is written.
 
     Raises:
-        UnwritableFile: a file has changed since it was read.
+        UnwritableFile: a file has changed since it was read, or is not valid text, of which the
+            source has lost bytes.
     """
     results = []
     for source, changes in by_key((edit.span.source, edit) for edit in edits).items():
+        if source.undecodable is not None:
+            raise UnwritableFile(f"{source.path}: {NOT_TEXT}")
         before = unchanged(source)
         after = encoded(apply_edits(source.data, changes), source.encoding, before)
         results.append(Rewrite(os.path.normpath(source.path), before, after))
