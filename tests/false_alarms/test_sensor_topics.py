@@ -105,3 +105,20 @@ def test_poses_that_gazebo_publishes(tmp_path: Path, topic: str, count: int) -> 
         f"    arguments=['{topic}@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V'])]\n"
     )
     assert len(reported(tmp_path / "arm", "LAU020", "a.launch.py", text, files)) == count
+
+
+SPAWNED = """\
+from launch.actions import ExecuteProcess
+
+ExecuteProcess(cmd=["gz", "sim", "empty.sdf"])
+nodes += [Node(package="ros_gz_sim", executable="create", arguments=["-file", %s])]
+"""
+BARE = '<robot name="r"><link name="base"/></robot>'
+
+
+@pytest.mark.parametrize(("file", "count"), [('"model.sdf"', 0), ("unknown()", 0), ('"r.urdf"', 1)])
+def test_a_robot_that_is_spawned_from_sdf(tmp_path: Path, file: str, count: int) -> None:
+    """Its description serves robot_state_publisher alone; the sensors are in the SDF."""
+    text = BRIDGE % "/scan" + SPAWNED % file
+    found = reported(tmp_path / "arm", "LAU020", "a.launch.py", text, {"urdf/r.urdf.xacro": BARE})
+    assert len(found) == count

@@ -168,6 +168,8 @@ def test_a_robot_in_sdf_is_not_known(tmp_path: Path) -> None:
     [
         (', "frame_prefix": "r/"', "base_link", 1),
         (', "frame_prefix": "r/"', "r/base_link", 0),
+        (', "frame_prefix": "/"', "base_link", 0),  # as TurtleBot 3 writes it; tf2 strips it
+        (', "frame_prefix": "/r/"', "base_link", 1),
         (', "frame_prefix": LaunchConfiguration("p")', "base_link", 0),
         ('}], remappings=[("a", "b")]) #', "r/base_link", 1),
     ],

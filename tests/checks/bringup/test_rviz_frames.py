@@ -35,6 +35,8 @@ def helps(directory: Path, robot: str, viewer: str, more: str, display: str) -> 
         ("a/", "      TF Prefix: b", "write TF Prefix: a"),
         ("a/", "      TF Prefix: a", ""),
         ("a_", "", "write TF Prefix: a_, and frame_prefix: a_/, as RViz adds a slash"),
+        ("/a/", "", "write TF Prefix: a"),
+        ("/", "", ""),  # tf2 strips the slash
         ("", "", ""),
     ],
 )

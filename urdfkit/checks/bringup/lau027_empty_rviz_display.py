@@ -70,13 +70,14 @@ def _unprefixed_models(context: Context) -> Findings:
     if len(publishers) != 1 or context.launch.has_scopes:
         return
     (publisher,) = publishers
-    prefix = given_parameter(publisher, _PREFIX, context.resolver)
+    prefix = given_parameter(publisher, _PREFIX, context.resolver) or ""
+    prefix = prefix.lstrip("/")  # as tf2 does
     for file, display, kind in read_by_rviz(context) if prefix else ():
         given = scalar(display, _PREFIX_OF_RVIZ)
         at = given or scalar(display, "Class")
         shown = f"{given.text}/" if given and given.text else ""
         if kind.endswith("/RobotModel") and shown != prefix and at:
-            of_rviz = (prefix or "").removesuffix("/")
+            of_rviz = prefix.removesuffix("/")
             is_whole = prefix != of_rviz
             yield Finding(
                 at.span,

@@ -118,7 +118,8 @@ def _prefix(launches: tuple[Launch, ...]) -> str | None:
             return None  # another program publishes the links
         for node in publishers:
             every = node.parameters.every
-            prefixes.add(None if every is None else every.get("frame_prefix", ""))
+            prefix = None if every is None else every.get("frame_prefix", "")
+            prefixes.add(prefix and prefix.lstrip("/"))  # tf2 strips the slash
     if not prefixes:
         return ""
     return prefixes.pop() if len(prefixes) == 1 else None
