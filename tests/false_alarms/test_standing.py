@@ -119,3 +119,16 @@ def test_a_mark_on_the_ground_holds_nothing(name: str, severity: Severity) -> No
     text = on_wheels(shape("visual", '<box size="0.01 0.01 0.1"/>')).replace("caster", name)
     (found,) = reported("GEO002", text)
     assert found.severity is severity
+
+
+@pytest.mark.parametrize(
+    ("plugin", "severity"),
+    [("planar_move", Severity.INFO), ("diff_drive", Severity.WARNING)],
+)
+def test_wheels_of_a_robot_that_slides_are_for_the_eye(plugin: str, severity: Severity) -> None:
+    """A target whose box lies on the ground; gazebo_ros_planar_move moves the model."""
+    box = '<box size="0.3 0.2 0.08"/>'
+    base = shape("visual", box) + shape("collision", box)
+    wheels = on_wheels(BOTH, wheel=shape("visual", BALL), base=base)
+    text = f'<gazebo><plugin name="p" filename="libgazebo_ros_{plugin}.so"/></gazebo>'
+    assert {one.severity for one in reported("GEO002", wheels + text)} == {severity}

@@ -16,7 +16,10 @@ Sources:
     Gazebo Classic, URDF: https://classic.gazebosim.org/tutorials?tut=ros_urdf
 """
 
+import re
+
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import RigidBody, rigid_bodies
 from urdfkit.robot.rotors import is_carried_by_rotors
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml, visual_xml
@@ -32,6 +35,8 @@ GOOD = link_xml("base", visual_xml(_BOX), collision_xml(_BOX))
 
 #: In kg: a smaller mass is a placeholder that a simulator requires.
 _MIN_MASS = 1e-3
+#: Pattern of the file names of plugins that give the whole robot a velocity.
+_SLIDE = "planar_move|velocity-control"
 
 
 @rule(
@@ -111,7 +116,7 @@ def _needed(context: Context) -> tuple[str, ...]:
     wheeled = any(joint.kind == "continuous" for joint in context.model.joints)
     if not wheeled or context.is_part or not context.tree.is_sound:
         return ()
-    if is_carried_by_rotors(context.model):
+    if is_carried_by_rotors(context.model) or _slides(context.model):
         return ()
     links = context.model.links_by_name
     try:
@@ -132,6 +137,12 @@ def _needed(context: Context) -> tuple[str, ...]:
         return () if any(mesh is None for mesh in meshes) else on_visuals.links
     except ImportError:
         return ()
+
+
+def _slides(model: RobotModel) -> bool:
+    """True if a plugin moves the whole robot over the ground, without turning wheels."""
+    plugins = (plugin for block in model.gazebo for plugin in block.all("plugin"))
+    return any(re.search(_SLIDE, plugin.get("filename") or "") for plugin in plugins)
 
 
 def _is_stable(stability: Stability | None) -> bool:
