@@ -211,6 +211,29 @@ def test_renaming_reaches_all_uses_and_nothing_else(tmp_path: Path, text: str) -
     assert _expanded(tmp_path, new) == _expanded(tmp_path, text.replace("|", ""))
 
 
+@pytest.mark.parametrize(("before", "after"), [("le", "ngth"), ("ar", "m")])
+def test_renaming_reaches_uses_of_a_namespace(tmp_path: Path, before: str, after: str) -> None:
+    part = LENGTH + '<xacro:macro name="arm" params="a"><link name="${a}"/></xacro:macro>'
+    text = XACRO.replace(
+        "{}",
+        '<xacro:include filename="part.xacro" ns="p"/><link name="l${p.length}"/>'
+        '<xacro:p.arm a="x"/>',
+    )
+    (tmp_path / "r.xacro").write_text(text)
+    place = tmp_path / "part.xacro"
+    place.write_text(XACRO.replace("{}", part))
+    file = Edited(
+        place, XACRO.replace("{}", part.replace(f'"{before}{after}"', f'"{before}|{after}"'))
+    )
+    edits = rename(file.robot, file.page, file.offset, "other")
+    expected = _expanded(tmp_path, text)
+    for path in (place, tmp_path / "r.xacro"):
+        own = [edit for edit in edits if Path(edit.span.source.path).name == path.name]
+        assert len(own) == 1
+        path.write_bytes(apply_edits(own[0].span.source.data, own))
+    assert _expanded(tmp_path, (tmp_path / "r.xacro").read_text()) == expected
+
+
 @pytest.mark.parametrize("name", ["property", "params"])
 def test_a_property_that_a_macro_forwards_is_not_renamed(tmp_path: Path, name: str) -> None:
     """``length:=^`` passes the property of the parameter's name."""

@@ -15,7 +15,7 @@ from urdfkit.lsp.completion_in_text import (
 )
 from urdfkit.lsp.grammar import REFERRING_ELEMENTS, grammar_of, kind_of_reference
 from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
-from urdfkit.lsp.names import parameters, path_in, plugin_parameters
+from urdfkit.lsp.names import macro_name, parameters, path_in, plugin_parameters
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.ros.catalog import extensions, materials, plugins, sensors
 from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK
@@ -140,7 +140,7 @@ def _attributes(robot: OpenRobot, here: Cursor, node: TagNode) -> Iterator[Compl
 
 
 def _attributes_of(robot: OpenRobot, node: TagNode) -> Iterator[tuple[str, str, bool]]:
-    macro = robot.names.macros.get(node.name.removeprefix("xacro:"))
+    macro = robot.names.macros.get(macro_name(node.name))
     if node.name in _XACRO_TAGS:
         yield from ((name, "xacro", False) for name in _XACRO_TAGS[node.name])
     elif macro is not None and node.name.startswith("xacro:"):

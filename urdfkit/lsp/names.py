@@ -25,6 +25,8 @@ KINDS = ("link", "joint", "frame", "material", "macro", "property", "parameter",
 _EXPRESSION = re.compile(rb"\$\{([^}]*)\}?|\$\((\w+)\s+([^)]*)\)?")
 #: A name in an expression, but no attribute and no keyword of a call.
 _WORD = re.compile(rb"(?<![\w.'\"])[A-Za-z_]\w*(?!\w|\s*=(?!=))")
+#: A property of a namespace, which ``<xacro:include ns="...">`` creates.
+_MEMBER = re.compile(rb"(?<![\w.'\"])([A-Za-z_]\w*)\.([A-Za-z_]\w*)")
 _QUOTED = re.compile(rb"'[^']*'|\"[^\"]*\"")
 _PREFIX = b"xacro:"
 _PACKAGE = re.compile(rb"\b(?:package|model)://([\w-]+)")
@@ -90,6 +92,15 @@ class NameIndex:
             for page in self.pages.values()
             for node in page.nodes
             if node.name == "xacro:macro"
+        }
+
+    @cached_property
+    def _namespaces(self) -> set[bytes]:
+        return {
+            node.get("ns").encode()
+            for page in self.pages.values()
+            for node in page.nodes
+            if node.name == "xacro:include"
         }
 
     @cached_property
@@ -209,10 +220,10 @@ class NameIndex:
         """The name of the macro in start tag and end tag, and the parameters that it sets."""
         for span in (node.name_span, node.end_name):
             if span:
-                text = span.text.removeprefix("xacro:")
+                text = macro_name(span.text)
                 at = Span(span.source, span.end - len(text.encode()), span.end)
                 yield NameUse("macro", text, at, False, node)
-        yield from self._arguments(node, node.name.removeprefix("xacro:"))
+        yield from self._arguments(node, macro_name(node.name))
 
     def _arguments(self, node: TagNode, name: str) -> Iterator[NameUse]:
         """The parameters that a call of a macro sets."""
@@ -282,6 +293,10 @@ class NameIndex:
         for word in _WORD.finditer(masked):
             at = Span(source, start + word.start(), start + word.end())
             yield NameUse("arg", at.text, at, False, node) if is_eval else self._variable(node, at)
+        for member in _MEMBER.finditer(masked):
+            if member[1] in self._namespaces:
+                at = Span(source, start + member.start(2), start + member.end(2))
+                yield NameUse("property", at.text, at, False, node)
 
     def _variable(self, node: TagNode, span: Span) -> NameUse:
         """A word of an expression: a parameter of the enclosing macro, or else a property.
@@ -293,6 +308,11 @@ class NameIndex:
             if is_inside and span.text in parameters(macro):
                 return NameUse("parameter", span.text, span, False, node, "", _id(macro))
         return NameUse("property", span.text, span, False, node)
+
+
+def macro_name(tag: str) -> str:
+    """The name of the macro that a tag calls, without ``xacro:`` and its namespaces."""
+    return tag.removeprefix("xacro:").rpartition(".")[2]
 
 
 def parameters(macro: TagNode) -> list[str]:
