@@ -257,7 +257,7 @@ def find_worst(
     for climb in highest:
         climb.refine()
     best = max(highest, key=lambda climb: climb.torque)
-    return GRAVITY * best.torque, best.pose_at_rest()
+    return GRAVITY * abs(best.torque), best.pose_at_rest()  # rounding may be below 0
 
 
 def is_searched(joints: int) -> bool:

@@ -126,6 +126,16 @@ def test_the_worst_pose_names_what_matters_to_it() -> None:
         assert set(load.pose) <= {load.joint}
 
 
+@pytest.mark.parametrize("axis", ["0 0 1", "0 0 -1"])
+def test_no_torque_has_no_sign(axis: str) -> None:
+    """inmoov's waist used -0 % of its effort."""
+    text = link("base") + link("a", inertial(2, (0.1, 0.1, 0.1), xyz="0.3 -0.2 0.1"))
+    text += link("b", inertial(1, (0.1, 0.1, 0.1), xyz="0.1 0.3 0.1"))
+    text += moving("base", "a", "revolute", axis) + moving("a", "b", "revolute", "0 1 0")
+    load = next(one for one in statics(dynamics(text)).loads if one.joint == "a_joint")
+    assert (str(load.worst), str(load.used)) == ("0.0", "0.0")
+
+
 def test_nothing_to_hold() -> None:
     found = statics(dynamics(link("base", inertial(1, (1, 1, 1)))))
     assert (found.loads, found.weakest) == ((), None)
