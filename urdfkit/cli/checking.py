@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 from urdfkit.cli import options, output
+from urdfkit.core import disk
 from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.lint import rule_index
 from urdfkit.lint.argument_sets import as_launched
@@ -181,6 +182,7 @@ def _simulate(values: Mapping[str, Any], select: Collection[str]) -> Simulate | 
 
 def _files(values: Mapping[str, Any], settings: Options) -> str:
     """The descriptions that would be checked, with their arguments, and the skipped files."""
+    from urdfkit.lint.merging import unread_srdfs
     from urdfkit.lint.unchecked import unread_files
 
     settings = settings.with_config()
@@ -191,7 +193,10 @@ def _files(values: Mapping[str, Any], settings: Options) -> str:
         " ".join((shown(job.path), *(f"{name}:={value}" for name, value in job.arguments.items())))
         for job, _ in sets
     ]
-    lines += [f"not checked: {shown(skip.path)}: {skip.reason}" for skip in plan.skipped]
+    robots = [robot for _, robot in sets if plan.srdfs and robot.reading.document]
+    read_srdfs = {disk.real(robot.srdf.path) for robot in robots if robot.srdf}
+    skipped = (*plan.skipped, *unread_srdfs(plan.srdfs, read_srdfs))
+    lines += [f"not checked: {shown(skip.path)}: {skip.reason}" for skip in skipped]
     lines += [
         f"not checked: {shown(path)}: included, but not with these arguments"
         for path in unread_files(context for _, context in sets)

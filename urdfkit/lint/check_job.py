@@ -207,7 +207,7 @@ def check_context(job: Job, context: Context, options: Options) -> FileResult:
     if names := options.config.argument_names(job.path) - set(options.arguments):
         entry = f"{shown(options.config.path)}: {shown(job.path)} has no"
         unknown[entry] = unknown_arguments(context, sorted(names))
-    return result._replace(unknown_arguments=unknown)
+    return result._replace(unknown_arguments=unknown, srdf=context.read_srdf)
 
 
 def _why_no_robot(context: Context) -> str:

@@ -273,6 +273,12 @@ class Context(DescriptionFile):
 
         return find(self)
 
+    @property
+    def read_srdf(self) -> str:
+        """Path of the SRDF, if a rule asked for it and it was found; otherwise empty."""
+        srdf: Srdf | None = vars(self).get("srdf")
+        return srdf.path if srdf else ""
+
     @cached_property
     def moveit_config(self) -> MoveItConfig:
         """The configuration of MoveIt for the SRDF, which must exist."""

@@ -155,6 +155,14 @@ def _is_template(path: str) -> bool:
     return any(_PLACEHOLDER.search(read_head(file, _MAX_TEMPLATE)) for file in files)
 
 
+def srdf_files_below(directory: str, config: Config, resolver: Resolver) -> Iterator[str]:
+    """The readable SRDFs below a directory, sorted."""
+    for path in resolver.directories.walk(directory):
+        is_chosen = path.endswith(".srdf") and not matches(config.relative(path), config.exclude)
+        if is_chosen and resolver.admits(path) and not _is_template(path):
+            yield path
+
+
 def affected(files: Iterable[str], config: Config, resolver: Resolver) -> DirectoryContents:
     """The entry points that use changed files, and the changed launch files.
 

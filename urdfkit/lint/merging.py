@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from urdfkit.core import disk
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.finding_store import FindingStore
 from urdfkit.lint.plan import Job, Plan
-from urdfkit.lint.report import Launched, Report, Superseded
+from urdfkit.lint.report import Launched, Report, Skipped, Superseded
 from urdfkit.lint.rule_index import NOT_CHECKED
 from urdfkit.lint.runner import FileResult
 from urdfkit.text.diagnostic import Diagnostic, Edit, Severity
@@ -80,6 +80,7 @@ class _Merger:
         self._launched: list[Launched] = []
         self._unknown: dict[str, Mapping[str, str]] = {}  # like FileResult.unknown_arguments
         self._superseded: list[Superseded] = []
+        self._srdfs: set[str] = set()  # real paths of the SRDFs of the robots
 
     def add(self, job: Job, result: FileResult) -> None:
         self.findings.add(job.path, job.name, result.diagnostics)
@@ -98,6 +99,8 @@ class _Merger:
             self._unknown[entry] = {name: names[name] for name in names if name in new}
         if result.superseded.findings:
             self._superseded.append(result.superseded)
+        if result.srdf:
+            self._srdfs.add(disk.real(result.srdf))
         if not self._spills:
             self._add_for_fixes(result)
 
@@ -112,7 +115,7 @@ class _Merger:
         return Report(
             tuple(dict.fromkeys(job.path for job in self._plan.jobs)),
             self.findings.diagnostics(),
-            tuple(self._skipped),
+            (*self._skipped, *unread_srdfs(self._plan.srdfs, self._srdfs)),
             tuple(self._crashed),
             tuple(sorted(self._ran)),
             tuple(self._targets),
@@ -126,6 +129,17 @@ class _Merger:
             ),
             superseded=tuple(self._superseded),
         )
+
+
+def unread_srdfs(found: Iterable[str], read: Collection[str]) -> Iterator[Skipped]:
+    """The SRDFs of a directory that were not compared with any robot.
+
+    Args:
+        read: real paths of those that were.
+    """
+    for path in found:
+        if disk.real(path) not in read:
+            yield Skipped("", path, "fits no robot that is checked")
 
 
 def in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:

@@ -107,9 +107,11 @@ class Plan:
         self.arguments = dict(options.arguments)
         self.variant = options.variant
         self._as_launched = options.as_launched
+        self._selected = options.select
         self.jobs: list[Job] = []
         self.skipped: list[Skipped] = []
         self.crashed: list[Crashed] = []
+        self.srdfs: list[str] = []  # the SRDFs below checked directories
         #: Files that are not checked: path, message and help.
         self.unchecked: list[tuple[str, str, str]] = []
         #: Displayed path and arguments of the robots that launch files of directories start, by
@@ -124,7 +126,7 @@ class Plan:
             self.resolver.admit(file.path)
             self._add_source(file)
         elif disk.is_directory(os.fspath(file)):
-            from urdfkit.lint.discovery import discover, launch_files
+            from urdfkit.lint.discovery import discover, launch_files, srdf_files_below
 
             directory, config = os.fspath(file), self.config
             self.resolver.admit(os.path.join(directory, "x"))
@@ -138,6 +140,8 @@ class Plan:
                 raise
             except Exception as error:  # a bug in urdfkit must not prevent the other checks
                 self.crashed.append(crash("", directory, error))
+            if not self._selected or any(code.startswith("SRD") for code in self._selected):
+                self.srdfs += srdf_files_below(directory, config, self.resolver)
             for path in launches:
                 try:
                     source = self.resolver.read(_relative_as(path, directory))

@@ -46,6 +46,7 @@ class FileResult(Record):
     unknown_arguments: Mapping[str, Mapping[str, str]] = {}
     #: Findings that are consequences of others, which are reported instead.
     superseded: Superseded = Superseded((), ())
+    srdf: str = ""  # path of the SRDF that was read; empty if there was none
 
 
 def run_rules(

@@ -129,7 +129,7 @@ def _is_started_with(srdf: str, robot: str, resolver: Resolver) -> bool:
     for name in resolver.directories.entries(directory) or ():
         if name.endswith(".launch.py"):
             text = head_text(os.path.join(directory, name), 100_000)
-            words = ("MoveItConfigsBuilder", os.path.basename(srdf), os.path.basename(robot))
+            words = (os.path.basename(srdf), os.path.basename(robot))
             if all(word in text for word in words):
                 return True
     return False

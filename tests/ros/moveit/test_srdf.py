@@ -7,7 +7,7 @@ import pytest
 from tests.conftest import CORPUS, needs_corpus
 from tests.documents import document
 from tests.srdfs import ROBOT
-from tests.workspaces import add_files
+from tests.workspaces import add_file, add_files
 from urdfkit import check
 from urdfkit.core import disk
 from urdfkit.core.file_log import FileLog
@@ -231,4 +231,22 @@ def test_srdf_of_the_packages_of_moveit(tmp_path, place, setup, srdf, is_found):
     (tmp_path / place / "r.srdf").write_text(f'<robot name="r">{known}{srdf}</robot>')
     resolver = Resolver(environment={})
     found = find(Context(Source.read(robot), resolver))
+    assert (found is not None) is is_found
+
+
+@pytest.mark.parametrize(("loads", "is_found"), [("r.urdf", True), ("other.urdf", False)])
+def test_srdf_that_a_launch_file_loads_with_the_robot(
+    tmp_path: Path, loads: str, is_found: bool
+) -> None:
+    """Elfin's launch files read both files; the SRDF has the name of a shorter arm."""
+    for name in ("arm", "arm_moveit"):
+        add_file(
+            tmp_path / name / "package.xml", b"<package><name>%b</name></package>" % name.encode()
+        )
+    robot = add_file(tmp_path / "arm" / "urdf" / "r.urdf", ROBOT.encode())
+    home = tmp_path / "arm_moveit"
+    add_file(home / "config" / "long.srdf", b'<robot name="short"><group name="a"/></robot>')
+    texts = f'urdf, srdf = load("{loads}"), load("long.srdf")\n'
+    add_file(home / "launch" / "demo.launch.py", texts.encode())
+    found = find(Context(Source.read(robot), Resolver(environment={})))
     assert (found is not None) is is_found
