@@ -129,8 +129,8 @@ def _is_started_with(srdf: str, robot: str, resolver: Resolver) -> bool:
     for name in resolver.directories.entries(directory) or ():
         if name.endswith(".launch.py"):
             text = head_text(os.path.join(directory, name), 100_000)
-            words = (os.path.basename(srdf), os.path.basename(robot))
-            if all(word in text for word in words):
+            files = (os.path.basename(srdf), os.path.basename(robot))
+            if all(re.search(rf"(?<![\w.-]){re.escape(file)}", text) for file in files):
                 return True
     return False
 
