@@ -70,6 +70,17 @@ def load(source: Source) -> Node:
         return None
 
 
+def loader_as_in_python(text: bytes | str) -> Any:
+    """PyYAML's fastest loader that reads a text as ``yaml.safe_load`` does.
+
+    libyaml is six times faster, but accepts tabs that PyYAML's own loader rejects, and vice versa.
+    """
+    import yaml
+
+    has_tabs = b"\t" in text if isinstance(text, bytes) else "\t" in text
+    return yaml.SafeLoader if has_tabs else getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
 def mapping(node: Node, *keys: str) -> dict[str, Node]:
     """The mapping at a path of keys; empty if there is none."""
     for key in keys:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from functools import lru_cache
 
 from urdfkit.core.static_typing import Any
+from urdfkit.text.located_yaml import loader_as_in_python
 from urdfkit.text.source import Source, Span
 from urdfkit.xacro.errors import BrokenYaml
 
@@ -39,13 +40,7 @@ class YamlTooLarge(Exception):
 
 
 @lru_cache(maxsize=2)
-def _loader(*, has_tabs: bool) -> Any:
-    import yaml  # 15 ms, and few models load YAML
-
-    # libyaml is six times faster, but accepts tabs where xacro's loader does not, and vice versa.
-    fast: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    base: Any = yaml.SafeLoader if has_tabs else fast
-
+def _loader(base: Any) -> Any:
     class Loader(base):  # type: ignore[misc] # a subclass, so that other users of yaml do not see it
         evaluate: Callable[[str], Any]
 
@@ -120,7 +115,7 @@ def load(source: Source, evaluate: Callable[[str], Any], *, located: bool = Fals
     import yaml
 
     text = source.data.decode("utf-8")
-    loader_type = _loader(has_tabs="\t" in text)
+    loader_type = _loader(loader_as_in_python(text))
     if located:
         loader_type = _locating_loader(loader_type, source)
     try:
@@ -151,7 +146,7 @@ def _check_levels(text: str) -> None:
     import yaml
 
     level = 0
-    for event in yaml.parse(text, _loader(has_tabs="\t" in text)):
+    for event in yaml.parse(text, loader_as_in_python(text)):
         if isinstance(event, yaml.CollectionStartEvent):
             level += 1
             if level > MAX_LEVELS:

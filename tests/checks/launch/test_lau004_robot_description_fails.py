@@ -55,6 +55,7 @@ COMMAND = "Node(package='p', executable='e', parameters=[{{'robot_description': 
     [
         ("Author: me", "Command(['xacro ', '{path}'])", 1),
         ("an author", "Command(['xacro ', '{path}'])", 0),
+        ("an\tauthor", "Command(['xacro ', '{path}'])", 1),  # which libyaml accepts
         ("Author: me", "ParameterValue(Command(['xacro ', '{path}']), value_type=str)", 0),
     ],
 )
@@ -66,7 +67,7 @@ def test_a_description_without_a_type_is_read_as_yaml(
     found = reported(tmp_path, "LAU004", "a.launch.py", text, {"r.xacro": xml})
     assert len([one for one in found if one.severity is Severity.ERROR]) == count
     assert len(found) == ("ParameterValue" not in value)
-    assert sum(f"'<!-- {comment} -->': mapping values" in one.message for one in found) == count
+    assert sum(f"'<!-- {comment} -->': " in one.message for one in found) == count
     expanded = expand(tmp_path / "r.xacro").text()
     if comment == "an author":
         assert isinstance(yaml.safe_load(expanded), str)

@@ -5,9 +5,9 @@ defines macros that another one calls: "No link elements found in urdf file". On
 the launch file does not pass are reported here, also those that the xacro uses above their default;
 other errors are reported in the xacro file, which is checked with the arguments of the launch file.
 
-In Python, a `Command` that is passed as a parameter directly is read as YAML. A `: ` in a comment
-of the robot is enough for "Unable to parse the value of parameter robot_description as yaml";
-`ParameterValue(Command(...), value_type=str)` is read as text. In XML, a `<param>` needs
+In Python, a `Command` that is passed as a parameter directly is read as YAML. A tab, or a `: ` in a
+comment, of the robot is enough for "Unable to parse the value of parameter robot_description as
+yaml"; `ParameterValue(Command(...), value_type=str)` is read as text. In XML, a `<param>` needs
 `type="str"`. An info if the current robot description is valid YAML text.
 
 Sources:
@@ -74,9 +74,10 @@ def _yaml_error(robot: Context) -> str:
         return ""
     import yaml  # 15 ms, and most descriptions have a type
 
-    loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    from urdfkit.text.located_yaml import loader_as_in_python
+
     try:
-        for event in yaml.parse(robot.text, loader):
+        for event in yaml.parse(robot.text, loader_as_in_python(robot.text)):
             if isinstance(event, (yaml.MappingStartEvent, yaml.SequenceStartEvent)):
                 mark: Any = event.start_mark
                 return f"which finds a mapping or list, not text, in line {mark.line + 1}"
