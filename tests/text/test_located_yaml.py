@@ -44,3 +44,16 @@ def test_a_key_that_comes_again_goes_on_as_in_ros_2() -> None:
     text = b"/**:\n  a: {x: 1}\n/**:\n  b: 2\n  a: {y: 3}\nc: 1\nc: 2\n"
     found = texts(load(Source("c.yaml", text)))
     assert found == {"/**": {"a": {"x": "1", "y": "3"}, "b": "2"}, "c": "2"}
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("true", True), ("False", False), ("yes", True), ("Off", False), ("n", False), ("1", None)],
+)
+def test_booleans_are_those_of_ros(text: str, value: bool | None) -> None:
+    """``enabled: no`` disables a layer of a costmap as well as ``enabled: false``."""
+    found = load(Source("c.yaml", f"enabled: {text}\n".encode()))
+    assert isinstance(found, dict)
+    switch = found["enabled"]
+    assert isinstance(switch, Value)
+    assert switch.boolean is value

@@ -19,6 +19,8 @@ MAX_LEVELS = 30
 #: Files whose values are cached: the launch files of a workspace refer to the same files often.
 CACHE_SIZE = 64
 
+_TRUE, _FALSE = ("true", "yes", "on", "y"), ("false", "no", "off", "n")
+
 
 class Value(Record):
     """A scalar, with line and column of its start and end, from 0, and its tag (``!degrees``)."""
@@ -37,8 +39,9 @@ class Value(Record):
 
     @property
     def boolean(self) -> bool | None:
-        """None for a text that is neither true nor false."""
-        return {"true": True, "false": False}.get(self.text.lower())
+        """None for a text that is neither true nor false in YAML 1.1."""
+        text = self.text.lower()
+        return text in _TRUE if text in _TRUE + _FALSE else None
 
 
 class Key(str):
