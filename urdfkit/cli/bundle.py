@@ -57,5 +57,4 @@ def _summary(bundle: Bundle, out: str) -> Iterator[str]:
 def _reasons(consumer: str, rejections: tuple[TargetError, ...]) -> Iterator[str]:
     if rejections:
         yield f"errors for {CONSUMERS[consumer].title}:"
-    for rejection in rejections:
-        yield from output.indented(f"{rejection.span}: {rejection.message} ({rejection.code})")
+    yield from output.errors((str(one.span), one.message, one.code) for one in rejections)

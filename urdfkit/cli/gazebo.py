@@ -58,10 +58,11 @@ def _rejection(rejected: list[Rejection]) -> Iterator[str]:
     """The reasons why Gazebo rejects the robot, and the heading of the rest."""
     for reader in dict.fromkeys(rejection.reader for rejection in rejected):
         yield f"{reader} rejects this robot:"
-        for _, code, message, span in (item for item in rejected if item.reader == reader):
-            rule = f" ({code})" if code else ""
-            text = f"  {shown(span.source.path)}:{span.line}: {message}{rule}"
-            yield from output.wrapped(printable(text), indent=4)
+        yield from output.errors(
+            (f"{shown(one.span.source.path)}:{one.span.line}", one.message, one.code)
+            for one in rejected
+            if one.reader == reader
+        )
         yield ""
     if rejected:
         yield "Without these errors:"

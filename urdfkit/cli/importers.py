@@ -128,7 +128,7 @@ def _moving(imported: Imported) -> list[ImportedBody]:
 def _total(imported: Imported) -> str:
     masses = [body.mass for body in _moving(imported)]
     known = [mass for mass in masses if mass is not None]
-    return f"{sum(known):.4g}" if len(known) == len(masses) else "?"
+    return f"{sum(known):g}" if len(known) == len(masses) else "?"
 
 
 def _root(imported: Imported) -> str:
@@ -149,9 +149,10 @@ def _report(imported: Imported, errors: list[Diagnostic]) -> Iterator[str]:
     if errors:
         flag = f" --target {facts.target}" if facts.target else ""
         yield f"{facts.title} may reject this robot: 'urdfkit check{flag}' reports"
-        for error in errors:
-            place = f"{shown(error.span.source.path)}:{error.span.line}"
-            yield from output.indented(f"{place}: {error.message} ({error.code})")
+        yield from output.errors(
+            (f"{shown(error.span.source.path)}:{error.span.line}", error.message, error.code)
+            for error in errors
+        )
         yield "Without these errors:"
         yield ""
     number = len(_moving(imported))

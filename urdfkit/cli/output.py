@@ -5,6 +5,7 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
+from urdfkit.core.grouping import by_key
 from urdfkit.errors import UnwritableFile
 from urdfkit.text.source import shown_text
 from urdfkit.text.terminal import CYAN, RED, YELLOW, columns, painted, printable, wrap
@@ -20,6 +21,9 @@ SEVERITIES = {
     rf"(?:^|(?<=^  )){word}\b": code
     for word, code in (("error", RED), ("warning", YELLOW), ("info", CYAN))
 }
+
+#: Errors of one code that are listed.
+_SAME = 5
 
 _color = "auto"
 
@@ -204,6 +208,21 @@ def indented(text: str, first: str = "  ", rest: str = "    ") -> list[str]:
         break_long_words=False,
         break_on_hyphens=False,
     )
+
+
+def errors(found: Iterable[tuple[str, str, str]]) -> Iterator[str]:
+    """Lines for errors of a robot, of each code the first ones and the number of the others.
+
+    Args:
+        found: place, message and code of each; the code is empty without a rule.
+    """
+    places = by_key((code, f"{place}: {message}") for place, message, code in found)
+    for code, texts in places.items():
+        rule = f" ({code})" if code else ""
+        for text in texts[:_SAME]:
+            yield from indented(printable(text + rule))
+        if len(texts) > _SAME:
+            yield f"  and {len(texts) - _SAME} more{rule}"
 
 
 def page(lines: Iterable[str], colors: Mapping[str, str] = {}) -> None:
