@@ -43,6 +43,17 @@ def test_what_the_package_may_define_is_not_missing() -> None:
     assert codes(BASE.replace("-1", "1"), CAMERA, OPTICAL) == ["XAC011"]
 
 
+@pytest.mark.parametrize(
+    ("more", "what"),
+    [("", "only a part of the robot checked: "), ("${1/0}", "robot not checked: ")],
+)
+def test_a_part_is_reported_whatever_is_selected(more: str, what: str) -> None:
+    source = Source("r.xacro", xacro_xml(BASE, CAMERA, more).encode())
+    (found,) = engine.check(source, select=["CFG", "TRE"]).diagnostics
+    assert found.code == "CFG003"
+    assert found.message.startswith(what)
+
+
 MESH = '<mesh filename="$(find gone)/a.stl"/>'
 PLUGIN = (
     '<gazebo><plugin name="p" filename="p.so"><parameters>$(find gone)/c.yaml</parameters>'

@@ -46,9 +46,10 @@ def check(context: Context) -> Findings:
     from urdfkit.lint.unchecked import why_unchecked
 
     why, help = why_unchecked(context.reading, context.source, context.resolver)
+    what = "robot not checked" if context.part is None else "only a part of the robot checked"
     yield Finding(
         _top(context),
-        f"robot not checked: {why}",
+        f"{what}: {why}",
         help,
         related=tuple(
             Related(problem.span, f"argument '{problem.argument}'")
