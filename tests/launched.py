@@ -16,6 +16,9 @@ MANIFEST = """<?xml version="1.0"?>
 </package>
 """
 
+#: The rules about launch files in Python.
+PYTHON = "LAU033 LAU034 LAU035 LAU036 LAU037 LAU038"
+
 
 def reported(
     directory: Path, code: str, name: str, text: str, files: Mapping[str, str] | None = None
@@ -24,7 +27,7 @@ def reported(
 
     Args:
         directory: becomes the package ``arm``.
-        code: of the rule.
+        code: of the rule, or several ones.
         name: of the launch file.
         text: of it; what stands in ``<launch>``, or the program.
         files: further ones, by path.
@@ -34,7 +37,7 @@ def reported(
     (directory / "launch").mkdir(exist_ok=True)
     add_files(directory, files or {})
     (directory / "launch" / name).write_text(text if name.endswith(".py") else launch(text))
-    report = check(directory / "launch" / name, select=[code])
+    report = check(directory / "launch" / name, select=code.split())
     assert report.crashed == ()
     return list(report.diagnostics)
 

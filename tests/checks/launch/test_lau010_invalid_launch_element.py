@@ -85,11 +85,6 @@ def test_valid_element_is_accepted(tmp_path: Path, text: str) -> None:
             naming("<arg name=... value=.../>"),
         ),
         (
-            ROS_2 + '<node pkg="a" exec="b"/><push_ros_namespace namespace="n"/>',
-            naming("<push_ros_namespace>", "after"),
-            naming("above"),
-        ),
-        (
             ROS_2 + """<group if="$(eval arg('x') == 'y')"/>""",
             naming("ROS 2", "$(eval ...)", "arg()"),
             naming("$(var x)"),
@@ -98,31 +93,6 @@ def test_valid_element_is_accepted(tmp_path: Path, text: str) -> None:
             ROS_2 + '<node pkg="a" exec="b"><param from="$(find-pkg-share arm/config)/a"/></node>',
             naming("arm/config"),
             naming("arm", "/config", "after"),
-        ),
-        (
-            ROS_2 + '<node pkg="a" exec="b" args="--ros-args -p c=d"/>',
-            naming("c=d"),
-            naming("c:=d"),
-        ),
-        (
-            ROS_2 + '<node pkg="a" exec="b" args="--ros-args --params-fil c"/>',
-            naming("unknown", "--params-fil"),
-            naming("--params-file"),
-        ),
-        (
-            ROS_2 + '<node pkg="controller_manager" exec="spawner" args="a --inactve"/>',
-            naming("--inactve"),
-            naming("--inactive"),
-        ),
-        (
-            ROS_2 + '<node pkg="controller_manager" exec="spawner" args="a --stopped"/>',
-            naming("--stopped", "Humble"),
-            naming("--inactive"),
-        ),
-        (
-            ROS_2 + '<executable cmd="ros2 control load_controller --set-state start a"/>',
-            naming("ros2", "start", "Galactic"),
-            "write active",
         ),
     ],
 )
@@ -134,17 +104,7 @@ def test_what_this_ros_does_not_have(tmp_path: Path, text: str, message: str, he
 @pytest.mark.parametrize(
     "text",
     [
-        ROS_2 + '<push_ros_namespace namespace="n"/><node pkg="a" exec="b"/>',
-        ROS_2 + '<push_ros_namespace namespace="n"/>',
         ROS_2 + """<group if="$(eval '$(var x) == 1')"/>""",
-        ROS_2 + '<node pkg="a" exec="b" args="-p c=d --ros-args -p c:=d -r e:=f -- -p g"/>',
-        ROS_2 + '<node pkg="a" exec="b" args="--ros-args --log-level info"/>',
-        ROS_2 + '<node pkg="a" exec="b" args="--ros-args -p $(var x)"/>',
-        ROS_2 + '<node pkg="controller_manager" exec="spawner" args="a -c=/b --load-only -p c"/>',
-        ROS_2 + '<node pkg="controller_manager" exec="spawner" args="a --controller-manager-t 5"/>',
-        ROS_2 + '<node pkg="controller_manager" exec="spawner" '
-        """args="a --controller-ros-args '-r b:=c'"/>""",
-        ROS_2 + '<executable cmd="ros2 control load_controller --set-state active a"/>',
         ROS_1 + """<group if="$(eval arg('x') == 'y')"/><node pkg="a" type="b" name="c"/>""",
     ],
 )
@@ -202,114 +162,6 @@ def test_complete_or_unclear_element_is_accepted(tmp_path: Path, text: str) -> N
 
 
 @pytest.mark.parametrize(
-    ("pieces", "word", "help"),
-    [
-        ("'xacro', path", "path", naming("xacro ")),
-        ("FindExecutable(name='xacro'), path", "path", naming("xacro ")),
-        ("'xacro ', path, 'sim:=true'", "'sim:=true'", naming(" sim:=", "before")),
-        ("'xacro ', path, ' a:=', path, 'b:=1'", "'b:=1'", naming(" b:=", "before")),
-    ],
-)
-def test_missing_space_in_a_command(tmp_path: Path, pieces: str, word: str, help: str) -> None:
-    text = f"path = LaunchConfiguration('model')\nCommand([{pieces}])"
-    (found,) = reported(tmp_path, "LAU010", "a.launch.py", text)
-    assert (found.span.text, found.help) == (word, help)
-
-
-@pytest.mark.parametrize(
-    "command",
-    [
-        "['xacro ', path, ' sim:=true']",
-        "['xacro', ' ', path, ' ', 'sim:=', sim]",
-        "['xacro ', '/opt/xacro', '/robot.xacro']",
-        "[*pieces, 'sim:=true']",
-        "'xacro robot.xacro'",
-        "",
-    ],
-)
-def test_separate_or_unknown_parts_of_a_command(tmp_path: Path, command: str) -> None:
-    assert reported(tmp_path, "LAU010", "a.launch.py", f"Command({command})") == []
-
-
-SPAWNER = "Node(package='controller_manager', executable='spawner')"
-LASTING = "Node(package='robot_state_publisher', executable='robot_state_publisher')"
-PROGRAM = "def generate_launch_description():\n    {}\n"
-HANDLED = "LaunchDescription([{}RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[b]))])"
-
-
-def described(first: str, entities: str) -> str:
-    """A launch file with the actions ``a`` and ``b``."""
-    return f"a = {first}\nb = {SPAWNER}\n" + PROGRAM.format(f"return {entities}")
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        (described(SPAWNER, HANDLED.format("a, b, ")), "'b' is started twice"),
-        (described(LASTING, HANDLED.format("a, ")), "started when robot_state_publisher"),
-        (
-            described(SPAWNER, HANDLED.replace("[b]", "[a]").format("b, ")),
-            "starts when it has",
-        ),
-        (described(SPAWNER, "LaunchDescription([a, TimerAction(actions=b)])"), "actions of Timer"),
-        (described(SPAWNER, "LaunchDescription(a)"), "initial_entities of LaunchDescription is"),
-        (PROGRAM.format("LaunchDescription([])"), "generate_launch_description() returns nothing"),
-        (
-            PROGRAM.replace("ption", "pton").format("return LaunchDescription([])"),
-            "launch calls generate_launch_description(), ",
-        ),
-        (
-            "def  generate_launch_descripton():\n    return LaunchDescription([])\n",
-            "launch calls generate_launch_description(), ",
-        ),
-        (
-            "XMLLaunchDescriptionSource('/a/b.launch.py')",
-            "XMLLaunchDescriptionSource does not read 'b",
-        ),
-        ("Node(package='a', node_executable='b')", "Node has no argument 'node_executable'"),
-        ("ExecuteProcess(cmd=['ros2 topic list'])", "'ros2 topic list' is one word"),
-        ("ExecuteProcess(cmd='ros2 topic list')", "cmd of ExecuteProcess is"),
-        ("Node(package='a', executable='b', remappings=['a:=b'])", "'a:=b' in remappings"),
-        ("a = [b]\nLaunchDescription([a])", "initial_entities of LaunchDescription contains"),
-        ("a = LaunchConfiguration('b')\nc = 'd' + a", "a string and a LaunchConfiguration"),
-        (
-            "PythonLaunchDescriptionSource([FindPackageShare('a'), 'launch/b.launch.py'])",
-            "'launch/b.launch.py' follows",
-        ),
-    ],
-)
-def test_programs_that_launch_rejects(tmp_path: Path, text: str, message: str) -> None:
-    found = reported(tmp_path, "LAU010", "a.launch.py", text)
-    assert [one.message[: len(message)] for one in found if one.severity.name != "INFO"] == [
-        message
-    ] or [one.message[: len(message)] for one in found] == [message]
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        described(SPAWNER, HANDLED.format("a, ")),
-        described(SPAWNER, "LaunchDescription([a, TimerAction(actions=[b])])"),
-        described(LASTING, HANDLED.format("a, ").replace("[b]", "[Shutdown()]")) + "b.x\n",
-        PROGRAM.format("raise ValueError"),
-        PROGRAM.format("if x:\n        return LaunchDescription([])"),
-        PROGRAM.format("a = " + "b + " * 900 + "b\n    return LaunchDescription([])"),
-        "from a import generate_launch_description\nLaunchDescription([])\n",
-        "PythonLaunchDescriptionSource('/a/b.launch.py')",
-        "if ROS_DISTRO == 'foxy':\n    Node(package='a', node_executable='b')",
-        "ExecuteProcess(cmd=['ros2 topic list'], shell=True)",
-        "ExecuteProcess(cmd=['xacro', '/a b/c.xacro'])",
-        "Node(package='a', executable='b', remappings=[('a', 'b')])",
-        "a = [b]\nLaunchDescription([*a, c])",
-        "a = LaunchConfiguration('b').perform(context)\nc = 'd' + a",
-        "PythonLaunchDescriptionSource([FindPackageShare('a'), '/launch/b.launch.py'])",
-    ],
-)
-def test_programs_that_launch_accepts(tmp_path: Path, text: str) -> None:
-    assert reported(tmp_path, "LAU010", "a.launch.py", text) == []
-
-
-@pytest.mark.parametrize(
     ("text", "help"),
     [
         (ROS_2 + '<node pkg="a" exec="b" args="$(find a)/c"/>', "write $(find-pkg-share ...)"),
@@ -355,35 +207,3 @@ def test_an_argument_of_an_include(tmp_path: Path, given: str, count: int) -> No
     )
     found = reported(tmp_path, "LAU010", "b.launch.xml", text, {"a.launch.xml": "<launch/>"})
     assert ["<include> has no value" in one.message for one in found] == [True] * count
-
-
-@pytest.mark.parametrize(
-    ("package", "more", "count"),
-    [
-        ("teleop_twist_keyboard", "", 1),
-        ("teleop_twist_keyboard", ", prefix='xterm -e'", 0),
-        ("teleop_twist_joy", "", 0),
-    ],
-)
-def test_a_node_that_reads_the_keyboard(
-    tmp_path: Path, package: str, more: str, count: int
-) -> None:
-    text = f"Node(package='{package}', executable='{package}'{more})\n"
-    found = reported(tmp_path, "LAU010", "a.launch.py", text)
-    assert ["reads the keyboard" in one.message for one in found] == [True] * count
-
-
-@pytest.mark.parametrize(
-    ("default", "choices", "help"),
-    [
-        ("'True'", "['true', 'false']", "write 'true'"),
-        ("'x'", "['true', 'false']", "add 'x' to choices"),
-        ("'true'", "['true', 'false']", ""),
-        ("'true'", "['TRUE', other]", ""),
-        ("LaunchConfiguration('b')", "['true']", ""),
-    ],
-)
-def test_a_default_that_is_no_choice(tmp_path: Path, default: str, choices: str, help: str) -> None:
-    text = f"DeclareLaunchArgument('a', default_value={default}, choices={choices})\n"
-    found = reported(tmp_path, "LAU010", "a.launch.py", text)
-    assert [one.help.startswith(help) for one in found] == [True] * bool(help)

@@ -30,7 +30,7 @@ nodes = [Node(package="micro_ros_agent", executable="micro_ros_agent", arguments
     ],
 )
 def test_the_agent_of_micro_ros(tmp_path: Path, words: str, message: str) -> None:
-    found = reported(tmp_path / "arm", "LAU010", "a.launch.py", AGENT.format(words))
+    found = reported(tmp_path / "arm", "LAU036", "a.launch.py", AGENT.format(words))
     assert [message in one.message for one in found] == [True] * bool(message)
 
 
@@ -47,5 +47,5 @@ def test_the_agent_of_micro_ros(tmp_path: Path, words: str, message: str) -> Non
 def test_words_of_a_static_transform(tmp_path: Path, words: str, message: str) -> None:
     text = AGENT.replace("micro_ros_agent", "tf2_ros", 1)
     text = text.replace("micro_ros_agent", "static_transform_publisher").format(words)
-    found = reported(tmp_path / "arm", "LAU010", "a.launch.py", text)
+    found = reported(tmp_path / "arm", "LAU036", "a.launch.py", text)
     assert [message in one.message for one in found] == [True] * bool(message)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.launched import reported
+from tests.launched import PYTHON, reported
 from urdfkit import Severity
 
 HEAD = """\
@@ -105,7 +105,7 @@ def program(entities: str, before: str = "") -> str:
     ],
 )
 def test_calls_that_launch_rejects(tmp_path: Path, text: str, message: str, help: str) -> None:
-    (found,) = reported(tmp_path, "LAU010", "a.launch.py", text)
+    (found,) = reported(tmp_path, "LAU033", "a.launch.py", text)
     assert (found.message, found.help, found.severity) == (message, help, Severity.ERROR)
 
 
@@ -123,7 +123,7 @@ def test_calls_that_launch_rejects(tmp_path: Path, text: str, message: str, help
     ],
 )
 def test_what_has_no_effect(tmp_path: Path, text: str, start: str) -> None:
-    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    found = reported(tmp_path, "LAU034 LAU037", "a.launch.py", text)
     assert found[0].message.startswith(start)
     assert {one.severity for one in found} == {Severity.WARNING}
 
@@ -157,7 +157,7 @@ def test_what_has_no_effect(tmp_path: Path, text: str, start: str) -> None:
     ],
 )
 def test_calls_that_launch_accepts(tmp_path: Path, text: str) -> None:
-    assert reported(tmp_path, "LAU010", "a.launch.py", text) == []
+    assert reported(tmp_path, PYTHON, "a.launch.py", text) == []
 
 
 @pytest.mark.parametrize(
@@ -176,7 +176,7 @@ def test_calls_that_launch_accepts(tmp_path: Path, text: str) -> None:
 def test_functions_of_python_that_expect_a_text(tmp_path: Path, call: str, function: str) -> None:
     imports = "import os\nimport mine\nfrom ament_index_python.packages import *\ncontext = 1\n"
     text = imports + program("node", f"    print({call})\n")
-    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    found = reported(tmp_path, "LAU034", "a.launch.py", text)
     message = f"{function} rejects LaunchConfiguration: its value is known only at run time"
     assert [(one.message, one.severity) for one in found] == (
         [(message, Severity.ERROR)] if function else []
@@ -200,12 +200,12 @@ COMPONENT = "from launch_ros.descriptions import ComposableNode\n"
 def test_classes_of_composable_nodes(tmp_path: Path, package: str, plugin: str, help: str) -> None:
     call = f"ComposableNode(package='{package}', plugin='{plugin}')"
     text = COMPONENT + program("node", f"    print({call})\n")
-    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    found = reported(tmp_path, "LAU038", "a.launch.py", text)
     assert [one.help for one in found] == ([help] if help else [])
     (tmp_path / "xml").mkdir()
     element = f'<composable_node pkg="{package}" plugin="{plugin}"/>'
     container = f'<node_container pkg="r" exec="c" name="n" namespace="">{element}</node_container>'
-    found = reported(tmp_path / "xml", "LAU010", "a.launch.xml", container)
+    found = reported(tmp_path / "xml", "LAU038", "a.launch.xml", container)
     assert [one.help for one in found] == ([help] if help else [])
 
 
@@ -229,7 +229,7 @@ def test_expressions_with_a_text_of_yaml(
 ) -> None:
     before = ARGUMENT.format(default) + f"    print(PythonExpression([{parts}]))\n"
     before += "    unknown = len\n"
-    found = reported(tmp_path, "LAU010", "a.launch.py", EXPRESSION + program("node", before))
+    found = reported(tmp_path, "LAU034", "a.launch.py", EXPRESSION + program("node", before))
     message = f"the expression contains {default}, which is no name of Python"
     assert [one.message for one in found] == [message] * count
 
@@ -248,7 +248,7 @@ def test_texts_of_arguments_as_conditions(
     tmp_path: Path, test: str, default: str, count: int
 ) -> None:
     before = ARGUMENT.format(default) + f"    context = 1\n    if {test}:\n        print()\n"
-    found = reported(tmp_path, "LAU010", "a.launch.py", program("node", before))
+    found = reported(tmp_path, "LAU034", "a.launch.py", program("node", before))
     message = f"the text '{default}' is true in Python, and 'false' is, too"
     assert [one.message for one in found] == [message] * count
 
@@ -276,7 +276,7 @@ def test_the_container_of_composable_nodes(
     tmp_path: Path, namespace: str, target: str, help: str
 ) -> None:
     text = LOADED.replace("NAMESPACE", namespace).replace("TARGET", target)
-    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    found = reported(tmp_path, "LAU038", "a.launch.py", text)
     assert [one.help for one in found if "container" in one.message] == [help] * bool(help)
 
 
@@ -295,7 +295,7 @@ def test_handlers_of_any_process(tmp_path: Path, handler: str, count: int) -> No
     text = program(f"RegisterEventHandler({handler})", "    more = {}\n")
     text = text.replace("OnProcessExit\n", "OnProcessExit, OnProcessStart\n", 1)
     text = text.replace("DeclareLaunchArgument,", "DeclareLaunchArgument, EmitEvent, Shutdown,", 1)
-    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    found = reported(tmp_path, "LAU037", "a.launch.py", text)
     assert sum("no target_action" in one.message for one in found) == count
 
 
@@ -307,7 +307,7 @@ def test_a_package_all_of_whose_components_are_known(
 ) -> None:
     call = f"ComposableNode(package='image_proc', plugin='{plugin}')"
     text = COMPONENT + program("node", f"    print({call})\n")
-    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    found = reported(tmp_path, "LAU038", "a.launch.py", text)
     assert ["image_proc::RectifyNode" in one.help for one in found] == [True] * (not known)
 
 
@@ -318,7 +318,7 @@ def test_a_package_all_of_whose_components_are_known(
 def test_values_that_launch_rejects(tmp_path: Path, value: str, count: int) -> None:
     node = f"Node(package='p', executable='e', parameters=[{{'own': {value}}}])"
     text = program("node", f"    print({node})\n")
-    found = reported(tmp_path, "LAU010", "a.launch.py", text)
+    found = reported(tmp_path, "LAU033", "a.launch.py", text)
     assert ["own is" in one.message for one in found] == [True] * count
 
 
@@ -343,7 +343,7 @@ def test_the_builder_of_moveit(
     tmp_path: Path, method: str, attribute: str, words: list[str]
 ) -> None:
     text = MOVEIT.format(method, attribute)
-    found = [one.message for one in reported(tmp_path / "arm", "LAU010", "a.launch.py", text)]
+    found = [one.message for one in reported(tmp_path / "arm", "LAU033", "a.launch.py", text)]
     assert len(found) == len(words)
     assert all(word in one for word, one in zip(words, found, strict=True))
 
@@ -355,5 +355,5 @@ def test_components(tmp_path: Path, kind: str, count: int) -> None:
     text += 'ComposableNodeContainer(name="a", namespace="", package="rclcpp_components", '
     text += 'executable="component_container", composable_node_descriptions='
     text += f'[{kind}(package="own", {"executable" if kind == "Node" else "plugin"}="own")])\n'
-    found = [one.message for one in reported(tmp_path / "arm", "LAU010", "a.launch.py", text)]
+    found = [one.message for one in reported(tmp_path / "arm", "LAU038", "a.launch.py", text)]
     assert ["a program of its own" in one for one in found] == [True] * count

@@ -50,7 +50,7 @@ DONE = END.format("return LaunchDescription([])")
     ],
 )
 def test_wrong_names(tmp_path: Path, text: str, line: int, message: str, help: str) -> None:
-    (found,) = reported(tmp_path, "LAU010", "a.launch.py", text)
+    (found,) = reported(tmp_path, "LAU035", "a.launch.py", text)
     assert (found.span.line, found.message, found.help) == (line, message, help)
     assert found.severity is Severity.ERROR
 
@@ -59,13 +59,13 @@ def test_a_function_that_a_called_function_calls(tmp_path: Path) -> None:
     functions = "def load():\n    return yaml\ndef use():\n    return load()\n"
     text = HEAD + functions + END.format("return LaunchDescription([OpaqueFunction(function=use)])")
     text = "from launch.actions import OpaqueFunction\n" + text
-    (found,) = reported(tmp_path, "LAU010", "a.launch.py", text)
+    (found,) = reported(tmp_path, "LAU035", "a.launch.py", text)
     assert found.message == "name 'yaml' is not defined"
 
 
 def test_a_name_under_a_condition_is_a_warning(tmp_path: Path) -> None:
     text = HEAD + END.format("b = c if d() else None\n    return LaunchDescription([])")
-    found = reported(tmp_path, "LAU010", "a.launch.py", text.replace("d()", "print()"))
+    found = reported(tmp_path, "LAU035", "a.launch.py", text.replace("d()", "print()"))
     assert [one.severity for one in found] == [Severity.WARNING]
 
 
@@ -92,13 +92,13 @@ def test_a_name_under_a_condition_is_a_warning(tmp_path: Path) -> None:
     ],
 )
 def test_defined_names(tmp_path: Path, text: str) -> None:
-    assert reported(tmp_path, "LAU010", "a.launch.py", text) == []
+    assert reported(tmp_path, "LAU035", "a.launch.py", text) == []
 
 
 def test_the_work_grows_like_the_names(tmp_path: Path) -> None:
     def work(count: int) -> int:
         text = HEAD + "".join(f"name_{n} = nane_{n}\n" for n in range(count)) + DONE
-        return executed_lines(lambda: reported(tmp_path, "LAU010", "a.launch.py", text))
+        return executed_lines(lambda: reported(tmp_path, "LAU035", "a.launch.py", text))
 
     work(1)  # imports
     assert work(800) < 3 * work(400)

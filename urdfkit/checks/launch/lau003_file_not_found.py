@@ -15,7 +15,8 @@ file stops the launch, and Gazebo does not start without its world. Also reporte
 - `xacro.py`, and the `state_publisher` of `robot_state_publisher`, which were removed in Noetic
   (info in a launch file of ROS 1).
 - In Python, a path component that begins with a slash: `os.path.join` and `PathJoinSubstitution`
-  drop everything before it (error).
+  drop everything before it (error). Or a path
+  that follows the directory of a package without a slash (error).
 
 Not reported: files that the build of a package may generate, files that git ignores, and absolute
 paths outside the repository or workspace, such as `/etc/clearpath`, which may exist on the robot.

@@ -68,7 +68,7 @@ def _private_parameters(program: StartedProgram) -> Iterator[Problem]:
         if match := re.match(r"_([a-zA-Z]\w*):=(.*)", word.text or ""):
             message = f"ROS 2 ignores '{word.text}', a parameter of ROS 1"
             help = f"write parameters: {match[1]}: {match[2]}"
-            yield Problem("LAU010", word.span, message, help, severity=Severity.WARNING)
+            yield Problem("LAU036", word.span, message, help, severity=Severity.WARNING)
 
 
 def _spawner(program: StartedProgram) -> Iterator[Problem]:
@@ -92,7 +92,7 @@ def _spawner(program: StartedProgram) -> Iterator[Problem]:
         if successor:
             message = f"the spawner has no option {option} (supported up to Humble)"
             yield Problem(
-                "LAU010", word.span, message, f"write {successor}", severity=Severity.INFO
+                "LAU036", word.span, message, f"write {successor}", severity=Severity.INFO
             )
         else:
             match = nearest(option, known)
@@ -109,7 +109,7 @@ def _ros2_control(program: StartedProgram) -> Iterator[Problem]:
         successor = facts["former"].get(word.text or "")
         if successor:
             message = f"ros2 control has no '{word.text}' (supported up to Galactic)"
-            yield Problem("LAU010", word.span, message, f"write {successor}", severity=severity)
+            yield Problem("LAU036", word.span, message, f"write {successor}", severity=severity)
 
 
 def _agent(program: StartedProgram) -> Iterator[Problem]:
@@ -119,7 +119,7 @@ def _agent(program: StartedProgram) -> Iterator[Problem]:
     if not program.words:
         message = "micro_ros_agent stops: its arguments name no transport"
         help = 'write ["serial", "--dev", "/dev/ttyACM0"], or udp4, --port and a number'
-        yield Problem("LAU010", program.span, message, help, severity=Severity.ERROR)
+        yield Problem("LAU036", program.span, message, help, severity=Severity.ERROR)
         return
     first = program.words[0].text
     if first and " " in first:
@@ -144,4 +144,4 @@ def _agent(program: StartedProgram) -> Iterator[Problem]:
 
 
 def _error(word: Word, message: str, help: str) -> Problem:
-    return Problem("LAU010", word.span, message, help, severity=Severity.ERROR)
+    return Problem("LAU036", word.span, message, help, severity=Severity.ERROR)

@@ -22,11 +22,13 @@ def missing_space(values: Values, command: ast.expr | None) -> Problem | None:
         if piece is not None and not before[-1:].isspace() and not text[:1].isspace():
             if is_first_word and _ENDS_IN_XACRO.search(before):
                 message = "missing space between 'xacro' and the file path"
-                return values.problem(piece, message, "write 'xacro ' with a space")
+                return values.problem("LAU036", piece, message, "write 'xacro ' with a space")
             if match := _BEGINS_WITH_ARGUMENT.match(text):
                 word = match.group()
                 message = f"missing space before '{word}'"
-                return values.problem(piece, message, f"write ' {word}' with a space before it")
+                return values.problem(
+                    "LAU036", piece, message, f"write ' {word}' with a space before it"
+                )
         is_first_word = is_first_word and re.search(r"\s", text) is None
         before = text
     return None

@@ -39,7 +39,7 @@ def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
         if any(_is_action(item, values) for item in _listed(waiting, values)):
             message = f"started when {name} exits, but it runs until shutdown"
             help = "use the preceding spawner as target_action, or use OnProcessStart"
-            yield values.problem(waiting, message, help, Severity.WARNING)
+            yield values.problem("LAU037", waiting, message, help, Severity.WARNING)
 
 
 def waits_for_itself(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
@@ -54,7 +54,7 @@ def waits_for_itself(calls: list[ast.Call], values: Values) -> Iterator[Problem]
             if _is_action(item, values) and values.resolved(item) is action:
                 message = "starts when it has exited itself: launch starts an action only once"
                 help = "name the preceding action as target_action"
-                yield values.problem(target, message, help, Severity.WARNING)
+                yield values.problem("LAU037", target, message, help, Severity.WARNING)
 
 
 def wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
@@ -67,7 +67,7 @@ def wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
         if name in (*ACTIONS, *TRIGGERS) and name not in _PROCESSES:
             message = f"{called(call)} waits for a process, but its target_action is {name}"
             help = "name the Node whose process it is, such as the one that spawns the robot"
-            yield values.problem(target, message, help)
+            yield values.problem("LAU037", target, message, help)
 
 
 def endless(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
@@ -81,6 +81,7 @@ def endless(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
             if called(values.resolved(item)) in _PROCESSES:
                 event = called(call).removeprefix("OnProcess").lower()
                 yield values.problem(
+                    "LAU037",
                     call.func,
                     f"{called(call)} has no target_action: the {event} of each process starts the "
                     "action, which launch starts only once",
@@ -103,7 +104,7 @@ def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
             if name.id in direct and _is_action(name, values):
                 message = f"'{name.id}' is started twice: launch stops at the second start"
                 help = "keep it in the event handler only"
-                yield values.problem(direct[name.id], message, help)
+                yield values.problem("LAU037", direct[name.id], message, help)
 
 
 def _later(action: ast.expr | None, values: Values) -> Iterator[ast.Name]:

@@ -24,12 +24,12 @@ def entry_point(tree: ast.Module, source: Source) -> Iterator[Problem]:
     if entries and not _returns_value(entries[-1]):
         span = _name_of(entries[-1], source)
         message, help = f"{_ENTRY}() returns nothing", "return the LaunchDescription"
-        yield Problem("LAU010", span, message, help, severity=Severity.ERROR)
+        yield Problem("LAU033", span, message, help, severity=Severity.ERROR)
     by_name = {function.name: function for function in functions}
     if _ENTRY.encode() not in source.data and (name := nearest(_ENTRY, by_name, CLOSE_TYPO)):
         span = _name_of(by_name[name], source)
         message, help = f"launch calls {_ENTRY}(), which is missing", f"write def {_ENTRY}()"
-        yield Problem("LAU010", span, message, help, severity=Severity.ERROR)
+        yield Problem("LAU033", span, message, help, severity=Severity.ERROR)
 
 
 def _name_of(function: ast.FunctionDef, source: Source) -> Span:
@@ -66,4 +66,4 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
             continue
         message = f"'{name}' is created but never started"
         help = f"add {name} to the LaunchDescription, or remove it"
-        yield values.problem(call, message, help, Severity.INFO)
+        yield values.problem("LAU037", call, message, help, Severity.INFO)

@@ -76,12 +76,14 @@ def _unknown_names(call: ast.Call, values: Values) -> Iterator[Problem]:
     known = methods.get(name)
     if known is None and (suggested := nearest(name, filter(None, methods), CLOSE_TYPO)):
         message = f"MoveItConfigsBuilder has no method '{name}'; did you mean '{suggested}'?"
-        yield values.problem(call, message, f"write {suggested}")
+        yield values.problem("LAU033", call, message, f"write {suggested}")
     for keyword in call.keywords if known is not None else ():
         if keyword.arg and keyword.arg not in (names := (known or "").split()):
             message = f"{name} of MoveItConfigsBuilder has no argument '{keyword.arg}'"
             help = "remove it" if not names else f"known arguments: {', '.join(names)}"
-            yield values.problem(keyword.value, message + did_you_mean(keyword.arg, names), help)
+            yield values.problem(
+                "LAU033", keyword.value, message + did_you_mean(keyword.arg, names), help
+            )
 
 
 def unknown_attribute(node: ast.expr | None, values: Values) -> Iterator[Problem]:
@@ -92,7 +94,7 @@ def unknown_attribute(node: ast.expr | None, values: Values) -> Iterator[Problem
         if called(made) == "to_moveit_configs" and node.attr not in known:
             message = f"the configuration of MoveIt has no '{node.attr}'"
             message += did_you_mean(node.attr, known)
-            yield values.problem(node, message, f"name one of: {', '.join(known)}")
+            yield values.problem("LAU033", node, message, f"name one of: {', '.join(known)}")
 
 
 def _given_file(call: ast.Call, directory: str, values: Values, collector: Collector) -> None:

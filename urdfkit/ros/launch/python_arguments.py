@@ -71,7 +71,7 @@ def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
         new = _FORMER.get(keyword.arg or "")
         if new and b"ROS_DISTRO" not in values.source.data:  # otherwise it depends on the version
             message = f"Node has no argument '{keyword.arg}' (supported up to Foxy)"
-            yield values.problem(keyword.value, message, f"write {new}=", Severity.INFO)
+            yield values.problem("LAU033", keyword.value, message, f"write {new}=", Severity.INFO)
 
 
 def _action_list(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -80,11 +80,13 @@ def _action_list(call: ast.Call, values: Values) -> Iterator[Problem]:
     value = values.resolved(node)
     if node is not None and called(value) in ACTIONS:
         message = f"{name} of {called(call)} is not a list of actions"
-        yield values.problem(node, message, "write it in [ ]")
+        yield values.problem("LAU033", node, message, "write it in [ ]")
     for item in values.items(node) if isinstance(value, ast.List) else ():
         if item is not None and isinstance(values.resolved(item), ast.List):
             message = f"{name} of {called(call)} contains a list, but launch expects actions"
-            yield values.problem(item, message, "write a * before it, or + between the lists")
+            yield values.problem(
+                "LAU033", item, message, "write a * before it, or + between the lists"
+            )
 
 
 def _components(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -94,7 +96,7 @@ def _components(call: ast.Call, values: Values) -> Iterator[Problem]:
         if item is not None and called(values.resolved(item)) in ("Node", "LifecycleNode"):
             message = f"{called(call)} loads components, and this is a program of its own"
             help = "write ComposableNode, with plugin in place of executable"
-            yield values.problem(item, message, help)
+            yield values.problem("LAU038", item, message, help)
 
 
 def _process(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -108,10 +110,12 @@ def _process(call: ast.Call, values: Values) -> Iterator[Problem]:
     text = string(first[0]) if first else None
     if (line := string(command)) is not None:
         message = "cmd of ExecuteProcess is a string, which launch splits into letters"
-        yield values.problem(node, message, f"write {line.split()}")
+        yield values.problem("LAU036", node, message, f"write {line.split()}")
     elif text and " " in text.strip() and first[0] is not None:
         message = f"'{text}' is one word, so launch looks for a program with this name"
-        yield values.problem(first[0], message, "write one item for each word, or shell=True")
+        yield values.problem(
+            "LAU036", first[0], message, "write one item for each word, or shell=True"
+        )
 
 
 def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -122,7 +126,7 @@ def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
     for matching_source, suffixes in _SOURCES.items():
         if node is not None and path.endswith(suffixes) and not path.endswith(_SOURCES[name]):
             message = f"{name} does not read '{path.rpartition('/')[2]}'"
-            yield values.problem(call.func, message, f"write {matching_source}")
+            yield values.problem("LAU033", call.func, message, f"write {matching_source}")
     yield from missing_slash(values.items(node), values)
 
 
@@ -138,7 +142,7 @@ def _choice(call: ast.Call, values: Values) -> Iterator[Problem]:
     same = next((choice for choice in known if choice.lower() == default.lower()), None)
     help = f"write '{same}'" if same else f"add '{default}' to choices, or write one of them"
     message = f"default_value '{default}' is not one of the choices: {', '.join(known)}"
-    yield values.problem(node, message, help)
+    yield values.problem("LAU033", node, message, help)
 
 
 def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -146,13 +150,15 @@ def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
         node = argument(call, None, name)
         value = values.resolved(node)
         if node is not None and (string(value) is not None or isinstance(value, ast.Dict)):
-            yield values.problem(node, f"{name} of Node is not {expected}", "write it in [ ]")
+            yield values.problem(
+                "LAU033", node, f"{name} of Node is not {expected}", "write it in [ ]"
+            )
     pairs = argument(call, None, "remappings")
     for pair in values.items(pairs) if isinstance(values.resolved(pairs), ast.List) else ():
         if pair is not None and (text := string(pair)) is not None:
             names = tuple(text.split(":="))
             help = f"write {names}" if len(names) == 2 else "write ('from', 'to')"
-            yield values.problem(pair, f"'{text}' in remappings is not a pair", help)
+            yield values.problem("LAU033", pair, f"'{text}' in remappings is not a pair", help)
 
 
 def _sets(node: ast.expr | None, values: Values) -> Iterator[Problem]:
@@ -160,7 +166,7 @@ def _sets(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     for item in values.items(node) if node else ():
         if item is not None and isinstance(values.resolved(item), ast.Set):
             message = "this is a set, but launch expects a dictionary of parameters"
-            yield values.problem(item, message, 'write a colon: {"name": value}')
+            yield values.problem("LAU033", item, message, 'write a colon: {"name": value}')
 
 
 def _without_package(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -171,7 +177,7 @@ def _without_package(call: ast.Call, values: Values) -> Iterator[Problem]:
     for package, executables in data("launch")["executables"].items():
         if name in executables.split():
             message = f"'{name}' has no package: launch looks for a program of this name"
-            yield values.problem(call.func, message, f'write package="{package}"')
+            yield values.problem("LAU033", call.func, message, f'write package="{package}"')
 
 
 def _values(node: ast.expr | None, values: Values) -> Iterator[Problem]:
@@ -182,17 +188,19 @@ def _values(node: ast.expr | None, values: Values) -> Iterator[Problem]:
             name = values.text(key) or "the parameter"
             if isinstance(text, ast.Constant) and text.value is None:
                 message = f"{name} is None, which launch rejects as a parameter"
-                yield values.problem(value, message, "write a value, or remove it")
+                yield values.problem("LAU033", value, message, "write a value, or remove it")
             elif isinstance(text, ast.List) and any(isinstance(e, ast.Dict) for e in text.elts):
                 message = f"{name} is a list of dictionaries, which launch rejects as a parameter"
-                yield values.problem(value, message, "write a dictionary for each of them")
+                yield values.problem(
+                    "LAU033", value, message, "write a dictionary for each of them"
+                )
             is_method = isinstance(text, ast.Attribute) and text.attr in _TEXTS
             if is_method and isinstance(text, ast.Attribute):
                 message = f"{text.attr} is a method, but launch expects a string"
-                yield values.problem(value, message, f"write {text.attr}()")
+                yield values.problem("LAU033", value, message, f"write {text.attr}()")
             elif called(text) in _DOCUMENTS:
                 message = f"{called(text)}() returns an XML document, but launch expects a string"
-                yield values.problem(value, message, "append .toxml()")
+                yield values.problem("LAU033", value, message, "append .toxml()")
 
 
 def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
@@ -200,7 +208,7 @@ def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
         yield from _text(item, "a word of the command line", values)
         if isinstance(item, ast.Constant) and _JOINED.match(source := values.span(item).text):
             message = f"{source} is one word: Python joins strings without a comma between them"
-            yield values.problem(item, message, "write a comma between the two")
+            yield values.problem("LAU036", item, message, "write a comma between the two")
 
 
 def _text(node: ast.expr | None, subject: str, values: Values) -> Iterator[Problem]:
@@ -214,14 +222,14 @@ def _text(node: ast.expr | None, subject: str, values: Values) -> Iterator[Probl
     written = ast.unparse(node) if not isinstance(node, ast.Name) else value.value
     text = str(written).lower() if kind == "bool" else str(written)
     yield values.problem(
-        node, f"{subject} is a {kind}, but launch expects a string", f"write '{text}'"
+        "LAU033", node, f"{subject} is a {kind}, but launch expects a string", f"write '{text}'"
     )
 
 
 def _passed(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     arguments = values.resolved(node)
     if node is not None and isinstance(arguments, ast.Dict):
-        yield values.problem(node, "launch_arguments is a dictionary", "append .items()")
+        yield values.problem("LAU033", node, "launch_arguments is a dictionary", "append .items()")
     if isinstance(arguments, ast.Call) and isinstance(arguments.func, ast.Attribute):
         dictionary = arguments.func.value if arguments.func.attr == "items" else None
         for _, value in values.pairs(dictionary):
@@ -232,4 +240,4 @@ def _condition(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     text = string(values.resolved(node))
     if node is not None and text is not None and not _BOOLEAN.fullmatch(text):
         help = f"write LaunchConfiguration('{text}')"
-        yield values.problem(node, f"condition '{text}' is neither true nor false", help)
+        yield values.problem("LAU033", node, f"condition '{text}' is neither true nor false", help)

@@ -83,7 +83,7 @@ def _wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
         node = argument(call, None, "target_container")
         text = values.text(node) if called(call) == "LoadComposableNodes" else None
         if node is not None and text and (wrong := wrong_container(text, containers)):
-            yield values.problem(node, *wrong)
+            yield values.problem("LAU038", node, *wrong)
 
 
 def _text_or_none(node: ast.expr | None, values: Values) -> str | None:
@@ -122,7 +122,7 @@ def _keywords(call: ast.Call, values: Values) -> Iterator[Problem]:
             if owner and not (match and (given in match or is_typo(given, match))):
                 help = f"remove it: it is an argument of {owner}"
             message = f"{name} has no argument '{given}'"
-            yield values.problem(keyword.value, message, help)
+            yield values.problem("LAU033", keyword.value, message, help)
 
 
 def _missing(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -136,7 +136,7 @@ def _missing(call: ast.Call, values: Values) -> Iterator[Problem]:
     if missing:
         message = f"{called(call)} has no {' and no '.join(missing)}"
         help = "write " + ", ".join(f"{name}=..." for name in missing)
-        yield values.problem(call.func, message, help)
+        yield values.problem("LAU033", call.func, message, help)
 
 
 def _positional(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -152,7 +152,7 @@ def _positional(call: ast.Call, values: Values) -> Iterator[Problem]:
     message += f"and {len(call.args)} {'is' if len(call.args) == 1 else 'are'} given"
     takes_list = name in facts["lists"].split() or not names
     help = "write them in [ ]" if takes_list else f"write {', '.join(names)}"
-    yield values.problem(call.args[most], message, help)
+    yield values.problem("LAU033", call.args[most], message, help)
 
 
 def _is_open(call: ast.Call) -> bool:
@@ -175,7 +175,7 @@ def _no_list(call: ast.Call, tree: ast.Module, values: Values) -> Iterator[Probl
             kind = called(values.resolved(returned))
             if kind in _RETURNED:
                 message = f"{name}() returns a {kind}, but launch expects a list of actions"
-                yield values.problem(returned, message, "write it in [ ]")
+                yield values.problem("LAU033", returned, message, "write it in [ ]")
 
 
 def _returned(function: ast.FunctionDef) -> Iterator[ast.expr]:
@@ -196,7 +196,7 @@ def _output(call: ast.Call, values: Values) -> Iterator[Problem]:
     text = string(values.resolved(node))
     if node is not None and text is not None and text not in known:
         message = f"output is '{text}', which launch does not know"
-        yield values.problem(node, message, f"write {' or '.join(known)}")
+        yield values.problem("LAU033", node, message, f"write {' or '.join(known)}")
 
 
 def _conditions(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -207,7 +207,7 @@ def _conditions(call: ast.Call, values: Values) -> Iterator[Problem]:
     name = called(values.resolved(node))
     if node is not None and name in substitutions:
         message = f"{name} is no condition, but a substitution"
-        yield values.problem(node, message, f"write IfCondition({name}(...))")
+        yield values.problem("LAU033", node, message, f"write IfCondition({name}(...))")
     if called(call) not in (*conditions, *substitutions):
         return
     for item in call.args:
@@ -215,7 +215,7 @@ def _conditions(call: ast.Call, values: Values) -> Iterator[Problem]:
         if inner in conditions:
             message = f"{called(call)} takes a substitution, but {inner} is a condition"
             help = _SUBSTITUTES.get(inner, "write what the condition asks")
-            yield values.problem(item, message, help)
+            yield values.problem("LAU033", item, message, help)
 
 
 def _component(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -224,7 +224,7 @@ def _component(call: ast.Call, values: Values) -> Iterator[Problem]:
         return
     package = values.text(argument(call, None, "package"))
     if wrong := wrong_component(package, values.text(node)):
-        yield values.problem(node, *wrong)
+        yield values.problem("LAU038", node, *wrong)
 
 
 def _no_actions(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -238,7 +238,7 @@ def _no_actions(call: ast.Call, values: Values) -> Iterator[Problem]:
         name = called(values.resolved(item))
         if item is not None and (action := _taken_by(name)):
             message, help = f"{name} is not an action", f"write {action}({name}(...))"
-            yield values.problem(item, message, help)
+            yield values.problem("LAU033", item, message, help)
 
 
 def _taken_by(name: str) -> str:
@@ -265,7 +265,9 @@ def _without_effect(call: ast.Call, values: Values) -> Iterator[Problem]:
         item, name = names.pop()
         if any(before in actions for _, before in names):
             message = f"{name} has no effect: it applies to the actions after it"
-            yield values.problem(item, message, "move it above the nodes", Severity.WARNING)
+            yield values.problem(
+                "LAU037", item, message, "move it above the nodes", Severity.WARNING
+            )
 
 
 def _compared(tree: ast.Module, values: Values) -> Iterator[Problem]:
@@ -277,7 +279,7 @@ def _compared(tree: ast.Module, values: Values) -> Iterator[Problem]:
                     message = f"{_UNKNOWN} is compared before it has a value"
                     help = "compare its .perform(context) in an OpaqueFunction, or write "
                     help += "EqualsSubstitution(configuration, text)"
-                    yield values.problem(node, message, help, Severity.WARNING)
+                    yield values.problem("LAU034", node, message, help, Severity.WARNING)
         elif isinstance(node, (ast.If, ast.IfExp)):
             test = node.test
             if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
@@ -285,11 +287,13 @@ def _compared(tree: ast.Module, values: Values) -> Iterator[Problem]:
             if _is_configuration(test, values):
                 message = f"a {_UNKNOWN} is always true in Python: it has no value yet"
                 help = "pass condition=IfCondition(...), or ask its .perform(context) in an "
-                yield values.problem(test, message, f"{help}OpaqueFunction", Severity.WARNING)
+                yield values.problem(
+                    "LAU034", test, message, f"{help}OpaqueFunction", Severity.WARNING
+                )
             elif text := _performed(test, values):
                 message = f"the text '{text}' is true in Python, and 'false' is, too"
                 yield values.problem(
-                    test, message, "compare its .lower() with 'true'", Severity.WARNING
+                    "LAU034", test, message, "compare its .lower() with 'true'", Severity.WARNING
                 )
 
 
@@ -316,7 +320,7 @@ def _evaluated(call: ast.Call, values: Values) -> Iterator[Problem]:
         if item is not None and is_name and _is_configuration(item, values):
             message = f"the expression contains {text}, which is no name of Python"
             help = "write it in quotes, and compare: \"'\", ..., \"' == 'true'\""
-            yield values.problem(item, message, help)
+            yield values.problem("LAU034", item, message, help)
         before = text
 
 

@@ -60,7 +60,7 @@ def _joined(call: ast.Call, values: Values) -> Problem | None:
         name = called(values.resolved(part))
         if name in _SUBSTITUTIONS:
             message = f"{function} rejects {name}: its value is known only at run time"
-            return values.problem(part, message, _OF_TEXTS[function])
+            return values.problem("LAU034", part, message, _OF_TEXTS[function])
     return None
 
 
@@ -74,7 +74,9 @@ def _added(node: ast.expr, values: Values) -> Problem | None:
     if not (substitution and has_text):
         return None
     message = f"a string and a {substitution} cannot be added: its value is known only at run time"
-    return values.problem(node, message, "write both into a list, with a comma between them")
+    return values.problem(
+        "LAU034", node, message, "write both into a list, with a comma between them"
+    )
 
 
 def _formatted(node: ast.expr, values: Values) -> Problem | None:
@@ -86,7 +88,7 @@ def _formatted(node: ast.expr, values: Values) -> Problem | None:
                 f"an f-string does not have the value of {called(value)}, which is known only "
             )
             message += "at run time"
-            return values.problem(node, message, "write a list: [text, substitution]")
+            return values.problem("LAU034", node, message, "write a list: [text, substitution]")
     return None
 
 
@@ -98,4 +100,4 @@ def missing_slash(pieces: Collection[ast.expr | None], values: Values) -> Iterat
         is_package = called(directory) in PACKAGE_DIRECTORY
         if piece is not None and is_package and text[:1].isalpha():
             message = f"'{text}' follows the directory of a package without a slash"
-            yield values.problem(piece, message, f"write '/{text}'")
+            yield values.problem("LAU003", piece, message, f"write '/{text}'")

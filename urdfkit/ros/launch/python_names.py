@@ -38,7 +38,7 @@ def wrong_names(tree: ast.Module, values: Values) -> Iterator[Problem]:
         if isinstance(node, ast.Name) and is_read and node.id not in known:
             known.add(node.id)  # each name is reported once
             message = f"name '{node.id}' is not defined"
-            problem = values.problem(node, message, _how_to_define(node.id, suggester))
+            problem = values.problem("LAU035", node, message, _how_to_define(node.id, suggester))
             yield problem if is_sure else problem._replace(severity=Severity.WARNING)
 
 
@@ -68,7 +68,7 @@ def _wrong_imports(tree: ast.Module, values: Values) -> Iterator[Problem]:
             continue
         for alias in node.names:
             if help := _right_import(module, alias.name):
-                yield values.problem(node, f"module {module} has no {alias.name}", help)
+                yield values.problem("LAU035", node, f"module {module} has no {alias.name}", help)
 
 
 def _right_import(module: str, name: str) -> str:

@@ -113,7 +113,7 @@ def of_python(tree: ast.Module) -> Signature:
             is_plain = False
             continue
         keywords = {keyword.arg for keyword in node.keywords}
-        # LAU010 reports `default`, which was meant to be one.
+        # LAU033 reports `default`, which was meant to be one.
         has_default = not keywords.isdisjoint(("default_value", "default", "condition", None))
         has_default = has_default or len(node.args) > 1
         is_required = name == "DeclareLaunchArgument" and not has_default

@@ -101,7 +101,7 @@ def _component(element: Element, frame: CallFrame | None) -> Iterator[Problem]:
     plugin = element.attributes.get("plugin")
     wrong = wrong_component(element.get("pkg"), plugin.value) if plugin is not None else None
     if plugin is not None and wrong:
-        yield Problem("LAU010", plugin.span, *wrong, frame, severity=Severity.ERROR)
+        yield Problem("LAU038", plugin.span, *wrong, frame, severity=Severity.ERROR)
 
 
 def _unknown_tag(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
@@ -219,7 +219,7 @@ def without_effect(parent: Element, frame: CallFrame | None) -> Iterator[Problem
         last = children.pop()
         if any(child.tag in _STARTING for child in children):
             message = f"<{last.tag}> has no effect: it applies to the tags after it"
-            yield Problem("LAU010", last.span, message, "move it above the nodes", frame)
+            yield Problem("LAU037", last.span, message, "move it above the nodes", frame)
 
 
 def _is_written(element: Element, name: str, own: _Dialect) -> bool:

@@ -137,13 +137,14 @@ class Values:
 
     def problem(
         self,
+        code: str,
         node: ast.expr | ast.stmt,
         message: str,
         help: str,
         severity: Severity = Severity.ERROR,
     ) -> Problem:
         """A problem of an expression or a statement of the launch file."""
-        return Problem("LAU010", self.span(node), message, help, severity=severity)
+        return Problem(code, self.span(node), message, help, severity=severity)
 
     def pairs(self, node: ast.expr | None) -> list[tuple[ast.expr | None, ast.expr]]:
         """The keys and values of a dictionary; empty for any other expression."""

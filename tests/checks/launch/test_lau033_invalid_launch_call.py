@@ -1,0 +1,85 @@
+"""LAU033: see the rule."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.launched import PYTHON, reported
+
+SPAWNER = "Node(package='controller_manager', executable='spawner')"
+LASTING = "Node(package='robot_state_publisher', executable='robot_state_publisher')"
+PROGRAM = "def generate_launch_description():\n    {}\n"
+HANDLED = "LaunchDescription([{}RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[b]))])"
+
+
+def described(first: str, entities: str) -> str:
+    """A launch file with the actions ``a`` and ``b``."""
+    return f"a = {first}\nb = {SPAWNER}\n" + PROGRAM.format(f"return {entities}")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (described(SPAWNER, "LaunchDescription([a, TimerAction(actions=b)])"), "actions of Timer"),
+        (described(SPAWNER, "LaunchDescription(a)"), "initial_entities of LaunchDescription is"),
+        (PROGRAM.format("LaunchDescription([])"), "generate_launch_description() returns nothing"),
+        (
+            PROGRAM.replace("ption", "pton").format("return LaunchDescription([])"),
+            "launch calls generate_launch_description(), ",
+        ),
+        (
+            "def  generate_launch_descripton():\n    return LaunchDescription([])\n",
+            "launch calls generate_launch_description(), ",
+        ),
+        (
+            "XMLLaunchDescriptionSource('/a/b.launch.py')",
+            "XMLLaunchDescriptionSource does not read 'b",
+        ),
+        ("Node(package='a', node_executable='b')", "Node has no argument 'node_executable'"),
+        ("Node(package='a', executable='b', remappings=['a:=b'])", "'a:=b' in remappings"),
+        ("a = [b]\nLaunchDescription([a])", "initial_entities of LaunchDescription contains"),
+    ],
+)
+def test_programs_that_launch_rejects(tmp_path: Path, text: str, message: str) -> None:
+    (found,) = reported(tmp_path, "LAU033", "a.launch.py", text)
+    assert found.message.startswith(message)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        described(SPAWNER, HANDLED.format("a, ")),
+        described(SPAWNER, "LaunchDescription([a, TimerAction(actions=[b])])"),
+        described(LASTING, HANDLED.format("a, ").replace("[b]", "[Shutdown()]")) + "b.x\n",
+        PROGRAM.format("raise ValueError"),
+        PROGRAM.format("if x:\n        return LaunchDescription([])"),
+        PROGRAM.format("a = " + "b + " * 900 + "b\n    return LaunchDescription([])"),
+        "from a import generate_launch_description\nLaunchDescription([])\n",
+        "PythonLaunchDescriptionSource('/a/b.launch.py')",
+        "if ROS_DISTRO == 'foxy':\n    Node(package='a', node_executable='b')",
+        "ExecuteProcess(cmd=['ros2 topic list'], shell=True)",
+        "ExecuteProcess(cmd=['xacro', '/a b/c.xacro'])",
+        "Node(package='a', executable='b', remappings=[('a', 'b')])",
+        "a = [b]\nLaunchDescription([*a, c])",
+        "a = LaunchConfiguration('b').perform(context)\nc = 'd' + a",
+        "PythonLaunchDescriptionSource([FindPackageShare('a'), '/launch/b.launch.py'])",
+    ],
+)
+def test_programs_that_launch_accepts(tmp_path: Path, text: str) -> None:
+    assert reported(tmp_path, f"LAU003 {PYTHON}", "a.launch.py", text) == []
+
+
+@pytest.mark.parametrize(
+    ("default", "choices", "help"),
+    [
+        ("'True'", "['true', 'false']", "write 'true'"),
+        ("'x'", "['true', 'false']", "add 'x' to choices"),
+        ("'true'", "['true', 'false']", ""),
+        ("'true'", "['TRUE', other]", ""),
+        ("LaunchConfiguration('b')", "['true']", ""),
+    ],
+)
+def test_a_default_that_is_no_choice(tmp_path: Path, default: str, choices: str, help: str) -> None:
+    text = f"DeclareLaunchArgument('a', default_value={default}, choices={choices})\n"
+    found = reported(tmp_path, "LAU033", "a.launch.py", text)
+    assert [one.help.startswith(help) for one in found] == [True] * bool(help)
