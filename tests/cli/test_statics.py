@@ -9,6 +9,7 @@ import pytest
 from tests.conftest import MODELS
 from urdfkit.cli import main
 from urdfkit.core.installation import install_command
+from urdfkit.robot.samples import arm_xml
 
 ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 BASE = str(MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro")
@@ -57,6 +58,18 @@ def test_a_robot_fixed_to_the_world_cannot_tip_over(
     page = capsys.readouterr().out
     assert page.endswith("\n\nfixed to the world: cannot tip over\n")
     assert max(map(len, page.splitlines())) <= 80
+
+
+def test_a_robot_without_mass_has_no_loads(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """GRobot of clampforklift_ws2 had 23 rows of zeros."""
+    file = tmp_path / "a.urdf"
+    file.write_text(f'<robot name="r">{arm_xml("continuous")}</robot>')
+    assert main(["statics", str(file)]) == 0
+    lines = capsys.readouterr().out.split("\n")
+    assert lines[:2] == ["gravity on 0 kg, no link has a mass", ""]
+    assert not any(line.startswith("joint") for line in lines)
 
 
 def test_contact_links_fit_a_terminal(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -111,10 +111,12 @@ def render(loads: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
         poses = f"zero pose only: {len(loads.loads)} joints are too many to search for the worst"
     if not loads.loads:
         poses = "no actuated joint"
+    if not loads.mass:
+        poses = "no link has a mass"
     yield f"gravity on {loads.mass:.6g} kg{payload}, {poses}"
     if loads.weightless:
         yield from output.wrapped(f"no gravity in Gazebo on {few(loads.weightless, _NAMED)}")
-    if not loads.loads:
+    if not loads.loads or not loads.mass:
         return
     yield ""
     first = "at pose" if posed else "at zero"
