@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
+from tests.xacros import write
 from urdfkit.cli import main
 
 MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
@@ -89,6 +90,16 @@ def test_an_unreadable_robot_is_reported_with_the_reason(
     assert reported.startswith(f"error: {file}:1:")
     assert "'nothing'" in reported
     assert reported.endswith(f"; see 'urdfkit check {file}', which reports 1 error more\n")
+
+
+def test_of_a_part_only_the_robot_is_suggested(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write(tmp_path, robot='<xacro:include filename="part.xacro"/>', part='<link name="${side}"/>')
+    assert main(["info", str(tmp_path / "part.xacro")]) == 2
+    reported = capsys.readouterr().err
+    assert reported.endswith(f"urdfkit check {tmp_path / 'robot.xacro'}\n")
+    assert reported.count("urdfkit check") == 1
 
 
 @pytest.mark.parametrize(

@@ -21,6 +21,15 @@ def test_names_that_the_including_file_defines(tmp_path: Path) -> None:
     assert engine.check(tmp_path / "part.xacro").exit_code() == 0
 
 
+def test_a_property_without_prefix_is_an_error_of_the_part(tmp_path: Path) -> None:
+    """reem_full is a robot that a variant with a calibration board includes."""
+    part = '<property name="side" value="left"/><link name="${side}_wheel"/>'
+    write(tmp_path, robot='<xacro:include filename="part.xacro"/>', part=part)
+    (found,) = engine.check(tmp_path / "part.xacro", select=["XAC001"]).diagnostics
+    assert (found.severity, found.span.line) == (Severity.ERROR, 2)
+    assert "without the prefix" in found.message
+
+
 def test_without_an_including_file_they_are_errors(tmp_path: Path) -> None:
     write(tmp_path, part=PART)
     report = engine.check(tmp_path / "part.xacro", select=["XAC"])

@@ -164,4 +164,5 @@ def first_error(error: UnreadableRobot, file: str) -> UnreadableRobot:
     first, others = problems[0], len(problems) - 1
     reason = f"{first.message}; {first.help}" if first.help else first.message
     more = f", which reports {counted(others, 'error')} more" if others else ""
-    return UnreadableRobot(f"{first.span}: {reason}; see 'urdfkit check {file}'{more}", problems)
+    hint = "" if "urdfkit check" in reason else f"; see 'urdfkit check {file}'{more}"
+    return UnreadableRobot(f"{first.span}: {reason}{hint}", problems)

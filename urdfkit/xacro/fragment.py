@@ -23,7 +23,10 @@ _MAX_FILES = 100
 
 _DEFINED = re.compile(rb"""<xacro:(?:macro|property|arg)\s[^<>]*?\bname\s*=\s*["'](\w+)["']""")
 
-_MISSING = re.compile(r"(?:macro|name|argument|block) '([^']+)' (?:is not defined|has no value)")
+#: Not those that a ``<property>`` without prefix should define: the file itself is wrong.
+_MISSING = re.compile(
+    r"(?:macro|name|argument|block) '([^']+)' (?:is not defined(?!: xacro ignores)|has no value)"
+)
 
 
 def merge_missing_names(
