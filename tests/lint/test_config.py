@@ -284,6 +284,12 @@ def test_patterns(path, pattern, expected):
     assert matches(path, (pattern,)) is expected
 
 
+def test_a_byte_order_mark_is_no_setting(tmp_path):
+    """PowerShell writes one."""
+    (tmp_path / "urdfkit.toml").write_bytes(b"\xef\xbb\xbfpreview = true\n")
+    assert load(str(tmp_path / "urdfkit.toml")).preview
+
+
 def test_limits_of_an_expansion_are_raised_by_the_user_alone(tmp_path):
     path = write(tmp_path, "xacro-seconds = 2\nxacro-megabytes = 100")
     assert load(path, trusted=False).limits == (2, 100)

@@ -64,7 +64,7 @@ def _table(path: str) -> dict[str, Any] | None:
     else:
         import tomli as tomllib
     try:
-        document: dict[str, Any] = tomllib.loads(data.decode())
+        document: dict[str, Any] = tomllib.loads(data.decode("utf-8-sig"))
     except (ValueError, RecursionError) as error:  # RecursionError: deeply nested brackets
         raise ConfigError(f"{path}: not TOML: {error}") from error
     if own_file:

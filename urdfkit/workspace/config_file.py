@@ -1,11 +1,14 @@
 """Search for the configuration file of a robot; most robots have none."""
 
 import os
+import re
 
 from urdfkit.core import disk
 from urdfkit.core.paths import upwards
 
 FILES = ("urdfkit.toml", "pyproject.toml")
+#: At the start of a line, after a byte-order mark: a section in a comment is none.
+_SECTION = rb"(?m)^(?:\xef\xbb\xbf)?[ \t]*\[+[ \t]*tool\.urdfkit\b"
 
 
 def nearest(start: str) -> str | None:
@@ -19,4 +22,4 @@ def nearest(start: str) -> str | None:
 
 
 def _has_section(path: str) -> bool:
-    return b"[tool.urdfkit" in (disk.contents(path) or b"")
+    return re.search(_SECTION, disk.contents(path) or b"") is not None
