@@ -268,3 +268,9 @@ def test_what_changes_in_between_has_no_one_answer(log: FileLog, tmp_path: Path)
     Path(path).touch()
     assert disk.exists(path)
     assert not log.is_complete
+
+
+def test_the_names_in_a_directory_that_may_be_missing(tmp_path: Path) -> None:
+    (tmp_path / "a.stl").write_text("")
+    assert disk.names_or_empty(str(tmp_path)) == ["a.stl"]
+    assert disk.names_or_empty(str(tmp_path / "none")) == disk.names_or_empty("\0") == []

@@ -143,6 +143,14 @@ def names(directory: str) -> list[str]:
     return [entry.name for entry in entries(directory)]
 
 
+def names_or_empty(directory: str) -> list[str]:
+    """The names in a directory; empty if it does not exist or is not readable."""
+    try:
+        return names(directory)
+    except (OSError, ValueError):
+        return []
+
+
 def entries(directory: str) -> list[os.DirEntry[str]]:
     """The entries of a directory.
 

@@ -106,7 +106,7 @@ def meant(suggested: str | None) -> str:
 def nearest_file(path: str) -> str | None:
     """Name of the file next to a missing file that has the most similar name; same suffix."""
     directory, name = os.path.split(path)
-    return nearest_file_name(name, disk.names(directory) if disk.is_directory(directory) else ())
+    return nearest_file_name(name, disk.names_or_empty(directory))
 
 
 def nearest_file_name(name: str, known: Iterable[str]) -> str | None:

@@ -150,7 +150,7 @@ def _is_template(path: str) -> bool:
     directory = os.path.dirname(path)
     if f"templates{os.sep}" not in f"{directory}{os.sep}":
         return False
-    siblings = (os.path.join(directory, name) for name in disk.names(directory))
+    siblings = (os.path.join(directory, name) for name in disk.names_or_empty(directory))
     files = filter(is_launch, siblings) if is_launch(path) else (path,)
     return any(_PLACEHOLDER.search(read_head(file, _MAX_TEMPLATE)) for file in files)
 

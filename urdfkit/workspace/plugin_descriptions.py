@@ -65,7 +65,7 @@ def _exported(directory: str, package: str) -> dict[str, str] | None:
 
 def _described(directory: str) -> Iterator[tuple[str, list[str]]]:
     """The plugin descriptions in the directory of a package, with their classes."""
-    for file in disk.names(directory):
+    for file in disk.names_or_empty(directory):
         if file.endswith(".xml") and file != "package.xml":
             yield file, _classes(read_head(os.path.join(directory, file)))
 

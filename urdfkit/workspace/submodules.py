@@ -13,4 +13,4 @@ def absent_submodules(repository: str) -> list[str]:
     """The directories of the submodules that are not checked out: empty or missing."""
     text = read_head(os.path.join(repository, ".gitmodules"))
     paths = (os.path.join(repository, os.fsdecode(path)) for path in re.findall(_PATH, text))
-    return [path for path in paths if not (disk.is_directory(path) and disk.names(path))]
+    return [path for path in paths if not disk.names_or_empty(path)]

@@ -325,6 +325,11 @@ def test_dependencies_that_ros_2_does_not_have(
         ),
         ("setup(", 'setup(packages=["arm"], ', ""),
         (
+            "arm.talker",
+            "arm.nodes.talker",
+            "executable 'talk': there is no module arm.nodes.talker",
+        ),
+        (
             "setup(",
             "from setuptools import find_packages\nsetup(packages=find_packages(), ",
             "find_packages does not find 'arm'",
@@ -361,7 +366,12 @@ def test_a_pattern_without_its_directory(tmp_path: Path, pattern: str, count: in
 
 @pytest.mark.parametrize(
     ("listed", "help"),
-    [("launch/b.launch.py", "write "), ("launch/arm.launch.py", None), ("x.txt", "remove it")],
+    [
+        ("launch/b.launch.py", "write "),
+        ("launch/arm.launch.py", None),
+        ("x.txt", "remove it"),
+        ("models/walk.pt", "remove it"),  # spider_robot_ws: nor does the directory exist
+    ],
 )
 def test_a_listed_file(tmp_path: Path, listed: str, help: str | None) -> None:
     setup = RUNNING.replace("setup(", f"setup(data_files=[('share/arm', ['{listed}'])], ")
@@ -392,6 +402,7 @@ GROUP = "<member_of_group>rosidl_interface_packages</member_of_group>"
         ("", "", "", "package.xml has no <member_of_group>"),
         ("std_msgs)", "std_msgs SKIP_INSTALL)", "", ""),
         ("Load", "Laod", GROUP, "interface 'msg/Laod.msg' does not exist"),
+        ("msg/", "interfaces/", GROUP, "interface 'interfaces/Load.msg' does not exist"),
         ("find_package(std_msgs REQUIRED)", "", GROUP, "CMakeLists.txt does not find std_msgs"),
         ("find_package(std_msgs", "find_package(nav_msgs", GROUP, ""),  # which finds std_msgs
         ("find_package(std_msgs", "foreach(name a b)\n#", GROUP, ""),

@@ -31,7 +31,8 @@ def invalid_configurations(context: Context) -> Findings:
     for configuration in configurations(context.launch.started, context.resolver):
         name, program = configuration.name, configuration.program
         if configuration.source is None:
-            files = [file for file in disk.names(configuration.directory) if file.endswith(".lua")]
+            names = disk.names_or_empty(configuration.directory)
+            files = [file for file in names if file.endswith(".lua")]
             message = f"'{program.title}' stops: '{name.text}' does not exist in its directory"
             message += did_you_mean(name.text or "", files)
             help = f"name one of: {few(sorted(files), _MAX_NAMED)}" if files else "create it"

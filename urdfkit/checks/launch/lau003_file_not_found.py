@@ -113,7 +113,7 @@ def _is_for_jazzy(context: Context) -> bool:
     """True if the parameter files, or the pipelines of MoveIt, have names of Jazzy and later."""
     home = context.resolver.packages.enclosing(context.source.path)
     config = os.path.join(home[1], "config") if home else ""
-    files = disk.names(config) if disk.is_directory(config) else []
+    files = disk.names_or_empty(config)
     paths = [os.path.join(config, file) for file in files if file.endswith("_planning.yaml")]
     return is_for_jazzy(context.source.path, context.resolver, paths)
 

@@ -73,7 +73,7 @@ def _missing_files(directory: str, words: list[tuple[str, Span]]) -> Findings:
     for path, span in _until_keyword(words):
         if path.endswith(_SUFFIXES) and is_missing(directory, path):
             folder = posixpath.dirname(path)
-            files = disk.names(os.path.join(directory, folder))
+            files = disk.names_or_empty(os.path.join(directory, folder))
             match = nearest(path, [posixpath.join(folder, file) for file in files])
             message = f"interface '{path}' does not exist: the build fails"
             help = f"write {match}" if match else f"create {path}, or remove it here"

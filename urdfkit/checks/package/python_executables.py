@@ -97,7 +97,8 @@ def _missing_modules(setup: Source, entries: list[EntryPoint], directory: str) -
         path = os.path.join(directory, *entry.module.split("."))
         source = package_file(directory, os.path.relpath(f"{path}.py", directory))
         if source is None and not disk.exists(path) and not disk.exists(f"{path}.py"):
-            names = [file.removesuffix(".py") for file in disk.names(os.path.dirname(path))]
+            files = disk.names_or_empty(os.path.dirname(path))
+            names = [file.removesuffix(".py") for file in files]
             message = f"executable '{entry.name}': there is no module {entry.module}"
             message += did_you_mean(rest, names)
             help = "fix the name, or create the module"
@@ -157,7 +158,8 @@ def _missing_files(setup: Source, tree: ast.Module, directory: str) -> Findings:
     for path, node in listed_files(tree):
         if not path.startswith(_MARKER) and is_missing(directory, path):
             folder = os.path.dirname(path)
-            names = [posixpath.join(folder, n) for n in disk.names(os.path.join(directory, folder))]
+            files = disk.names_or_empty(os.path.join(directory, folder))
+            names = [posixpath.join(folder, file) for file in files]
             message = f"'{path}' is installed and does not exist: the build fails"
             help = f"remove it, or create {path}"
             if match := nearest(path, names):
@@ -166,7 +168,7 @@ def _missing_files(setup: Source, tree: ast.Module, directory: str) -> Findings:
 
 
 def _matches(directory: str, pattern: str) -> bool:
-    return any(fnmatchcase(name, pattern) for name in disk.names(directory))
+    return any(fnmatchcase(name, pattern) for name in disk.names_or_empty(directory))
 
 
 def _span(setup: Source, node: ast.expr) -> Span:

@@ -201,6 +201,6 @@ def _is_ignored_kind(directory: str, suffix: str) -> bool:
     """True if git ignores the files with a suffix in a directory, and it has none."""
     from urdfkit.workspace.gitignore import GitIgnored
 
-    names = disk.names(directory) if disk.is_directory(directory) else []
+    names = disk.names_or_empty(directory)
     is_empty = not any(name.lower().endswith(suffix) for name in names)
     return is_empty and os.path.join(directory, f"mesh{suffix}") in GitIgnored()

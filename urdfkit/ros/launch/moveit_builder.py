@@ -161,7 +161,7 @@ def _has_pilz(call: ast.Call | None, values: Values) -> bool:
 
 def _several_controllers(robot: str | None, directory: str, at: Span) -> Iterator[Problem]:
     """Files of controllers among which the builder cannot choose."""
-    files = disk.names(directory) if disk.is_directory(directory) else []
+    files = disk.names_or_empty(directory)
     found = sorted(file for file in files if file.endswith(_CONTROLLERS))
     preferred = {f"{name}{_CONTROLLERS}" for name in ("moveit", "moveit2", robot)}
     if robot and len(found) > 1 and preferred.isdisjoint(found):

@@ -180,7 +180,7 @@ class MoveItConfig:
     def servo_values(self) -> Iterator[tuple[Source, dict[str, Value]]]:
         """The files of MoveIt Servo next to an SRDF, and their values by key."""
         directory = self._directory
-        for name in sorted(disk.names(directory)) if disk.is_directory(directory) else ():
+        for name in sorted(disk.names_or_empty(directory)):
             path = os.path.join(directory, name)
             source = self._resolver.readable(path) if name.endswith((".yaml", ".yml")) else None
             if source is None or _TOPIC_OF_SERVO not in source.data:
