@@ -67,6 +67,14 @@ def test_each_gazebo_has_its_own_types(type, targets, severity):
     assert [finding.severity for finding in found] == ([severity] if severity else [])
 
 
+@pytest.mark.parametrize(("frame", "severity"), [("gz_frame_id", "info"), ("frame", "error")])
+def test_a_sensor_of_gz_next_to_a_plugin_of_classic(frame: str, severity: str) -> None:
+    """The bases of match_mobile_robotics_jazzy still have an old plugin of their IMU."""
+    old = '<plugin name="imu" filename="libgazebo_ros_imu_sensor.so"/>'
+    (found,) = findings("GAZ040", "gpu_lidar", f"<{frame}>base</{frame}>", beside=old)
+    assert found.severity.value == severity
+
+
 def test_the_name_in_the_target():
     (finding,) = findings("GAZ040", "ray", targets=("gz-harmonic",))
     assert finding.help == "write type 'gpu_lidar'"

@@ -186,6 +186,7 @@ def test_a_gripper(tmp_path: Path) -> None:
     assert found.message == naming("g", "velocity", "slide")
 
 
+FORWARD = "forward_command_controller/ForwardCommandController"
 BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 
 
@@ -205,6 +206,8 @@ def test_a_broadcaster(tmp_path: Path) -> None:
         controller("arm", joints="[slide]", state_interfaces="[position]"),
         controller("arm", joints="[slide]"),
         controller("arm", "acme/Own", joints="[slide]", state_interfaces="[effort]"),
+        # marsupial_simulator_ros2: a forward controller does not read the parameter
+        controller("f", FORWARD, joints="[slide]", state_interfaces="[effort]"),
         controller("arm", joints="[follow]", state_interfaces="[effort]"),
     ],
 )

@@ -43,6 +43,8 @@ FIXED = GOOD = BAD.replace("gpu_lidr", "gpu_lidar")
 
 
 _ON_JOINTS = {"force_torque"}
+#: Elements that gz-sim reads in a sensor, and Gazebo Classic does not.
+_OF_GZ = ("gz_frame_id", "ignition_frame_id")
 
 
 @rule(
@@ -82,7 +84,8 @@ def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Findin
     else:
         return
     at = sensor.at.attributes["type"]
-    is_for_both = wants_gz and wants_classic and bool(targets.evidence)
+    has_gz_frame = any(sensor.at.child(tag) for tag in _OF_GZ)
+    is_for_both = wants_classic and (wants_gz or has_gz_frame) and bool(targets.evidence)
     is_error = (wants_gz or wants_classic) and not is_for_both
     yield Finding(
         at,

@@ -54,6 +54,13 @@ _GRIPPER = "GripperActionController"
 _DRIVE = "diff_drive_controller/DiffDriveController"
 _BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 
+#: Parameters that list the state interfaces; others, such as forward controllers, claim none.
+_STATES = {
+    _BROADCASTER: "interfaces",
+    "joint_trajectory_controller/JointTrajectoryController": "state_interfaces",
+    "admittance_controller/AdmittanceController": "state_interfaces",
+}
+
 #: Parameters of a gripper controller that name a further interface, as JOINT/INTERFACE.
 _CLAIMED = ("max_effort_interface", "max_velocity_interface")
 
@@ -265,8 +272,8 @@ def _states(controller: Controller) -> list[str]:
         return ["velocity" if _has_value(controller, "position_feedback", "false") else "position"]
     if controller.type.endswith(_GRIPPER):
         return ["position", "velocity"]
-    name = "interfaces" if controller.type == _BROADCASTER else "state_interfaces"
-    return [value.text for value in controller.values([name]) if value.text]
+    name = _STATES.get(controller.type)
+    return [value.text for value in controller.values([name]) if value.text] if name else []
 
 
 def _has_value(controller: Controller, name: str, word: str) -> bool:
