@@ -36,10 +36,12 @@ def test_above_the_file(tmp_path: Path) -> None:
     assert first(finder(), "wrong", package / "urdf" / "arm.urdf") is None
 
 
-def test_the_inner_of_two_nested_packages_wins(tmp_path: Path) -> None:
-    add_package(tmp_path / "outer", "arm")
-    inner = add_package(tmp_path / "outer" / "inner", "arm")
-    assert first(finder(), "arm", inner / "arm.urdf") == str(inner)
+def test_the_outer_of_two_nested_packages_wins(tmp_path: Path) -> None:
+    """colcon and catkin do not look inside a package."""
+    outer = add_package(tmp_path / "outer", "arm")
+    inner = add_package(outer / "inner", "arm")
+    assert first(finder(), "arm", inner / "arm.urdf") == str(outer)
+    assert finder().known(str(inner / "arm.urdf")) == {"arm": str(outer)}
 
 
 def test_rosbuild(tmp_path: Path) -> None:

@@ -67,9 +67,9 @@ class Packages:
             return
         if name in ("", ".", "..") or "/" in name or "\\" in name:
             return  # a path, which could leave AMENT_PREFIX_PATH
-        start = self.directory_of(near)
-        packages = self._roots.enclosing_packages(start)
-        yield from (Candidate(directory) for package, directory in packages if package == name)
+        around = dict(self._roots.enclosing_packages(self.directory_of(near)))
+        if name in around:  # of several, the outermost: builds do not look inside a package
+            yield Candidate(around[name])
         for directory in self._in_environment(name):
             yield Candidate(directory, trusted=True)
         # A build may install this directory under its name, even if a package.xml is elsewhere.
@@ -95,10 +95,11 @@ class Packages:
         return self._searched[start]
 
     def known(self, near: str) -> dict[str, str]:
-        """The directories of the packages in the workspace of a file, by name; nearest first."""
-        packages: dict[str, str] = {}
-        for name, directory in self._roots.enclosing_packages(self.directory_of(near)):
-            packages.setdefault(name, directory)
+        """The directories of the packages in the workspace of a file, by name; nearest first.
+
+        Of packages around the file with the same name, the outermost.
+        """
+        packages = dict(self._roots.enclosing_packages(self.directory_of(near)))
         for level in self.levels(near):
             for name, directory in self._scan(level).all().items():
                 packages.setdefault(name, directory)
