@@ -220,6 +220,11 @@ class TestTheWholeFile:
         assert mistake.message == "<link> after the end of <robot>"
         assert mistake.notes == ((0, 8, "<robot> begins here"),)
 
+    @pytest.mark.parametrize("root", ["gazebo", "link", "xacro:macro"])
+    def test_parts_without_a_robot_around_them(self, root: str) -> None:
+        (mistake,) = syntax_mistakes(f"<{root}/><link/>".encode())
+        assert mistake.help == "put all elements into one <robot>"
+
     def test_text_behind_the_end(self) -> None:
         (mistake,) = syntax_mistakes(b"<robot></robot>\n  bye <b>\n")
         assert mistake.trailing

@@ -12,6 +12,8 @@ MAX_ERRORS = 100
 LOOK_AHEAD = 10_000
 #: Tags before an end tag that are searched for its start tag: the body of a macro is long.
 LOOK_BACK = 2000
+#: Children of ``<robot>``, which are no roots themselves.
+_PARTS = ("gazebo", "joint", "link", "material", "ros2_control", "transmission")
 
 
 class SyntaxMistake(Record):
@@ -86,8 +88,9 @@ class TagMatching:
         content = "text" if tag.kind == "text" else f"<{tag.name}>"
         note = self._root.note(f"<{name}> begins here")
         message = f"{content} after the end of <{name}>"
-        # A file of xacro tags alone lacks the element around them.
-        help = "put all elements into one <robot>" if name.startswith("xacro:") else ""
+        # A file of parts of a robot alone lacks the element around them.
+        is_part = name.startswith("xacro:") or name in _PARTS
+        help = "put all elements into one <robot>" if is_part else ""
         mistake = SyntaxMistake(start, end, message, (note,), help=help, trailing=True)
         self._mistakes.append(mistake)
         return False

@@ -243,8 +243,12 @@ def _pass(defined: Definitions, name: str) -> str:
 
 def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
     """The problem of an argument that is used above the ``<xacro:arg>`` with its default."""
-    node, _ = node_in(frame)
+    node, local = node_in(frame)
     at = declaration.tag_at.span if node is None else node.tag_at.span
+    help = f"move the <xacro:arg> above the first use, or pass {name}:=VALUE"
+    definer = _definer(name, local.get("symbols", local.get("table")))
+    if definer is not None and definer.tagName != "xacro:property":
+        help = f"write ${{{name}}} for the parameter of the macro"
     use = re.compile(rb"\$\(\s*arg\s+%s\s*\)" % re.escape(name.encode()))
     if found := use.search(at.source.data, at.start, at.end):
         at = Span(at.source, *found.span())
@@ -252,7 +256,7 @@ def used_too_early(name: str, declaration: Node, frame: FrameType) -> Problem:
         "XAC020",
         at,
         f"argument '{name}' is used above its <xacro:arg>, before xacro reads its default",
-        f"move the <xacro:arg> above the first use, or pass {name}:=VALUE",
+        help,
         node.frame if node is not None else None,
         related(declaration.tag_at.span, "declared here"),
         argument=name,
