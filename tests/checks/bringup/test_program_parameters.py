@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import reported
+from tests.workspaces import add_package
 
 CODES = ("LAU024", "LAU025")
 NODE = """from launch.substitutions import LaunchConfiguration
@@ -177,3 +178,12 @@ def test_parameters_of_sources(
     program = 'package="own", executable="own", name="own"'
     messages = found(tmp_path, program, '"../a.yaml"', yaml)
     assert [f"reads {key} of each source" in one for one in messages] == [True] * count
+
+
+def test_a_program_whose_source_is_in_the_workspace(tmp_path: Path) -> None:
+    """The map saver of Nav2 for Foxy takes the timeout in ms, as an integer."""
+    saver = 'package="nav2_map_server", executable="map_saver_server"'
+    assert len(found(tmp_path, saver, '{"save_map_timeout": 2000}')) == 1
+    (tmp_path / ".git").mkdir()
+    add_package(tmp_path / "navigation2" / "nav2_map_server", "nav2_map_server")
+    assert found(tmp_path, saver, '{"save_map_timeout": 2000}') == []

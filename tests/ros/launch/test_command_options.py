@@ -49,3 +49,18 @@ def test_words_of_a_static_transform(tmp_path: Path, words: str, message: str) -
     text = text.replace("micro_ros_agent", "static_transform_publisher").format(words)
     found = reported(tmp_path / "arm", "LAU036", "a.launch.py", text)
     assert [message in one.message for one in found] == [True] * bool(message)
+
+
+@pytest.mark.parametrize(
+    ("words", "count"),
+    [
+        ('"gazebo", "--ros-args", "--world", "a.world"', 0),
+        ('"gzserver", "-s", "libgazebo_ros_init.so", "--ros-args", "--world", "a"', 1),
+        ('"ros2", "run", "a", "b", "--ros-args", "--world", "a"', 1),
+    ],
+)
+def test_ros_arguments_of_gazebo(tmp_path: Path, words: str, count: int) -> None:
+    """Gazebo Classic is a node only with the plugin that makes it one."""
+    text = f"from launch.actions import ExecuteProcess\n\na = [ExecuteProcess(cmd=[{words}])]\n"
+    found = reported(tmp_path / "arm", "LAU036", "a.launch.py", text)
+    assert ["--world" in one.message for one in found] == [True] * count

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 
 from urdfkit.lint.rules import Context
 from urdfkit.ros.catalog import data
@@ -25,8 +25,14 @@ def parameter_files(context: Context) -> dict[str, list[NodeParameters]]:
 def parameters_of_started(
     context: Context, files: dict[str, list[NodeParameters]]
 ) -> list[NodeParameters]:
-    """What known programs of any name get from the launch file and from parameter files."""
-    return list(_parameters_of_programs(context.launch.started, files))
+    """What known programs of any name get from the launch file and from parameter files.
+
+    A program whose source is in the workspace may be of a release with other parameters.
+    """
+    programs = context.launch.started
+    is_any = any(map(_kind, programs))
+    own = context.resolver.packages.known(context.source.path) if is_any else ()
+    return list(_parameters_of_programs(programs, files, own))
 
 
 def parameter_sections(context: Context) -> list[NodeParameters]:
@@ -41,17 +47,20 @@ def whole_sections(sections: list[NodeParameters]) -> list[NodeParameters]:
 
 
 def _parameters_of_programs(
-    programs: tuple[StartedProgram, ...], files: Mapping[str, list[NodeParameters]]
+    programs: tuple[StartedProgram, ...],
+    files: Mapping[str, list[NodeParameters]],
+    own: Container[str],
 ) -> Iterator[NodeParameters]:
     """What a launch file gives to them itself, and sections that are not called after the program.
 
     Args:
         files: the sections of parameter files by path.
+        own: names of packages with programs that are not those of the catalogue.
     """
     readers = [path for program in programs for path in program.parameters.files]
     for program in programs:
         kind = _kind(program)
-        if not kind or not program.is_ros_2:
+        if not kind or program.package in own or not program.is_ros_2:
             continue
         if values := _given(program.parameters):
             yield NodeParameters(program.title, program.span, values, kind=kind)

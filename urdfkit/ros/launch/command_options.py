@@ -15,6 +15,8 @@ from urdfkit.ros.launch.spawned_controllers import has_value
 from urdfkit.text.diagnostic import Problem, Severity
 
 _ROS_ARGUMENTS = "--ros-args"
+#: The programs of Gazebo, which are no nodes, and the plugin by which Gazebo Classic is one.
+_GAZEBO, _OF_GAZEBO = ("gazebo", "gzserver", "gzclient", "gz", "ign"), "libgazebo_ros_init.so"
 _SPAWNER = "controller_manager/spawner"
 _AGENT = "micro_ros_agent/micro_ros_agent"
 #: A word of the launch file by which ROS is known to be newer than Galactic.
@@ -39,6 +41,8 @@ def _ros_arguments(program: StartedProgram) -> Iterator[Problem]:
     """ROS arguments that rcl rejects, such as ``-p name=value``."""
     known: dict[str, str] = data("launch")["ros_arguments"]
     texts = [word.text for word in program.words]
+    if texts and texts[0] in _GAZEBO and _OF_GAZEBO not in texts:
+        return  # nothing in this process reads them
     start = texts.index(_ROS_ARGUMENTS) if _ROS_ARGUMENTS in texts else len(texts)
     expected = ""
     for word in program.words[start + 1 :]:
