@@ -6,7 +6,7 @@ Source of the format: GitHub's documentation of workflow commands.
 from collections.abc import Iterator
 
 from urdfkit.lint.report import Report
-from urdfkit.output.formats._paths import posix
+from urdfkit.output.formats._paths import in_repository, posix
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
@@ -25,7 +25,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
     span = diagnostic.span
     line, column = span.source.position(span.start)
     end_line, end_column = span.source.position(span.end)
-    path = posix(span.source.path)
+    path = in_repository(span.source.path)
     properties = f"file={_property(path)},line={line},endLine={end_line}"
     if end_line == line:  # GitHub accepts columns only in a single line
         properties += f",col={column},endColumn={end_column}"

@@ -8,7 +8,7 @@ from typing import Any
 
 from urdfkit.lint.baseline import fingerprints
 from urdfkit.lint.report import Report
-from urdfkit.output.formats._paths import posix
+from urdfkit.output.formats._paths import in_repository
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
 _SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
@@ -31,7 +31,7 @@ def _issue(diagnostic: Diagnostic, mark: str) -> dict[str, Any]:
         "fingerprint": mark,
         "severity": _SEVERITIES[diagnostic.severity],
         "location": {
-            "path": posix(span.source.path),
+            "path": in_repository(span.source.path),
             "positions": {
                 "begin": {"line": line, "column": column},
                 "end": {"line": end_line, "column": end_column},

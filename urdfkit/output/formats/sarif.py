@@ -15,7 +15,7 @@ from urdfkit.core.grouping import by_key
 from urdfkit.lint import rule_index, rules
 from urdfkit.lint.baseline import fingerprints
 from urdfkit.lint.report import Report
-from urdfkit.output.formats._paths import posix
+from urdfkit.output.formats._paths import in_repository, posix
 from urdfkit.text.diagnostic import Call, Diagnostic, Edit, Fix, Severity
 from urdfkit.text.source import Source, Span
 
@@ -33,7 +33,9 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
     run = {
         "tool": {"driver": _driver(ran)},
         "columnKind": "utf16CodeUnits",
-        "originalUriBaseIds": {"SRCROOT": {"description": {"text": "where urdfkit was run"}}},
+        "originalUriBaseIds": {
+            "SRCROOT": {"description": {"text": "the repository, or where urdfkit was run"}}
+        },
         "invocations": [_invocation(report)],
         "results": [
             _result(diagnostic, numbers[diagnostic.code], mark)
@@ -146,7 +148,7 @@ def _location(span: Span) -> dict[str, Any]:
 def _artifact(source: Source) -> dict[str, Any]:
     from urllib.parse import quote
 
-    path = posix(source.path)
+    path = in_repository(source.path)
     if os.path.isabs(path):
         return {"uri": f"file://{'/' * (path[0] != '/')}" + quote(os.fsencode(path))}
     return {"uri": quote(os.fsencode(path)), "uriBaseId": "SRCROOT"}
