@@ -7,7 +7,7 @@ import pytest
 from tests.launched import reported
 from tests.workspaces import add_package
 
-CODES = ("LAU024", "LAU025")
+CODES = ("LAU024", "LAU025", "LAU039")
 NODE = """from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterValue

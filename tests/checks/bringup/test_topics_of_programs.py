@@ -81,7 +81,7 @@ def test_behaviours_of_the_default_tree(
 ) -> None:
     text = NODE.format("nav2_behaviors", "behavior_server", ', parameters=["../a.yaml"]')
     yaml = BEHAVIORS.format(plugins, tree)
-    found = messages(tmp_path, "LAU025", text, {"a.yaml": yaml})
+    found = messages(tmp_path, "LAU040", text, {"a.yaml": yaml})
     assert ["calls 'backup'" in one for one in found] == [True] * count
 
 
@@ -93,7 +93,7 @@ def test_planners_of_the_default_tree(tmp_path: Path, name: str, count: int) -> 
         "bt_navigator:\n  ros__parameters: {global_frame: map}\n"
     )
     text = NODE.format("nav2_planner", "planner_server", ', parameters=["../a.yaml"]')
-    found = messages(tmp_path, "LAU025", text, {"a.yaml": yaml})
+    found = messages(tmp_path, "LAU040", text, {"a.yaml": yaml})
     assert ["calls 'GridBased'" in one for one in found] == [True] * count
 
 

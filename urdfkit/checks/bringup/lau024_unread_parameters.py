@@ -26,7 +26,7 @@ Sources:
 import os
 import re
 
-from urdfkit.checks.bringup import costmap_parameters, parameter_sections
+from urdfkit.checks.bringup import costmap_layers, parameter_sections
 from urdfkit.checks.bringup.read_parameters import (
     parameter_files,
     parameters_of_started,
@@ -87,7 +87,7 @@ def check(context: Context) -> Findings:
         yield from parameter_sections.unread_plugins(section)
         yield from parameter_sections.misplaced(section)
         yield from parameter_sections.unlisted_filters(section)
-        yield from costmap_parameters.of_sources(section)
+        yield from costmap_layers.misplaced_source_parameters(section)
         yield from parameter_sections.unnumbered_filters(section)
         yield from _unread_inputs(section)
         yield from _of_other_level(section)

@@ -8,39 +8,18 @@
   robot_localization requires.
 - A mode or a footprint is invalid, a list has the wrong length, or a limit the wrong sign. A
   required parameter is missing (warning): "parameter 'polygons' is not initialized".
-- A plugin in `plugins` or `filters` of a costmap has no parameters: "Can not get 'plugin' param
-  value for voxel_layer". The same holds for `controller_plugins` and the other lists of Nav2, and
-  for polygons, sources and docks. A source in `observation_sources` has no parameters (warning):
-  the layer subscribes to a topic of that name.
-- A planner or controller of Nav2 is misspelt (warning), lacks its critics or its primary
-  controller, or has an unknown critic. The classes of plugins have names of different versions of
-  Nav2 (warning).
-- A costmap layer has an unknown class or an unsupported `data_type`.
-- A behaviour tree has no full path, or the default one calls a behaviour that is not in
-  `behavior_plugins` (warnings). A behaviour tree has a node or a port that Nav2 does not have
-  (warnings), a decorator without exactly one child, or the name of a tree that is not there.
 - The frames of the map and of odometry are swapped (warning).
 - The `frame_prefix` of robot_state_publisher begins with a slash, or is the namespace without one
   behind it (warnings).
 - `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
-- The Lua file of Cartographer does not exist, lacks an option, has an unknown one, or no input.
-- A filter of laser_filters is misspelt. A dock has a type that is not in `dock_plugins` (warning).
-- A map lacks a value or has an invalid one, at which map_server stops. Or it gets no map (warning).
-  For `localization` slam_toolbox needs a `map_file_name` (info).
 
 Sources:
     ROS 2, parser of parameter files: https://github.com/ros2/rcl/blob/rolling/rcl_yaml_param_parser/src/parse.c
     robot_localization, state estimation: https://docs.ros.org/en/noetic/api/robot_localization/html/state_estimation_nodes.html
-    Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
-    Nav2, map server: https://docs.nav2.org/configuration/packages/configuring-map-server.html
     rst-tu-dortmund/teb_local_planner#202: https://github.com/rst-tu-dortmund/teb_local_planner/issues/202
 """
 
-from urdfkit.checks.bringup import costmap_parameters, parameter_types, parameter_values
-from urdfkit.checks.bringup.behavior_trees import invalid_trees
-from urdfkit.checks.bringup.cartographer import invalid_configurations
-from urdfkit.checks.bringup.invalid_maps import invalid_maps, missing_graphs, missing_maps
-from urdfkit.checks.bringup.plugin_parameters import missing_in_default_trees, unloadable_plugins
+from urdfkit.checks.bringup import parameter_types, parameter_values
 from urdfkit.checks.bringup.read_parameters import (
     parameter_files,
     parameters_of_started,
@@ -86,21 +65,9 @@ def check(context: Context) -> Findings:
         yield from parameter_types.inputs_of_twist_mux(section)
         yield from parameter_types.outdated_motion_model(section)
         yield from parameter_types.wrong_sizes(section)
-        yield from costmap_parameters.unknown_classes(section)
-        yield from costmap_parameters.of_laser_filters(section)
-        yield from costmap_parameters.types_of_docks(section)
     for section in whole_sections(sections):
-        yield from costmap_parameters.plugins(section)
-        yield from unloadable_plugins(section)
+        yield from parameter_values.swapped_frames(section)
         yield from parameter_values.missing(section)
-    for own in files.values():
-        yield from costmap_parameters.mixed_names(own)
     yield from parameter_values.invalid_prefixes(context.launch.programs)
-    yield from missing_in_default_trees(context, sections)
-    yield from invalid_trees(context, sections)
     yield from parameter_values.missing_of_programs(context)
     yield from rejected_files(context)
-    yield from invalid_configurations(context)
-    yield from invalid_maps(context)
-    yield from missing_maps(context)
-    yield from missing_graphs(context, sections)

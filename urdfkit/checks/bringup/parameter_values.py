@@ -16,9 +16,17 @@ from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.known_parameters import given_values, kind_of
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Node, Value, scalars
+from urdfkit.text.located_yaml import Node, Value, scalar, scalars
 
 _PREFIX = "frame_prefix"
+#: Frames of localization that have the name of the other one.
+_SWAPPED = {
+    "odom_frame_id": "map",
+    "odom_frame": "map",
+    "global_frame_id": "odom",
+    "map_frame": "odom",
+}
+_LOCALIZING = ("amcl", "slam_toolbox")
 #: The place of the calibration of a camera, which camera_info_manager loads.
 _CALIBRATION = "camera_info_url"
 
@@ -139,3 +147,18 @@ def _is_footprint(text: str) -> bool:
     return is_open or bool(
         re.fullmatch(rf"\s*\[({point},){{2,}}{point},?\]\s*", text, re.IGNORECASE)
     )
+
+
+def swapped_frames(node: NodeParameters) -> Findings:
+    """The frame of the map in place of that of odometry, or the reverse."""
+    for key, wrong in _SWAPPED.items() if node.name in _LOCALIZING else ():
+        value = scalar(node.values, key)
+        if value and value.text.strip("/") == wrong:
+            right = "odom" if wrong == "map" else "map"
+            yield Finding(
+                value.span,
+                f"'{node.name}': {key} is '{wrong}', the frame of "
+                f"{'the map' if wrong == 'map' else 'odometry'}",
+                f"write {right}",
+                severity=Severity.WARNING,
+            )

@@ -1,4 +1,4 @@
-"""Configurations of Cartographer, which are files of Lua."""
+"""LAU042, and what other rules read in the configurations of Cartographer."""
 
 from pathlib import Path
 
@@ -75,7 +75,7 @@ def messages(
     ],
 )
 def test_options(tmp_path: Path, old: str, new: str, words: str) -> None:
-    found = messages(tmp_path, "LAU025", LUA.replace(old, new, 1))
+    found = messages(tmp_path, "LAU042", LUA.replace(old, new, 1))
     assert [words in one for one in found] == [True] * bool(words)
 
 
@@ -91,13 +91,13 @@ def test_options(tmp_path: Path, old: str, new: str, words: str) -> None:
     ],
 )
 def test_options_of_other_files(tmp_path: Path, lua: str) -> None:
-    assert messages(tmp_path, "LAU025", lua) == []
+    assert messages(tmp_path, "LAU042", lua) == []
 
 
 def test_a_file_that_does_not_exist(tmp_path: Path) -> None:
-    (message,) = messages(tmp_path, "LAU025", LUA, "b.lua")
+    (message,) = messages(tmp_path, "LAU042", LUA, "b.lua")
     assert "'b.lua' does not exist" in message
-    assert messages(tmp_path, "LAU025", LUA, "$(var file)") == []
+    assert messages(tmp_path, "LAU042", LUA, "$(var file)") == []
 
 
 @pytest.mark.parametrize(("frame", "count"), [("base_link", 0), ("lidar", 0), ("base", 1)])

@@ -1,24 +1,57 @@
-"""Behaviour trees that the navigator of Nav2 does not load.
+"""The navigator of Nav2 cannot load its behaviour tree, or the tree calls what no server has.
 
-Sources: ``xml_parsing.cpp`` of BehaviorTree.CPP 3 and 4, ``recovery_node.cpp`` of
-nav2_behavior_tree.
+- A behaviour tree has no full path (warning), or the default one calls a behaviour that is not in
+  `behavior_plugins` (warning).
+- A behaviour tree has a node or a port that Nav2 does not have (warnings), a decorator without
+  exactly one child, or the name of a tree that is not there.
+
+Sources:
+    Nav2, behaviour trees: https://docs.nav2.org/behavior_trees/index.html
+    BehaviorTree.CPP, xml_parsing.cpp: https://github.com/BehaviorTree/BehaviorTree.CPP/blob/master/src/xml_parsing.cpp
+    Nav2, recovery_node.cpp: https://github.com/ros-navigation/navigation2/blob/main/nav2_behavior_tree/plugins/control/recovery_node.cpp
 """
-
-from __future__ import annotations
 
 import os
 import re
 from collections.abc import Iterable, Iterator
 
+from urdfkit.checks.bringup.read_parameters import parameter_sections, whole_sections
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, meant, nearest
 from urdfkit.errors import PackageNotFound
-from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.document import Document, Element
-from urdfkit.text.located_yaml import Value, scalars
+from urdfkit.text.located_yaml import Value, scalar, scalars
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
+
+NAME = "launch/navigation.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+
+nodes = [
+    Node(
+        package="nav2_bt_navigator",
+        executable="bt_navigator",
+        parameters=["../navigation.yaml"],
+    ),
+    Node(
+        package="nav2_lifecycle_manager",
+        executable="lifecycle_manager",
+        parameters=[{"autostart": True, "node_names": ["bt_navigator"]}],
+    ),
+]
+"""
+GOOD = BAD.replace("navigation.yaml", "sound.yaml")
+_NAVIGATION = b"bt_navigator:\n  ros__parameters: {default_nav_to_pose_bt_xml: '%s/wait.xml'}\n"
+FILES = {
+    "navigation.yaml": _NAVIGATION % b"trees",
+    "sound.yaml": _NAVIGATION % b"$(find-pkg-share arm)/trees",
+    "trees/wait.xml": b'<root BTCPP_format="4"><BehaviorTree ID="Main"><Wait/>'
+    b"</BehaviorTree></root>",
+    "package.xml": b"<package><name>arm</name></package>",
+}
 
 _NAVIGATOR, _LIBRARIES = "bt_navigator", "plugin_lib_names"
 #: The beginnings of the names of libraries that come with Nav2.
@@ -27,9 +60,21 @@ _IN_PACKAGE = re.compile(r"\$\(find-pkg-share ([\w-]+)\)/(.+)")
 #: Tags that name a node by their ID, and attributes of all nodes.
 _EXPLICIT, _OF_ALL = ("Action", "Condition", "Control", "Decorator"), ("name", "ID")
 _RECOVERY = "RecoveryNode"
+_TREES = ("default_nav_to_pose_bt_xml", "default_nav_through_poses_bt_xml")
+_BEHAVIORS, _TREE = "behavior_plugins", b"bt_xml"
 
 
-def invalid_trees(context: Context, sections: list[NodeParameters]) -> Findings:
+@rule(Severity.ERROR, needs=(Need.LAUNCH,))
+def check(context: Context) -> Findings:
+    sections = parameter_sections(context)
+    yield from _invalid_trees(context, sections)
+    yield from _missing_in_default_trees(context, sections)
+    for section in whole_sections(sections):
+        yield from _relative_trees(section)
+
+
+def _invalid_trees(context: Context, sections: list[NodeParameters]) -> Findings:
+    """Trees that cannot be read, or have nodes, ports or children that Nav2 does not have."""
     navigators = [section for section in sections if section.name == _NAVIGATOR]
     libraries = [one for node in navigators for one in scalars(node.values.get(_LIBRARIES))]
     is_whole = bool(navigators) and all(one.text.startswith(_OF_NAV2) for one in libraries)
@@ -135,3 +180,40 @@ def _wrong_children(node: Element, name: str) -> Findings:
         message = f"bt_navigator does not run the tree: {name} has {count} children, {must}"
         help = "put several of them into a Sequence" if expected and count > expected else ""
         yield Finding(node, message, help)
+
+
+def _missing_in_default_trees(context: Context, sections: list[NodeParameters]) -> Findings:
+    """What the default trees of the navigator call and no server offers."""
+    navigators = [node for node in sections if node.name == _NAVIGATOR]
+    is_default = all(node.values.keys().isdisjoint(_TREES) for node in navigators)
+    if len(navigators) != 1 or not is_default or _TREE in context.source.data:
+        return
+    called: dict[str, str] = data("nodes")["default_trees"]
+    for parameter, names in called.items():
+        servers = [node for node in sections if parameter in node.values]
+        listed = scalars(servers[0].values[parameter]) if len(servers) == 1 else []
+        missing = [name for name in names.split() if name not in {value.text for value in listed}]
+        if listed and missing:
+            stops = "stops" if parameter == _BEHAVIORS else "aborts its goals"
+            yield Finding(
+                listed[0].span,
+                f"'bt_navigator' {stops}: its default behaviour tree calls '{missing[0]}', which "
+                f"is not in {parameter}",
+                f"add {missing[0]}, or set {_TREES[0]} to a tree without it",
+                severity=Severity.WARNING,
+            )
+
+
+def _relative_trees(node: NodeParameters) -> Findings:
+    """Behaviour trees without a directory, which the navigator does not find."""
+    for key in _TREES if node.name == _NAVIGATOR else ():
+        value = scalar(node.values, key)
+        text = value.text if value else ""
+        is_file = text.endswith(".xml") and "$" not in text
+        if value and is_file and not os.path.isabs(text):
+            yield Finding(
+                value.span,
+                f"'{node.name}' does not find '{text}': {key} is not the full path of a file",
+                "write $(find-pkg-share PACKAGE)/PATH, or omit it for the default tree",
+                severity=Severity.WARNING,
+            )

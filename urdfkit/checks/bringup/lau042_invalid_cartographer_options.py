@@ -1,16 +1,41 @@
-"""Configurations of Cartographer with which its node stops.
+"""The file of Cartographer does not exist, lacks an option, has an unknown one, or no input.
 
-Each option must be there, and there must be no other ("Key 'x' not in dictionary", "Key 'x' was
-used the wrong number of times").
-Source: ``lua_parameter_dictionary.cc`` of cartographer, ``trajectory_options.cc`` and
-``node_options.cc`` of cartographer_ros.
+The node stops. Each option must be there, and there must be no other: "Key 'x' not in dictionary",
+"Key 'x' was used the wrong number of times".
+
+Sources:
+    cartographer_ros, Lua configuration: https://google-cartographer-ros.readthedocs.io/en/latest/configuration.html
+    cartographer, lua_parameter_dictionary.cc: https://github.com/cartographer-project/cartographer/blob/master/cartographer/common/lua_parameter_dictionary.cc
 """
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Context, Finding, Findings, Location
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.cartographer import CartographerConfiguration, configurations
+
+NAME = "launch/slam.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+
+nodes = [
+    Node(
+        package="cartographer_ros",
+        executable="cartographer_node",
+        arguments=[
+            "-configuration_directory",
+            "/home/student/arm_description",
+            "-configuration_basename",
+            "hal.lua",
+        ],
+    ),
+]
+"""
+GOOD = BAD.replace("hal.lua", "hall.lua")
+FILES = {
+    "hall.lua": b'include "map_builder.lua"\nreturn options\n',
+    "package.xml": b"<package><name>arm</name><depend>cartographer_ros</depend></package>",
+}
 
 _REQUIRED = (
     "map_builder", "trajectory_builder", "map_frame", "tracking_frame", "published_frame",
@@ -26,8 +51,8 @@ _INPUTS = ("num_laser_scans", "num_multi_echo_laser_scans", "num_point_clouds")
 _MAX_NAMED = 4
 
 
-def invalid_configurations(context: Context) -> Findings:
-    """Files that do not exist, and options that are missing, unknown, or that name no input."""
+@rule(Severity.ERROR, needs=(Need.LAUNCH,))
+def check(context: Context) -> Findings:
     for configuration in configurations(context.launch.started, context.resolver):
         name, program = configuration.name, configuration.program
         if configuration.source is None:

@@ -1,20 +1,54 @@
-"""Maps that map_server does not load.
+"""A map lacks a value or has an invalid one, or a node that localizes gets no map.
 
-Source: ``map_io.cpp`` of nav2_map_server (humble to rolling) and ``main.cpp`` of map_server.
+- map_server stops at a map without `image`, `resolution`, `origin` or a threshold, and at a value
+  that is not a number. Thresholds are shares of black: above 1, or with the free one above the
+  occupied one, cells are wrong (warning).
+- map_server gets no map: "parameter 'yaml_filename' is not initialized" (warning).
+- For `localization` slam_toolbox needs a `map_file_name` (info: RViz or a service may load it).
+
+Sources:
+    Nav2, map server: https://docs.nav2.org/configuration/packages/configuring-map-server.html
+    Nav2, map_io.cpp: https://github.com/ros-navigation/navigation2/blob/main/nav2_map_server/src/map_io.cpp
+    slam_toolbox: https://github.com/SteveMacenski/slam_toolbox
 """
-
-from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.checks.bringup.read_parameters import parameter_sections
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.launch.contents import MAP, StartedProgram
-from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Node, Value, load, mapping, scalar, scalars
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.launch_files import launch_files
+
+NAME = "launch/localization.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+
+nodes = [
+    Node(
+        package="nav2_map_server",
+        executable="map_server",
+        parameters=[{"yaml_filename": "../hall.yaml"}],
+    ),
+    Node(
+        package="nav2_lifecycle_manager",
+        executable="lifecycle_manager",
+        parameters=[{"autostart": True, "node_names": ["map_server"]}],
+    ),
+]
+"""
+GOOD = BAD.replace("hall.yaml", "sound.yaml")
+_MAP_FILE = b"image: hall.pgm\nresolution: %s\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
+_LIMITS = b"occupied_thresh: 0.65\nfree_thresh: 0.25\n"
+FILES = {
+    "hall.yaml": _MAP_FILE % b"5 cm" + _LIMITS,
+    "sound.yaml": _MAP_FILE % b"0.05" + _LIMITS,
+    "hall.pgm": b"P5 1 1 255\n\xff",
+    "package.xml": b"<package><name>arm</name></package>",
+}
 
 _MAP, _GRAPH = "yaml_filename", "map_file_name"
 _REQUIRED = ("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh")
@@ -24,7 +58,14 @@ _MODES = ("trinary", "scale", "raw")
 _OPEN = ("$", "<", "{")
 
 
-def invalid_maps(context: Context) -> Findings:
+@rule(Severity.ERROR, needs=(Need.LAUNCH,))
+def check(context: Context) -> Findings:
+    yield from _invalid_maps(context)
+    yield from _missing_maps(context)
+    yield from _missing_graphs(context)
+
+
+def _invalid_maps(context: Context) -> Findings:
     """Maps of a launch file that lack a value, or have one that is not readable."""
     for path in dict.fromkeys(use.path for use in context.launch.files if use.purpose == MAP):
         source = context.resolver.readable(path) if path.endswith((".yaml", ".yml")) else None
@@ -35,7 +76,7 @@ def invalid_maps(context: Context) -> Findings:
             yield from _thresholds(values)
 
 
-def missing_maps(context: Context) -> Findings:
+def _missing_maps(context: Context) -> Findings:
     """A map_server that gets no map."""
     for node in context.launch.started if not context.launch.has_scopes else ():
         is_server = node.key == "nav2_map_server/map_server"
@@ -48,10 +89,10 @@ def missing_maps(context: Context) -> Findings:
             )
 
 
-def missing_graphs(context: Context, sections: list[NodeParameters]) -> Findings:
+def _missing_graphs(context: Context) -> Findings:
     """Localization of slam_toolbox without a map; an info, as RViz or a service may load it."""
     directory = context.resolver.packages.workspace(context.source.path)
-    for node in sections:
+    for node in parameter_sections(context):
         mode = node.values.get("mode") if node.name == "slam_toolbox" else None
         is_localizing = isinstance(mode, Value) and mode.text == "localization"
         if not isinstance(mode, Value) or not is_localizing or _GRAPH in node.values:

@@ -1,9 +1,10 @@
-"""Behaviour trees of Nav2; the code is that of the rule about parameters."""
+"""LAU040: see the rule."""
 
 from pathlib import Path
 
 import pytest
 
+from tests.checks.bringup import nav2
 from tests.launched import reported
 
 NODE = """import os
@@ -39,7 +40,7 @@ OTHER = OTHER.replace("RecoveryNode", "Sequence").replace("Spin", "Go")
 def of_tree(directory: Path, tree: str, libraries: str = "[]") -> list[tuple[int, str]]:
     yaml = f"bt_navigator: {{ros__parameters: {{plugin_lib_names: {libraries}}}}}\n"
     files = {"a.yaml": yaml, "a.xml": tree}
-    found = reported(directory / "arm", "LAU025", "a.launch.py", NODE, files)
+    found = reported(directory / "arm", "LAU040", "a.launch.py", NODE, files)
     return [(one.span.line, one.message) for one in found]
 
 
@@ -82,7 +83,7 @@ def test_a_tree_in_the_parameters(tmp_path: Path) -> None:
     text = NODE.replace(", tree]", "]").replace("a.xml", "b")
     yaml = f"bt_navigator: {{ros__parameters: {{default_nav_to_pose_bt_xml: '{path}'}}}}\n"
     files = {"a.yaml": yaml, "trees/b.xml": GOOD.replace("spin_dist", "angle")}
-    (found,) = reported(tmp_path / "arm", "LAU025", "a.launch.py", text, files)
+    (found,) = reported(tmp_path / "arm", "LAU040", "a.launch.py", text, files)
     assert "no port 'angle'" in found.message
 
 
@@ -91,5 +92,22 @@ def test_a_tree_without_a_navigator(tmp_path: Path, node: str, count: int) -> No
     """A mission has nodes of its own, and another NavigateToPose than Nav2's."""
     text = NODE.replace("nav2_bt_navigator", "arm").replace("bt_navigator", "mission")
     tree = GOOD.replace("Spin", node).replace("spin_dist", "phase")
-    found = reported(tmp_path / "arm", "LAU025", "a.launch.py", text, {"a.xml": tree})
+    found = reported(tmp_path / "arm", "LAU040", "a.launch.py", text, {"a.xml": tree})
     assert len(found) == count
+
+
+NAVIGATOR = "bt_navigator: {{ros__parameters: {{default_nav_to_pose_bt_xml: {}}}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("yaml", "words"),
+    [
+        (NAVIGATOR.format("tree.xml"), "find 'tree.xml'"),
+        (NAVIGATOR.format("/opt/tree.xml"), ""),
+        (NAVIGATOR.format("$(find-pkg-share a)/tree.xml"), ""),
+        (NAVIGATOR.format("REPLACED"), ""),
+    ],
+)
+def test_paths_of_trees(tmp_path: Path, yaml: str, words: str) -> None:
+    found = nav2.messages("LAU040", tmp_path, yaml)
+    assert [words in one for one in found] == [True] * bool(words)
