@@ -1,6 +1,6 @@
 import pytest
 
-from urdfkit.text.located_yaml import MAX_BYTES, MAX_LEVELS, Value, load
+from urdfkit.text.located_yaml import MAX_BYTES, MAX_LEVELS, Value, load, syntax_error
 from urdfkit.text.source import Source
 
 
@@ -57,3 +57,22 @@ def test_booleans_are_those_of_ros(text: str, value: bool | None) -> None:
     switch = found["enabled"]
     assert isinstance(switch, Value)
     assert switch.boolean is value
+
+
+@pytest.mark.parametrize(
+    ("text", "in_ros", "in_python"),
+    [
+        ("a: 1\t# Hz\n", None, 4),
+        ("a:\t1\n", None, 2),
+        ("a:\n\tb: 1\n", 3, 3),
+        ("a: [1\nb: 2\n", 7, 7),
+        ('a: "\t"\n', None, None),
+    ],
+)
+def test_tabs_are_an_error_where_the_reader_has_one(
+    text: str, in_ros: int | None, in_python: int | None
+) -> None:
+    source = Source("c.yaml", text.encode())
+    for is_python, expected in ((False, in_ros), (True, in_python)):
+        error = syntax_error(source, in_python=is_python)
+        assert (error and error[0].start) == expected

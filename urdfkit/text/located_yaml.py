@@ -182,14 +182,22 @@ def _key(node: Node) -> str:
 
 
 @lru_cache(CACHE_SIZE)
-def syntax_error(source: Source) -> tuple[Span, str] | None:
-    """Location and message of the first syntax error; None if the file is valid YAML."""
+def syntax_error(source: Source, *, in_python: bool = False) -> tuple[Span, str] | None:
+    """Location and message of the first syntax error; None if the file is valid YAML.
+
+    Args:
+        in_python: True if a program in Python reads it, which rejects most tabs; ROS 2 and Gazebo
+            read parameters by libyaml, which accepts them before a comment or a value.
+    """
     if len(source.data) > MAX_BYTES:
         return None
     import yaml
 
+    loader: Any = yaml.SafeLoader
+    if not in_python and b"\t" in source.data:
+        loader = getattr(yaml, "CSafeLoader", loader)
     try:
-        for _ in yaml.parse(source.data, yaml.SafeLoader):
+        for _ in yaml.parse(source.data, loader):
             pass
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark

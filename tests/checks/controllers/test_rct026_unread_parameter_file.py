@@ -34,6 +34,9 @@ def test_invalid_yaml(tmp_path: Path, old: str, new: str, line: int) -> None:
 @pytest.mark.parametrize(
     ("old", "new"),
     [
+        # libyaml, by which ROS 2 reads parameters, accepts tabs that PyYAML does not.
+        ("[left_joint]", "[left_joint]\t# of the left side"),
+        ("separation: ", "separation:\t"),
         ("\ndrive:", "\n/**/drive:"),
         ("\ndrive:", "\n/robot/drive:"),
         ("\ndrive:", "\nother:"),  # the controller may have its parameters elsewhere

@@ -35,7 +35,7 @@ def rejected_files(context: Context) -> Findings:
         if source is None:
             continue
         note = Related(node.span, f"'{node.title}' stops at it")
-        if error := syntax_error(source):
+        if error := syntax_error(source, in_python=is_rewritten):
             if not has_robots:  # else RCT026 reports it
                 at, reason = error
                 yield Finding(at, f"invalid YAML: {reason}", "fix the file", related=(note,))

@@ -50,7 +50,7 @@ def check(context: Context) -> Findings:
     yield from _missing(context)
     of_ros1 = {use.path for use in context.parameters if use.is_of_ros1}
     for file, source in readable_files(context):
-        if error := syntax_error(source):
+        if error := syntax_error(source, in_python=file.path in of_ros1):
             span, reason = error
             yield Finding(span, f"invalid YAML: {reason}", related=(file.note,))
         keys = () if file.path in of_ros1 else _unread_keys(load(source))

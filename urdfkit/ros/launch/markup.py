@@ -52,7 +52,7 @@ def parsed(source: Source) -> tuple[Document | None, Sequence[Problem]]:
     """The document of a launch file (None if it is invalid), and the problems of its text."""
     if not source.path.endswith(YAML):
         return read_xml(source)
-    if error := syntax_error(source):
+    if error := syntax_error(source, in_python=True):
         span, reason = error
         return None, (Problem("XML001", span, f"not YAML: {reason}"),)
     top = load(source)
