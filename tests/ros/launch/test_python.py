@@ -202,6 +202,23 @@ def test_other_ways_to_the_robot(package, body):
 
 
 @pytest.mark.parametrize(
+    ("body", "arguments"),
+    [
+        ("subprocess.run(['xacro', path, 'side:=left'], text=True).stdout", {"side": "left"}),
+        ("subprocess.check_output(args=['xacro', path, 'side:=' + 'left'])", {"side": "left"}),
+        ("os.popen('xacro ' + path + ' side:=left').read()", {"side": "left"}),
+        ("subprocess.run(['xacro', path, f'side:={unknown()}', 'up:=' + unknown()])", {}),
+    ],
+)
+def test_a_process_expands_the_robot(package, body, arguments):
+    path = "path = FindPackageShare('arm').find('arm') + '/urdf/arm.xacro'"
+    (description,) = read(package, f"{path}\n{body}").descriptions
+    assert Path(description.path) == package / "urdf" / "arm.xacro"
+    assert description.arguments == arguments
+    assert description.is_whole == bool(arguments)
+
+
+@pytest.mark.parametrize(
     "text",
     [
         f"x = {'+'.join(['a'] * 990)}\nx = {'+'.join(['b'] * 990)}\nCommand(['xacro ', x])",

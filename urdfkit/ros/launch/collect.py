@@ -154,7 +154,12 @@ class Collector:
         Args:
             text: with ``UNKNOWN_PART`` for each part that is known only at run time.
         """
-        words = command_words(text)
+        self.expand(command_words(text), span, frame, is_yaml=is_yaml)
+
+    def expand(
+        self, words: list[str], span: Span, frame: CallFrame, *, is_yaml: bool = False
+    ) -> None:
+        """Read the words of such a command."""
         while words and os.path.basename(words[0]) in ("ros2", "run", "rosrun", "exec"):
             words = words[1:]
         if len(words) > 1 and words[0] == words[1] == "xacro":

@@ -24,6 +24,7 @@ from urdfkit.ros.launch.python_descriptions import (
     parse,
     process_file,
     run_command,
+    run_process,
     untyped_commands,
 )
 from urdfkit.ros.launch.python_expressions import wrong_expressions
@@ -44,6 +45,9 @@ _SCOPES = (
     "PushRosNamespace", "PushROSNamespace", "SetParameter", "SetParametersFromFile", "SetRemap",
     "SetUseSimTime",
 )  # fmt: skip
+
+#: Functions of ``subprocess`` and ``os`` that return the output of a command.
+_PROCESSES = ("Popen", "check_output", "getoutput", "popen", "run")
 
 
 def read(collector: Collector, file: LaunchedFile) -> None:
@@ -89,6 +93,7 @@ class _PythonReader(PythonLaunchFile):
             "open": partial(open_file, self),
             "parse": partial(parse, self),
             "process_file": partial(process_file, self),
+            **dict.fromkeys(_PROCESSES, partial(run_process, self)),
         }
         loading = dict.fromkeys(loading_functions(self.tree), partial(record_loaded, self))
         handles = {**loading, **handles}

@@ -35,6 +35,27 @@ def run_command(file: PythonLaunchFile, call: ast.Call, untyped: Collection[ast.
         file.collector.command(text, span, frame, is_yaml=call in untyped)
 
 
+def run_process(file: PythonLaunchFile, call: ast.Call) -> None:
+    """``subprocess.run(["xacro", path])``, whose output becomes a parameter."""
+    command = argument(call, 0, "args")
+    words = file.values.items(command)
+    span, frame = file.values.span(call), file.call_frame(call)
+    if None not in words:
+        file.collector.expand([_word(file, word) for word in words], span, frame)
+    elif text := file.values.text(command):
+        file.collector.command(text, span, frame)
+
+
+def _word(file: PythonLaunchFile, node: ast.expr | None) -> str:
+    """A word of a command line, with ``UNKNOWN_PART`` for what is known only at run time."""
+    text = file.values.text(node)
+    if text is None and isinstance(node, ast.JoinedStr):
+        return "".join(_word(file, part) for part in node.values)
+    if text is None and isinstance(node, ast.BinOp):
+        return _word(file, node.left) + _word(file, node.right)
+    return UNKNOWN_PART if text is None else text
+
+
 def process_file(file: PythonLaunchFile, call: ast.Call) -> None:
     """``xacro.process_file(path)``."""
     path, mappings = argument(call, 0, "input_file_name"), argument(call, None, "mappings")
