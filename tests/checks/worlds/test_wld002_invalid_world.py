@@ -43,6 +43,17 @@ def test_a_ground_that_falls(tmp_path: Path, state: str, shape: str, count: int)
     assert findings(tmp_path, CODE, world=f"<gravity>0 0 0</gravity>{world}") == []
 
 
+@pytest.mark.parametrize(
+    ("tag", "count"),
+    [("gz_frame_id", 0), ("ignition_frame_id", 0), ("frame_id", 0), ("fram_id", 1)],
+)
+def test_the_frame_of_a_sensor(tmp_path: Path, tag: str, count: int) -> None:
+    """gz-sensors reads elements that SDF does not have."""
+    sensor = f'<sensor name="s" type="camera"><{tag}>camera</{tag}></sensor>'
+    world = f'<model name="m"><static>true</static><link name="l">{sensor}</link></model>'
+    assert len(findings(tmp_path, CODE, world=world)) == count
+
+
 def test_files_that_are_not_worlds(tmp_path: Path) -> None:
     path = tmp_path / "worlds/hall.sdf"
     reported = only_finding(tmp_path, CODE, world="<model>")
