@@ -30,6 +30,7 @@ def of_words(directory: Path, *words: str, files: dict[str, str] | None = None) 
         "/a@sensor_msgs/msg/Imu[gz.msgs.IMU@/b",
         "/range@sensor_msgs/msg/Range[gz.msgs.LaserScan",  # of a later release
         "/world/default/control@ros_gz_interfaces/srv/ControlWorld",
+        "/image@own_msgs/msg/Image[gz.msgs.Image",
         "__node:=bridge",
     ],
 )
@@ -46,6 +47,7 @@ def test_valid_bridge(tmp_path: Path, word: str) -> None:
         ("/imu@sensor_msgs/msg/Imu[gazebo.msgs.IMU", "write gz.msgs.IMU"),
         ("/js@sensor_msgs/msg/JointState[gz.msgs.JointState", "write gz.msgs.Model"),
         ("/imu@sensor_msgs/Imu[gz.msgs.IMU", "write sensor_msgs/msg/Imu"),
+        ("/image@std_msgs/msg/Image[gz.msgs.Image", "write sensor_msgs/msg/Image"),
         ("/imu@sensor_msgs/msg/Imu", "write topic@package/msg/Name[gz.msgs.Name"),
     ],
 )

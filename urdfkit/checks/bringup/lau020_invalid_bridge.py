@@ -186,7 +186,18 @@ def _ros_type(written: str) -> str | None:
     package, _, name = written.partition("/")
     if "/msg/" not in written and gazebo_messages(f"{package}/msg/{name}"):
         return f"{package}/msg/{name}"
-    return None if gazebo_messages(written) else nearest(written, ros_types(), CLOSE_TYPO)
+    if gazebo_messages(written):
+        return None
+    return nearest(written, ros_types(), CLOSE_TYPO) or _in_other_package(written)
+
+
+def _in_other_package(written: str) -> str | None:
+    """The message of this name in another package of ROS: ``std_msgs`` has no ``Image``."""
+    package, _, name = written.partition("/msg/")
+    known = ros_types()
+    if not any(other.startswith(f"{package}/") for other in known):
+        return None  # a package of the user, whose messages a bridge of the user may convert
+    return next((other for other in known if other.endswith(f"/msg/{name}")), None)
 
 
 def _wrong_gazebo_types(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:
