@@ -230,6 +230,7 @@ def test_a_slash_too_many(robot: str) -> None:
     [
         ("file:///home/me/install/hand/share/hand/meshes/palm.stl", "package://hand/meshes/palm"),
         ("file:///home/me/install/hand/share/hand/meshes/forearm.stl", "package://arm/meshes/fore"),
+        ("file:///home/me/ws/src/arm/meshes/forearm.stl", "package://arm/meshes/forearm.stl"),
     ],
 )
 def test_a_file_of_an_installed_package_of_another_computer(

@@ -6,6 +6,7 @@ import os
 import re
 from functools import cache, cached_property
 
+from urdfkit.core import disk
 from urdfkit.core.grouping import by_key
 from urdfkit.core.paths import is_within
 from urdfkit.core.record import Record
@@ -68,7 +69,7 @@ class MeshSuggestions:
     def nearest(self, mesh: MeshReference) -> Suggestion | None:
         """The file that was probably intended by a reference to a missing file.
 
-        In this order: the file of the package that an installed path names, the file at this place
+        In this order: the file of the package that an absolute path names, the file at this place
         in the package of the model, a file of another format in the same directory, a file of the
         same name elsewhere in the package, a file of a similar name in the same directory, a file
         of another format elsewhere. It is sure if it is the only candidate and no other link uses
@@ -95,12 +96,20 @@ class MeshSuggestions:
         return Suggestion(reference, chosen.is_sure and chosen.path not in self._used)
 
     def _installed(self, located: ResolvedReference) -> Suggestion | None:
-        """The file of a package at an absolute path of its installation on another computer."""
-        if located.scheme != "absolute" or not (match := re.search(_INSTALLED, located.reference)):
+        """The file of a package at an absolute path on another computer."""
+        if located.scheme != "absolute":
             return None
-        reference = f"package://{match[1]}/{match[2]}"
-        path = self._files.resolver.locate(reference, self._files.top).path
-        return Suggestion(reference, sure=True) if path else None
+        known = self._files.resolver.packages.known(self._files.top)
+        parts = located.reference.split("/")
+        for index in range(len(parts) - 2, 0, -1):
+            name, below = parts[index], "/".join(parts[index + 1 :])
+            is_installed = parts[index - 1] == "share"
+            is_known = name in known and disk.is_file(os.path.join(known[name], below))
+            if is_installed or is_known:
+                reference = f"package://{name}/{below}"
+                if self._files.resolver.locate(reference, self._files.top).path:
+                    return Suggestion(reference, sure=True)
+        return None
 
     def installed_reference(self, located: ResolvedReference) -> str:
         """The reference to a file of an installation, if its package is not found; else empty."""
