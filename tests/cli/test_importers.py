@@ -26,6 +26,15 @@ def test_all_programs_in_one_table(capsys: pytest.CaptureFixture[str]) -> None:
     assert all(len(line) <= 80 for line in lines)
 
 
+def test_a_robot_that_is_no_tree_is_told_above_the_table(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "a.urdf"
+    file.write_text(LOOP)
+    assert main(["importers", str(file)]) == 0
+    assert capsys.readouterr().out.startswith("programs may reject this robot:")
+
+
 def test_one_program(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["importers", ARM, "--for", "mujoco"]) == 0
     out = capsys.readouterr().out

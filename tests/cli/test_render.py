@@ -37,6 +37,19 @@ def test_an_image_is_written_and_a_missing_mesh_is_named(
     assert ((r > 140) & (g > 60) & (b < 60)).sum() > 10  # its orange
 
 
+def test_the_reason_of_a_broken_mesh_names_its_file_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "broken.stl").write_bytes(b"solid x")
+    robot = tmp_path / "robot.urdf"
+    visual = '<visual><geometry><mesh filename="broken.stl"/></geometry></visual>'
+    robot.write_text(f'<robot name="r"><link name="a">{visual}</link></robot>')
+    assert main(["render", str(robot), "-o", str(tmp_path / "robot.png"), *SMALL]) == 0
+    (note,) = capsys.readouterr().err.splitlines()
+    assert "broken.stl (broken.stl " in note
+    assert str(tmp_path) not in note
+
+
 def test_many_missing_meshes_are_counted(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -103,7 +103,11 @@ def _errors(inputs: dict[str, Any], context: Context, facts: ImporterFacts) -> l
 
 def _overview(robots: list[Imported]) -> Iterator[str]:
     """A row for each program, followed by the joint orders that differ."""
-    model = robots[0].tree.model
+    tree = robots[0].tree
+    model = tree.model
+    if not tree.is_sound:
+        yield from output.wrapped(f"programs may reject this robot: {tree.unsound}")
+        yield ""
     yield f"{counted(len(model.links), 'link')}, {model.mass:g} kg, as programs import them:"
     yield ""
     rows = [(" program   ", f"{'bodies':>6} {'mass / kg':>10} {'DoF':>4}  order  root")]

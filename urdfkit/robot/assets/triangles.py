@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot.link import Shape
 
@@ -60,6 +62,6 @@ class Meshes:
                 self._progress(len(self._loaded), len(self._files.paths))
             try:
                 self._loaded[path] = load(path)
-            except UnloadableMesh as reason:
-                self._loaded[path] = str(reason)
+            except UnloadableMesh as error:
+                self._loaded[path] = f"{os.path.basename(path)} {error.reason}"
         return self._loaded[path]
