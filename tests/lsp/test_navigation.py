@@ -1,5 +1,6 @@
 """Definitions, references and renaming, in texts that expand and in texts that do not."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -232,6 +233,23 @@ def test_renaming_reaches_uses_of_a_namespace(tmp_path: Path, before: str, after
         assert len(own) == 1
         path.write_bytes(apply_edits(own[0].span.source.data, own))
     assert _expanded(tmp_path, (tmp_path / "r.xacro").read_text()) == expected
+
+
+ROBOT = """<robot name="r"><link name="base"/><link name="cam"/>
+<joint name="pan" type="revolute"><parent link="base"/><child link="cam"/></joint>
+<gazebo reference="cam"><sensor name="s" type="camera"><gz_frame_id>cam</gz_frame_id>
+<ignition_frame_id> cam </ignition_frame_id></sensor></gazebo>
+<gazebo><joint name="loop" type="ball"><parent>base</parent><child>cam</child></joint></gazebo>
+<ros2_control name="c" type="sensor"><sensor name="f"><param name="frame_id">cam</param></sensor>
+<joint name="tilt"><param name="mimic">pan</param></joint></ros2_control></robot>"""
+
+
+@pytest.mark.parametrize(("name", "count"), [("cam", 7), ("pan", 2)])
+def test_renaming_reaches_the_texts_of_elements(tmp_path: Path, name: str, count: int) -> None:
+    """The frame of a sensor, the ends of a joint of Gazebo, and parameters of ros2_control."""
+    assert len(re.findall(rf"\b{name}\b", ROBOT)) == count
+    file = Edited(tmp_path / "r.urdf", ROBOT.replace(f'"{name}', f'"|{name}', 1))
+    assert renamed(file, "other") == re.sub(rf"\b{name}\b", "other", ROBOT)
 
 
 @pytest.mark.parametrize("name", ["property", "params"])

@@ -44,8 +44,14 @@ REFERENCES = {
     ("chain", "tip_link"): "link",
     ("end_effector", "parent_link"): "link",
     ("virtual_joint", "child_link"): "link",
+    ("disable_default_collisions", "link"): "link",
+    ("joint_property", "joint_name"): "joint",
+    ("link_sphere_approximation", "link"): "link",
     ("passive_joint", "name"): "joint",
 }
+#: Elements of SDF whose text refers to a link, and parameters of ros2_control.
+_FRAMES = ("gz_frame_id", "ignition_frame_id")
+_PARAMETERS = {"frame_id": "link", "mimic": "joint"}
 #: Elements in which ``<link name>`` and ``<joint name>`` are references.
 REFERRING_ELEMENTS = ("transmission", "ros2_control", "group", "group_state")
 
@@ -56,3 +62,14 @@ def kind_of_reference(node: TagNode, attribute: str) -> str:
     rule = grammar.attributes.get(attribute) if grammar else None
     kind = rule.type if rule and rule.type in (LINK, JOINT) else ""
     return REFERENCES.get((node.name, attribute), kind)
+
+
+def kind_of_text(node: TagNode) -> str:
+    """What the text of an element refers to: ``link``, ``joint``, or nothing."""
+    if node.name == "param" and node.ancestor("ros2_control"):
+        return _PARAMETERS.get(node.get("name"), "")
+    if node.ancestor("gazebo") is None:
+        return ""
+    is_of_joint = node.parent is not None and node.parent.name == "joint"
+    is_end = is_of_joint and node.name in ("parent", "child")
+    return "link" if is_end or node.name in _FRAMES else ""

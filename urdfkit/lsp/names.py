@@ -12,7 +12,7 @@ from functools import cached_property
 from html import unescape
 
 from urdfkit.core.record import Record
-from urdfkit.lsp.grammar import REFERRING_ELEMENTS, kind_of_reference
+from urdfkit.lsp.grammar import REFERRING_ELEMENTS, kind_of_reference, kind_of_text
 from urdfkit.lsp.markup import Page, TagNode
 from urdfkit.ros.catalog import plugins
 from urdfkit.text.document import Document
@@ -242,7 +242,8 @@ class NameIndex:
         for written in node.attributes:
             if kind := kind_of_reference(node, written.name):
                 yield from self._value(node, kind, written.name, is_definition=False)
-        yield from self._in_plugin(node)
+        if not node.children and node.text_span.text:
+            yield from self._in_contents(node, node.text_span)
 
     def _value(
         self, node: TagNode, kind: str, attribute: str, *, is_definition: bool, prefix: str = ""
@@ -255,10 +256,10 @@ class NameIndex:
             span = Span(source, start + len(written.value) - len(text), end)
             yield NameUse(kind, text, span, is_definition, node, attribute)
 
-    def _in_plugin(self, node: TagNode) -> Iterator[NameUse]:
-        """The links and joints that a Gazebo plugin refers to."""
-        span = node.text_span
-        if node.children or not span.text:
+    def _in_contents(self, node: TagNode, span: Span) -> Iterator[NameUse]:
+        """The link or joint that a text refers to; in a Gazebo plugin perhaps several."""
+        if kind := kind_of_text(node):
+            yield NameUse(kind, span.text, span, False, node)
             return
         for _, parameter in plugin_parameters(node):
             if parameter.type in (*plugins.REFERENCES, "frame"):
