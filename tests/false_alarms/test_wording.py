@@ -94,9 +94,9 @@ def test_the_manager_that_an_included_file_starts(tmp_path: Path) -> None:
     robot = f"open('{tmp_path}/arm/r.urdf')\n"
     include = f"IncludeLaunchDescription('{tmp_path}/arm/launch/mock.launch.py')\n"
     files = {"r.urdf": f'<robot name="r"><link name="a"/>{plugin}</robot>'}
-    assert of_launch(tmp_path / "arm", "LAU021", "mock.launch.py", robot + manager, files) == []
+    assert of_launch(tmp_path / "arm", "LAU043", "mock.launch.py", robot + manager, files) == []
     text = spawner + include
-    (found,) = of_launch(tmp_path / "arm", "LAU021", "simulated.launch.py", text)
+    (found,) = of_launch(tmp_path / "arm", "LAU043", "simulated.launch.py", text)
     assert Path(found.span.source.path).name == "mock.launch.py"
     ((step,),) = (call.via for call in found.calls)
     assert Path(step.span.source.path).name == "simulated.launch.py"

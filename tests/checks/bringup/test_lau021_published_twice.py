@@ -162,41 +162,6 @@ def test_joint_states(tmp_path: Path, text: str, count: int) -> None:
     assert len(messages(tmp_path, text)) == count
 
 
-@pytest.mark.parametrize(
-    ("text", "claimed"),
-    [
-        (SPAWNER.format("['a', 'c']", ""), "'a' and 'c'"),
-        (SPAWNER.format("['a']", "") + SPAWNER.format("['c']", ""), "'a' and 'c'"),
-        (SPAWNER.format("['a', 'b']", ""), ""),  # position and velocity
-        (SPAWNER.format("['a']", "") + SPAWNER.format("['c', '-c', '/other/manager']", ""), ""),
-        (SPAWNER.format("['a']", "") + SPAWNER.format("['c', '--inactive']", ""), ""),
-        (
-            SPAWNER.format("['a']", "")
-            + SPAWNER.format("['c']", ", condition=IfCondition(LaunchConfiguration('x'))"),
-            "",
-        ),
-    ],
-)
-def test_claims(tmp_path: Path, text: str, claimed: str) -> None:
-    found = messages(tmp_path, text)
-    assert [claimed in one and "'position' of joint 'j2'" in one for one in found] == (
-        [True] if claimed else []
-    )
-
-
-def test_claims_in_ros_1(tmp_path: Path) -> None:
-    """Each joint has a controller, and one of them was copied."""
-    text = "a: {type: position_controllers/JointPositionController, joint: j1}\n"
-    files = {"r.urdf": ROBOT, "c.yaml": text + text.replace("a:", "b:")}
-    launch = (
-        '<rosparam file="{0}/c.yaml" command="load"/>\n<node name="s" pkg="controller_manager" '
-    )
-    launch += 'type="spawner" args="a b"/>'
-    (found,) = reported(tmp_path, "LAU021", "a.launch", launch.format(tmp_path), files)
-    assert found.message == naming("a", "b", "both", "position", "j1")
-    assert [(note.span.line, note.span.text) for note in found.related] == [(1, "j1"), (2, "j1")]
-
-
 DRIVE = """
 <gazebo><plugin filename="gz-sim-diff-drive-system" name="drive"><frame_id>odom</frame_id>
 <child_frame_id>{}</child_frame_id></plugin></gazebo></robot>"""

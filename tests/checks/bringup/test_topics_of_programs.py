@@ -203,7 +203,7 @@ def test_topics_of_a_composable_node(tmp_path: Path, topic: str, count: int) -> 
 def test_models_of_one_name(tmp_path: Path, second: str, more: str, count: int) -> None:
     spawn = 'Node(package="ros_gz_sim", executable="create", arguments=["-topic", "r", "-name", '
     text = f'{IMPORT}nodes = [{spawn}"a"]), {spawn}"{second}"{more}])]\n'
-    found = messages(tmp_path, "LAU021", text, {})
+    found = messages(tmp_path, "LAU043", text, {})
     assert ["has a model 'a' already" in one for one in found] == [True] * count
 
 
@@ -224,7 +224,7 @@ again = IncludeLaunchDescription(
     ("file", "count"), [("bringup_launch.py", 1), ("localization_launch.py", 0)]
 )
 def test_servers_that_are_started_twice(tmp_path: Path, file: str, count: int) -> None:
-    found = messages(tmp_path, "LAU021", TWICE.replace("FILE", file), {})
+    found = messages(tmp_path, "LAU043", TWICE.replace("FILE", file), {})
     assert ["is started twice" in one for one in found] == [True] * count
 
 
@@ -377,5 +377,5 @@ def test_servers_in_timers_of_two_choices(tmp_path: Path, condition: str, count:
         f'{IMPORT}choice = LaunchConfiguration("choice", default="true")\n'
         f"first = {timer.format('If')}\nsecond = {timer.format(condition)}\n"
     )
-    found = messages(tmp_path, "LAU021", text, {})
+    found = messages(tmp_path, "LAU043", text, {})
     assert ["is started twice" in one for one in found] == [True] * count

@@ -1,4 +1,4 @@
-"""Two programs of a launch file do what only one may do.
+"""Two programs of a launch file publish the same transform, joint states or estimate.
 
 - A static_transform_publisher and robot_state_publisher both publish the transform of a link: tf
   keeps the last one, and the robot flickers if the two differ (an info if they are equal). Or it
@@ -7,8 +7,6 @@
 - joint_state_publisher and joint_state_broadcaster of ros2_control (joint_state_controller in
   ROS 1) publish on the same `joint_states`: the model jumps between the real positions and those of
   the sliders. The same holds for joint states that are bridged from Gazebo.
-- Two active controllers of one controller manager claim the same command interface of a joint: the
-  second fails to activate. Load it with `--inactive`.
 - robot_localization and diff_drive_controller both publish the transform from odom to the robot,
   which jumps between the two: write `enable_odom_tf: false`. Or the `base_link_frame` of
   robot_localization is the child of a joint, which gives the link two parents. The same holds for
@@ -17,10 +15,8 @@
   the IMU, which has a joint.
 - Two filters of robot_localization publish on the same topic: remap `odometry/filtered`. Or both
   publish the transform from odom: the `world_frame` of the global one is map.
-- A server of Nav2 is started twice, or two models of one name are spawned.
 - AMCL and slam_toolbox both publish the transform from map to odom.
-- `ros2_control_node` runs next to Gazebo's plugin, which runs its own controller manager: a spawner
-  may reach either. Or there are two robot_state_publishers of one robot.
+- There are two robot_state_publishers of one robot.
 
 The robot of a launch file for navigation is that of the other launch files of the workspace.
 Programs with a condition that is known only at run time are ignored.
@@ -28,24 +24,20 @@ Programs with a condition that is known only at run time are ignored.
 Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/README.md
     ros2_control, joint_state_broadcaster: https://control.ros.org/rolling/doc/ros2_controllers/joint_state_broadcaster/doc/userdoc.html
-    ros2_control, resource_manager.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/resource_manager.cpp
+    Nav2, transforms: https://docs.nav2.org/setup_guides/transformation/setup_transforms.html
 """
 
 from math import dist
 
-from urdfkit.checks.bringup import duplicate_programs
-from urdfkit.checks.bringup.defined_controllers import defined_controllers
+from urdfkit.checks.bringup import duplicate_transforms
 from urdfkit.checks.bringup.published_robots import published_robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.tree import KinematicTree
-from urdfkit.ros.claims import commanded_joints, commands
-from urdfkit.ros.controllers import Controller
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import manager_name, spawned_controllers, topic_name
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
-from urdfkit.text.located_yaml import Value
 
 NAME = "launch/robot.launch.py"
 BAD = """\
@@ -72,17 +64,13 @@ def check(context: Context) -> Findings:
     yield from _transforms(context, programs)
     if not launch.has_scopes:  # which give them namespaces
         yield from _joint_states(context, programs)
-    yield from _claims(context, programs)
-    yield from duplicate_programs.second_publisher(context, programs)
-    yield from duplicate_programs.second_manager(context, programs)
-    yield from duplicate_programs.second_odometry(context, programs)
-    yield from duplicate_programs.second_filter(context, programs)
-    yield from duplicate_programs.second_orientation(context, programs)
-    yield from duplicate_programs.second_server(context, programs)
-    yield from duplicate_programs.second_model(context)
-    yield from duplicate_programs.second_parent(context, programs)
-    yield from duplicate_programs.static_odometry(context, programs)
-    yield from duplicate_programs.second_map(context, programs)
+    yield from duplicate_transforms.second_publisher(context, programs)
+    yield from duplicate_transforms.second_odometry(context, programs)
+    yield from duplicate_transforms.second_filter(context, programs)
+    yield from duplicate_transforms.second_orientation(context, programs)
+    yield from duplicate_transforms.second_parent(context, programs)
+    yield from duplicate_transforms.static_odometry(context, programs)
+    yield from duplicate_transforms.second_map(context, programs)
 
 
 def _transforms(context: Context, programs: list[StartedProgram]) -> Findings:
@@ -140,33 +128,3 @@ def _joint_states(context: Context, programs: list[StartedProgram]) -> Findings:
                 f"remove {node.package}",
                 related=(Related(other[1], "the other publisher"),),
             )
-
-
-def _claims(context: Context, programs: list[StartedProgram]) -> Findings:
-    defined = defined_controllers(context)
-    #: The first controller of a claim, and its joint.
-    owners: dict[tuple[str | None, str, str], tuple[str, Value]] = {}
-    for spawned in spawned_controllers(programs):
-        controller = defined.get(spawned.name) if spawned.is_activated else None
-        for joint, interface in _claimed(controller) if controller else ():
-            claim = (manager_name(spawned.program), joint.text, interface)
-            owner, joint_of_owner = owners.setdefault(claim, (spawned.name, joint))
-            if controller and owner != spawned.name:
-                inactive = "--inactive" if controller.ros == 2 else "--stopped"
-                yield Finding(
-                    spawned.at,
-                    f"controllers '{owner}' and '{spawned.name}' are both started and claim "
-                    f"the command interface '{interface}' of joint '{joint.text}'",
-                    f"start one of them with {inactive}, or correct its joints",
-                    related=(
-                        Related(joint_of_owner.span, f"joint of controller '{owner}'"),
-                        Related(joint.span, f"joint of controller '{spawned.name}'"),
-                    ),
-                )
-                break
-
-
-def _claimed(controller: Controller) -> list[tuple[Value, str]]:
-    """The joints and command interfaces that a controller claims."""
-    joints = commanded_joints(controller)
-    return [(joint, interface) for joint in joints for interface in commands(controller)]

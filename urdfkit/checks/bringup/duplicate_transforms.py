@@ -1,4 +1,4 @@
-"""Programs whose work the simulation, or another program, does already."""
+"""Transforms and estimates that another program, or the simulation, publishes already."""
 
 from collections.abc import Iterator
 
@@ -13,15 +13,12 @@ from urdfkit.checks.bringup.odometry import (
 )
 from urdfkit.checks.bringup.published_robots import published_robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
-from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.bridges import is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import topic_name
-from urdfkit.ros.launch.spawning import model_spawner, spawn_option
 from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import nodes_in_files
-from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.located_yaml import Value
 
 _PUBLISHER = "robot_state_publisher"
@@ -57,24 +54,6 @@ def _is_plain(program: StartedProgram) -> bool:
     """True for a node without a namespace, remappings and a frame prefix."""
     is_known = program.namespace == "" and not program.is_remapped
     return is_known and "frame_prefix" not in program.parameters.values
-
-
-def second_manager(context: Context, programs: list[StartedProgram]) -> Findings:
-    """A second controller manager, next to that of Gazebo's plugin."""
-    spawners = list(filter(model_spawner, programs))
-    if not spawners:
-        return
-    simulated = Related(spawners[0].span, "the robot is spawned in Gazebo here")
-    nodes = [node for node in programs if node.executable == "ros2_control_node"]
-    for _, robot in context.described_robots if nodes else ():
-        for plugin in control_plugins(robot.model):
-            for node in nodes if "ros2_control" in (plugin.at.get("filename") or "") else ():
-                yield Finding(
-                    node.at,
-                    "ros2_control_node is a second controller manager: Gazebo's plugin runs one",
-                    "remove ros2_control_node from launch files with Gazebo",
-                    related=(Related(plugin.at.span, "the plugin"), simulated),
-                )
 
 
 def second_odometry(context: Context, programs: list[StartedProgram]) -> Findings:
@@ -155,45 +134,6 @@ def second_filter(context: Context, programs: list[StartedProgram]) -> Findings:
                 f"'{other.title}' and '{node.title}' both publish on '{output}'",
                 f"remap {_FILTERED} of one of them",
                 related=(Related(other.span, f"'{other.title}' is started here"),),
-            )
-
-
-def second_server(context: Context, programs: list[StartedProgram]) -> Findings:
-    """A second node of the same name of Nav2 or slam_toolbox."""
-    servers = data("nodes")["lifecycle"].split()
-    first: dict[tuple[str, str | None], StartedProgram] = {}
-    for node in programs if not context.launch.has_scopes else ():
-        if node.executable not in servers or node.namespace is None:
-            continue
-        other = first.setdefault((node.title, node.namespace), node)
-        if other.span != node.span:
-            yield Finding(
-                node.at,
-                f"'{node.title}' is started twice: lifecycle managers change the state of both",
-                "start it once",
-                related=(Related(other.span, "it is started here, too"),),
-            )
-            return
-
-
-def second_model(context: Context) -> Findings:
-    """A second model with the name of the first, which Gazebo rejects."""
-    first: dict[str, StartedProgram] = {}
-    for node in context.launch.started:
-        names = (spawn_option(node, name) for name in ("name", "entity", "model"))
-        word = next(filter(None, names), None)
-        may_rename = any("allow_renaming" in (item.text or "") for item in node.words)
-        spaces = [spawn_option(node, name) for name in ("world", "gazebo_namespace")]
-        is_own = node.is_sure and node.frame is None
-        if word is None or not word.text or may_rename or any(spaces) or not is_own:
-            continue
-        other = first.setdefault(word.text, node)
-        if other is not node:
-            yield Finding(
-                Location(word.span, node.frame),
-                f"Gazebo has a model '{word.text}' already: the second one is not spawned",
-                "give it another name",
-                related=(Related(other.span, "the first is spawned here"),),
             )
 
 
