@@ -36,6 +36,19 @@ def test_what_is_no_list_of_parameters_is_nothing(text: str) -> None:
     assert load(Source("c.yaml", text.encode())) is None
 
 
+@pytest.mark.parametrize(
+    ("text", "line", "reason"),
+    [
+        ("a: 1\nopen:false\nb: 2\n", 2, "no space after the colon"),
+        ("a: 1\nopen\nb: 2\n", 2, "could not find expected ':'"),
+    ],
+)
+def test_the_location_of_a_line_without_a_value(text: str, line: int, reason: str) -> None:
+    error = syntax_error(Source("c.yaml", text.encode()))
+    assert error is not None
+    assert (error[0].line, error[1]) == (line, reason)
+
+
 def test_aliases_are_not_followed() -> None:
     assert texts(load(Source("c.yaml", b"a: &x [1]\nb: *x\n"))) == {"a": ["1"], "b": None}
 

@@ -6,6 +6,7 @@ have few levels, and a deeper file is not one.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import Any, TypeAlias
@@ -18,6 +19,9 @@ MAX_BYTES = 1024 * 1024
 MAX_LEVELS = 30
 #: Files whose values are cached: the launch files of a workspace refer to the same files often.
 CACHE_SIZE = 64
+#: What the scanner says of a line that is no pair of a key and a value, as ``a:1`` is none.
+_NO_COLON = "could not find expected ':'"
+_JOINED = re.compile(r"[\w./-]+:[^\s:]")
 
 _TRUE, _FALSE = ("true", "yes", "on", "y"), ("false", "no", "off", "n")
 
@@ -201,8 +205,13 @@ def syntax_error(source: Source, *, in_python: bool = False) -> tuple[Span, str]
             pass
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
+        reason = error.problem or str(error)
+        if reason == _NO_COLON and error.context_mark:  # the other mark is in a later line
+            mark = error.context_mark
+            if _JOINED.match(source.line(mark.line + 1)[mark.column :]):
+                reason = "no space after the colon"
         start = source.offset(mark.line + 1, mark.column + 1) if mark else 0
-        return Span(source, start, start), error.problem or str(error)
+        return Span(source, start, start), reason
     except yaml.YAMLError as error:  # a character that YAML does not allow
         return Span(source, 0, 0), str(error).partition("\n")[0]
     return None

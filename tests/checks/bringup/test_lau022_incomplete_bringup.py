@@ -49,6 +49,21 @@ def test_joint_states(tmp_path: Path, text: str, count: int) -> None:
     assert all("joint states" in one for one in found)
 
 
+@pytest.mark.parametrize(
+    ("command", "count"),
+    [
+        ("cmd=['ros2', 'run', 'controller_manager', 'spawner', 'states']", 0),
+        ("cmd=['ros2 run controller_manager spawner ', 'states'], shell=True", 0),
+        ("cmd=[['ros2 run controller_manager spawner ', 'states']], shell=True", 0),
+        ("cmd=['ros2', 'run', 'controller_manager', 'spawner', 'arm']", 1),
+        ("cmd=['ros2', 'run', 'rviz2', 'rviz2']", 1),
+    ],
+)
+def test_a_spawner_that_ros2_run_starts(tmp_path: Path, command: str, count: int) -> None:
+    text = STATE.format("") + SPAWNER.format(["arm"]) + f"ExecuteProcess({command})\n"
+    assert len(messages(tmp_path, "LAU022", text)) == count
+
+
 @pytest.mark.parametrize(("kind", "count"), [("fixed", 0), ("continuous", 1)])
 def test_joint_states_of_a_sensor(tmp_path: Path, kind: str, count: int) -> None:
     """rq_fts_ros2_driver: the force-torque sensor has no joint that moves."""

@@ -166,6 +166,7 @@ def test_complete_or_unclear_element_is_accepted(tmp_path: Path, text: str) -> N
     [
         (ROS_2 + '<node pkg="a" exec="b" args="$(find a)/c"/>', "write $(find-pkg-share ...)"),
         (ROS_2 + '<node pkg="a" exec="b" if="$(arg x)"/>', "write $(var ...)"),
+        (ROS_2 + '<node pkg="a" exec="b" args="$(optenv C d)"/>', "write $(env ...)"),
         (ROS_1 + '<node pkg="a" type="b" name="c" args="$(var x)"/>', "write $(arg ...)"),
     ],
 )

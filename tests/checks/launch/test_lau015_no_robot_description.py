@@ -85,6 +85,14 @@ def test_unexpanded_xacro(tmp_path: Path, read: str, files: dict[str, str], coun
     assert len(reported(tmp_path, "LAU015", "a.launch.py", text, files)) == count
 
 
+@pytest.mark.parametrize(("program", "count"), [("cat", 1), ("xacro", 0)])
+def test_a_command_that_expands_nothing(tmp_path: Path, program: str, count: int) -> None:
+    command = f"$(command '{program} $(dirname)/../arm.xacro')"
+    text = f'<param name="robot_description" type="str" value="{command}"/>'
+    text = f'<node pkg="robot_state_publisher" exec="robot_state_publisher">{text}</node>'
+    assert len(reported(tmp_path, "LAU015", "a.launch.xml", text, XACRO)) == count
+
+
 def test_expanded_xacro_is_accepted(tmp_path: Path) -> None:
     text = "import xacro\ntext = xacro.parse(open('../arm.xacro')).toxml()\n"
     text += NODE.format(", parameters=[{'robot_description': text}]")

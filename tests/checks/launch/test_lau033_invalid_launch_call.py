@@ -38,6 +38,12 @@ def described(first: str, entities: str) -> str:
         ("Node(package='a', node_executable='b')", "Node has no argument 'node_executable'"),
         ("Node(package='a', executable='b', remappings=['a:=b'])", "'a:=b' in remappings"),
         ("a = [b]\nLaunchDescription([a])", "initial_entities of LaunchDescription contains"),
+        ("Node(package='a', parameters=[{'topics': []}])", "topics is an empty list"),
+        (
+            "xacro.process_file('a.xacro', mappings={'sim': True})",
+            "the value of an argument of xacro is a bool",
+        ),
+        ("builder.robot_description('a.xacro', {'n': 2})", "the value of an argument of xacro is"),
     ],
 )
 def test_programs_that_launch_rejects(tmp_path: Path, text: str, message: str) -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.controls import CLASSIC, GZ, NEXT, ROBOT, control, driven, plugin, transmission
+from tests.controls import CLASSIC, GZ, MOCK, NEXT, ROBOT, control, driven, plugin, transmission
 from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from urdfkit import Severity
@@ -218,6 +218,41 @@ def test_text_for_a_number(name: str, value: str) -> None:
 def test_missing_dollar_of_an_expression(value: str, help: str) -> None:
     (found,) = reported("RCT017", with_parameter("min", value))
     assert found.help == help
+
+
+@pytest.mark.parametrize(
+    ("name", "help"),
+    [
+        ("SO-ARM100", "SO_ARM100"),
+        ("my arm", "my_arm"),
+        ("3d/arm", "_3d_arm"),
+        ("left/arm", ""),
+        ("$(arg name)-x", ""),
+    ],
+)
+def test_a_name_that_no_node_has(name: str, help: str) -> None:
+    found = reported("RCT017", ROBOT + control(driven("swing"), name=name))
+    assert [one.help for one in found] == [naming(help, "digits")] * bool(help)
+
+
+def test_a_second_plugin() -> None:
+    text = ROBOT + control(driven("swing"), plugin=f"{GZ}</plugin><plugin>{MOCK}")
+    assert messages("RCT017", text) == [naming("<ros2_control>", "c", "<plugin>", GZ)]
+    assert places("RCT017", text) == [(NEXT + 1, "<plugin>")]
+
+
+@pytest.mark.parametrize(
+    ("plugin", "state", "count"),
+    [(GZ, "", 1), (CLASSIC, "", 1), (MOCK, "", 0), ("own/Hardware", "", 0), (GZ, "0.5", 0)],
+)
+def test_an_initial_value_of_a_command(plugin: str, state: str, count: int) -> None:
+    value = '<param name="initial_value">{}</param>'
+    state = value.format(state) if state else ""
+    joint = (
+        f'<joint name="swing"><command_interface name="position">{value.format(1)}'
+        f'</command_interface><state_interface name="position">{state}</state_interface></joint>'
+    )
+    assert len(reported("RCT017", ROBOT + control(joint, plugin=plugin))) == count
 
 
 def test_a_misspelt_parameter_is_fixed() -> None:

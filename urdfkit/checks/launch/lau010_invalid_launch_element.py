@@ -5,9 +5,9 @@
 - An attribute is unknown, or its value is not allowed. `ros2 launch` stops: "Unexpected
   attribute(s) found"; `roslaunch` ignores it. Many are typos; others belong to the other version
   of ROS: the executable of a node is `type` in ROS 1 and `exec` in ROS 2.
-- A substitution belongs to the other version of ROS (error): `$(find x)` and `$(arg x)` are
-  `$(find-pkg-share x)` and `$(var x)` in ROS 2. A file with tags of both versions is read as one of
-  the version of its package.
+- A substitution belongs to the other version of ROS (error): `$(find x)`, `$(arg x)` and
+  `$(optenv X y)` are `$(find-pkg-share x)`, `$(var x)` and `$(env X y)` in ROS 2. A file with tags
+  of both versions is read as one of the version of its package.
 - A launch file of ROS 1 includes one of ROS 2 in Python or YAML, which `roslaunch` cannot parse.
 - A tag is misspelt, or belongs to the other version of ROS, as `<rosparam>` does (error in ROS 2).
   Packages may define their own tags, so only typos of known tags are reported. Or `<remap>` or

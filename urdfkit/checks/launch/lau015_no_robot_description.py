@@ -2,9 +2,9 @@
 
 In ROS 2, the node reads the robot from its parameter `robot_description` and stops without it:
 "parameter must not be empty". The same happens if the parameter is misspelt, contains the path of a
-file instead of its text, or the text of an unexpanded xacro file (`open(path).read()`, or
-`textfile` in ROS 1). The node also accepts the path of a URDF as an argument, but does not expand a
-xacro file there.
+file instead of its text, or the text of an unexpanded xacro file (`open(path).read()`, the command
+`cat`, or `textfile` in ROS 1). The node also accepts the path of a URDF as an argument, but does
+not expand a xacro file there.
 
 Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp

@@ -12,20 +12,25 @@ The parser of ros2_control throws an exception and the controller manager does n
 Warnings are unknown elements in a joint, sensor or GPIO, which are ignored, as are unknown
 attributes (an info, unless misspelt); a misspelt parameter of mock hardware; an interface whose
 name is misspelt, or that the simulator does not offer; a misspelt `initial_value`, or one outside
-of a state interface; values of `min`, `max` and `initial_value` that are not numbers; a misspelt
-`data_type`; and an `is_async` that is neither true nor false. Other names of interfaces are valid:
-hardware and controller define them. Unknown elements are an info in a block for the robot's own
-hardware, which gets the text of the URDF and may read them, as the EtherCAT driver reads
-`<ec_module>`. The `<hardwareInterface>` of a transmission of ROS 1 is checked in the same way.
+of a state interface, from which Gazebo reads it; a second `<plugin>`, which is not loaded; values
+of `min`, `max` and `initial_value` that are not numbers; a misspelt `data_type`; and an `is_async`
+that is neither true nor false. Since Jazzy the hardware has a node of the name of the block, so a
+warning is a name with other characters than letters, digits and _: "Invalid node name", and the
+hardware is not initialized. Other names of interfaces are valid: hardware and controller define
+them. Unknown elements are an info in a block for the robot's own hardware, which gets the text of
+the URDF and may read them, as the EtherCAT driver reads `<ec_module>`. The `<hardwareInterface>` of
+a transmission of ROS 1 is checked in the same way.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
+    ros2_control, hardware_component_interface.cpp: https://github.com/ros-controls/ros2_control/blob/jazzy/hardware_interface/src/hardware_component_interface.cpp
     ros2_control, interfaces: https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_interface_types_userdoc.html
     ros2_control, mock components: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/doc/mock_components_userdoc.rst
     ethercat_driver_ros2: https://github.com/ICube-Robotics/ethercat_driver_ros2
     gz_ros2_control, gz_system.cpp: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_system.cpp
 """
 
+import re
 from collections.abc import Iterator
 
 from urdfkit.checks.ros2_control.interface_names import invalid_interfaces
@@ -35,7 +40,7 @@ from urdfkit.robot.samples import robot_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog.ros_control import component_types, grammar, mock_parameters
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
-from urdfkit.ros.ros_control import Component, components
+from urdfkit.ros.ros_control import Component, ControlPart, components
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_tag, fix_value
 from urdfkit.text.grammar import is_expression
@@ -52,6 +57,9 @@ _KNOWN = (
     "mock_components",
 )  # fmt: skip
 _MOCK = ("mock_components/", "fake_components/")
+_GAZEBO = ("gazebo_ros2_control", "gz_ros2_control", "ign_ros2_control")
+#: What rcl accepts as the name of a node.
+_NODE_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 #: The usual types of interfaces.
 _DATA_TYPES = ("double", "bool")
 
@@ -65,6 +73,8 @@ def check(context: Context) -> Findings:
         block = component.at
         yield from _elements(component)
         yield from _type(component)
+        yield from _name(component)
+        yield from _second_plugin(component)
         for transmission in block.all("transmission"):
             yield from _roles(transmission)
         yield from _invalid_values(component)
@@ -177,6 +187,28 @@ def _type(component: Component) -> Findings:
         yield Finding(kind, message, 'write type="system"')
 
 
+def _name(component: Component) -> Findings:
+    """A name that the node of the hardware, which has it in lower case, cannot have."""
+    written = component.at.attributes.get("name")
+    if written is None or is_expression(written.value):
+        return
+    name = written.value.replace("/", "_")
+    if name and not _NODE_NAME.fullmatch(name):
+        allowed = re.sub(r"[^A-Za-z0-9_]", "_", name)
+        allowed = f"_{allowed}" if allowed[0].isdigit() else allowed
+        message = f"{component.called}: its node in Jazzy and later cannot have this name"
+        help = f"write {allowed}: only letters, digits and _ are allowed"
+        yield Finding(written, message, help, severity=Severity.WARNING)
+
+
+def _second_plugin(component: Component) -> Findings:
+    """Another plugin of a hardware, of which only the first is loaded."""
+    hardware = component.plugin.parent if component.plugin else None
+    for plugin in hardware.all("plugin")[1:] if hardware else ():
+        message = f"{component.called}: only the first <plugin> is loaded, {component.hardware}"
+        yield Finding(plugin, message, "remove one", severity=Severity.WARNING)
+
+
 def _invalid_values(component: Component) -> Findings:
     """Invalid attributes of a block, and attributes and parameters of its interfaces."""
     rate = component.at.attributes.get("rw_rate")
@@ -196,12 +228,31 @@ def _invalid_values(component: Component) -> Findings:
                 message += "state_interface"
                 help = "move it into its <state_interface>"
                 yield Finding(element, message, help, severity=Severity.WARNING)
+        yield from _unread_initial(component, part)
         for interface in part.interfaces:
             who = f"{part.kind} '{part.name}', {interface.name}"
             yield from _size(part.kind, who, interface.at)
             yield from _data_type(who, interface.at)
             for element in interface.at.all("param"):
                 yield from _parameter(who, element)
+
+
+def _unread_initial(component: Component, part: ControlPart) -> Findings:
+    """An initial value at a command interface, which Gazebo reads of the state interface only."""
+    if component.hardware.partition("/")[0] not in _GAZEBO:
+        return
+    initial = {
+        (interface.at.tag, interface.name): element
+        for interface in part.interfaces
+        for element in interface.at.all("param")
+        if element.get("name") == "initial_value"
+    }
+    for (tag, name), element in initial.items():
+        if tag == "command_interface" and ("state_interface", name) not in initial:
+            message = f"{part.kind} '{part.name}', {name}: initial_value of a command_interface is "
+            message += "not read"
+            help = f'move it into <state_interface name="{name}">'
+            yield Finding(element, message, help, severity=Severity.WARNING)
 
 
 def _mock_parameters(component: Component) -> Findings:

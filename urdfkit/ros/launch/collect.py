@@ -177,6 +177,8 @@ class Collector:
                 arguments[name] = None if UNKNOWN_PART in name + value else value
         if len(files) == 1 and UNKNOWN_PART not in files[0]:
             is_expanded = os.path.basename(words[0]) in _XACRO
+            if not is_expanded:
+                self.unexpanded(files[0], span, frame)
             self.description(
                 files[0], arguments, span, frame, is_yaml=is_yaml, is_expanded=is_expanded
             )

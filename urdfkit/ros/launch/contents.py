@@ -162,6 +162,26 @@ class StartedProgram(Record):
         return self.remappings is None or bool(self.remappings)
 
 
+def started_process(
+    words: tuple[Word, ...], span: Span, frame: CallFrame | None, is_sure: bool
+) -> StartedProgram:
+    """The program of a command line, which is a node after ``ros2 run``."""
+    texts = [word.text for word in words]
+    package, executable = (*texts[2:4], None, None)[:2]
+    if texts[:2] != ["ros2", "run"] or not package or not executable:
+        return StartedProgram("", "", words, span, frame, is_sure)
+    return StartedProgram(
+        package,
+        executable,
+        words[4:],
+        span,
+        frame,
+        is_sure,
+        remappings=with_words({}, texts, is_ros_2=True),
+        parameters=GivenParameters({}, is_whole=False),
+    )
+
+
 def with_words(
     remappings: Mapping[str, str] | None, words: Sequence[str | None], *, is_ros_2: bool
 ) -> Mapping[str, str] | None:

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from functools import partial
 
 from urdfkit.ros.launch.collect import SIM_TIME, Collector
+from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
 from urdfkit.ros.launch.configurations import Configurations
-from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, StartedProgram
+from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, Word, started_process
 from urdfkit.ros.launch.event_handlers import (
     endless,
     never_reached,
@@ -166,8 +167,12 @@ class _PythonReader(PythonLaunchFile):
         if not self._may_run(call):
             return
         words = self.values.words(argument(call, 0, "cmd"))
+        if argument(call, None, "shell") is not None and words:  # launch joins them
+            line = " ".join(word.text or UNKNOWN_PART for word in words)
+            texts = (None if UNKNOWN_PART in text else text for text in command_words(line))
+            words = tuple(Word(text, words[0].span) for text in texts)
         span, is_sure = self.values.span(call), self.is_sure(call)
-        self.collector.started.append(StartedProgram("", "", words, span, self.frame, is_sure))
+        self.collector.start(started_process(words, span, self.frame, is_sure))
 
     def _include(self, call: ast.Call) -> None:
         node = argument(call, 0, "launch_description_source")

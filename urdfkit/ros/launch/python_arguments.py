@@ -32,6 +32,8 @@ _FORMER = {"node_executable": "executable", "node_name": "name", "node_namespace
 #: Functions of xacro that return a document, whose text is required.
 _DOCUMENTS = ("process_file", "parse")
 _TEXTS = ("toxml", "toprettyxml")
+#: Calls that pass arguments to xacro, with the position of their dictionary.
+_MAPPED = {"robot_description": 1, "process_file": None, "process_doc": None}
 #: An option and its value on one line, without a comma.
 _JOINED = re.compile(r"""(["'])-[\w-]+\1[ \t]*["']""")
 _BOOLEAN = re.compile(r"(?i)\s*(true|false|1|0)\s*")
@@ -41,29 +43,17 @@ _SCALARS = (bool, int, float)
 
 def wrong_arguments(call: ast.Call, values: Values) -> Iterator[Problem]:
     """Arguments with a type that launch rejects when it creates an action."""
-    name = called(call)
-    if name == "Node":
-        yield from _lists(call, values)
-        yield from _words(argument(call, None, "arguments"), values)
-        yield from _values(argument(call, None, "parameters"), values)
-        yield from _sets(argument(call, None, "parameters"), values)
-        yield from _without_package(call, values)
-        yield from _former(call, values)
-    elif name in _HOLDERS:
-        yield from _action_list(call, values)
-    elif name in _CONTAINERS:
-        yield from _components(call, values)
-    elif name in _SOURCES:
-        yield from _source(call, values)
-    elif name == "ExecuteProcess":
-        yield from _process(call, values)
-    elif name == "DeclareLaunchArgument":
-        yield from _text(argument(call, 1, "default_value"), "default_value", values)
-        yield from _choice(call, values)
-    elif name == "IncludeLaunchDescription":
-        yield from _passed(argument(call, 1, "launch_arguments"), values)
-    elif name in _CONDITIONS:
-        yield from _condition(argument(call, 0, "predicate_expression"), values)
+    if check := _CHECKS.get(called(call)):
+        yield from check(call, values)
+
+
+def _node(call: ast.Call, values: Values) -> Iterator[Problem]:
+    yield from _lists(call, values)
+    yield from _words(argument(call, None, "arguments"), values)
+    yield from _values(argument(call, None, "parameters"), values)
+    yield from _sets(argument(call, None, "parameters"), values)
+    yield from _without_package(call, values)
+    yield from _former(call, values)
 
 
 def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
@@ -130,9 +120,10 @@ def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
     yield from missing_slash(values.items(node), values)
 
 
-def _choice(call: ast.Call, values: Values) -> Iterator[Problem]:
-    """A default that is none of the choices: launch stops at it."""
+def _declaration(call: ast.Call, values: Values) -> Iterator[Problem]:
+    """A default that is no text, or none of the choices: launch stops at it."""
     node = argument(call, 1, "default_value")
+    yield from _text(node, "default_value", values)
     default = string(values.resolved(node))
     listed = argument(call, None, "choices")
     choices = [string(values.resolved(item)) for item in values.items(listed)] if listed else []
@@ -189,6 +180,10 @@ def _values(node: ast.expr | None, values: Values) -> Iterator[Problem]:
             if isinstance(text, ast.Constant) and text.value is None:
                 message = f"{name} is None, which launch rejects as a parameter"
                 yield values.problem("LAU033", value, message, "write a value, or remove it")
+            elif isinstance(value, ast.List) and not value.elts:  # others may be filled later
+                message = f"{name} is an empty list, which launch rejects as a parameter"
+                help = 'remove it; [""] has one empty text'
+                yield values.problem("LAU033", value, message, help)
             elif isinstance(text, ast.List) and any(isinstance(e, ast.Dict) for e in text.elts):
                 message = f"{name} is a list of dictionaries, which launch rejects as a parameter"
                 yield values.problem(
@@ -211,7 +206,9 @@ def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
             yield values.problem("LAU036", item, message, "write a comma between the two")
 
 
-def _text(node: ast.expr | None, subject: str, values: Values) -> Iterator[Problem]:
+def _text(
+    node: ast.expr | None, subject: str, values: Values, reader: str = "launch"
+) -> Iterator[Problem]:
     """A number or a boolean instead of a text."""
     value = values.resolved(node)
     if isinstance(value, ast.UnaryOp):
@@ -222,11 +219,15 @@ def _text(node: ast.expr | None, subject: str, values: Values) -> Iterator[Probl
     written = ast.unparse(node) if not isinstance(node, ast.Name) else value.value
     text = str(written).lower() if kind == "bool" else str(written)
     yield values.problem(
-        "LAU033", node, f"{subject} is a {kind}, but launch expects a string", f"write '{text}'"
+        "LAU033",
+        node,
+        f"{subject} is a {kind}, but {reader} expects a string",
+        f"write '{text}'",
     )
 
 
-def _passed(node: ast.expr | None, values: Values) -> Iterator[Problem]:
+def _passed(call: ast.Call, values: Values) -> Iterator[Problem]:
+    node = argument(call, 1, "launch_arguments")
     arguments = values.resolved(node)
     if node is not None and isinstance(arguments, ast.Dict):
         yield values.problem("LAU033", node, "launch_arguments is a dictionary", "append .items()")
@@ -236,8 +237,28 @@ def _passed(node: ast.expr | None, values: Values) -> Iterator[Problem]:
             yield from _text(value, "the value of a launch argument", values)
 
 
-def _condition(node: ast.expr | None, values: Values) -> Iterator[Problem]:
+def _mappings(call: ast.Call, values: Values) -> Iterator[Problem]:
+    for _, value in values.pairs(argument(call, _MAPPED[called(call)], "mappings")):
+        yield from _text(value, "the value of an argument of xacro", values, "xacro")
+
+
+def _condition(call: ast.Call, values: Values) -> Iterator[Problem]:
+    node = argument(call, 0, "predicate_expression")
     text = string(values.resolved(node))
     if node is not None and text is not None and not _BOOLEAN.fullmatch(text):
         help = f"write LaunchConfiguration('{text}')"
         yield values.problem("LAU033", node, f"condition '{text}' is neither true nor false", help)
+
+
+#: What is checked of a call, by the name of the class or function.
+_CHECKS = {
+    "Node": _node,
+    **dict.fromkeys(_HOLDERS, _action_list),
+    **dict.fromkeys(_CONTAINERS, _components),
+    **dict.fromkeys(_SOURCES, _source),
+    "ExecuteProcess": _process,
+    "DeclareLaunchArgument": _declaration,
+    "IncludeLaunchDescription": _passed,
+    **dict.fromkeys(_MAPPED, _mappings),
+    **dict.fromkeys(_CONDITIONS, _condition),
+}

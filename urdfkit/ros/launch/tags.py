@@ -16,7 +16,7 @@ from urdfkit.text.document import Attribute, CallFrame, Element
 #: Substitutions of the other ROS version.
 _SUBSTITUTIONS = {
     1: {"find-pkg-share": "find", "var": "arg"},
-    2: {"find": "find-pkg-share", "arg": "var"},
+    2: {"find": "find-pkg-share", "arg": "var", "optenv": "env"},
 }
 _CONDITIONS = frozenset(("if", "unless"))
 #: Tags that apply to the nodes after them.

@@ -11,6 +11,7 @@ from urdfkit.ros.launch.contents import (
     PARAMETERS,
     GivenParameters,
     StartedProgram,
+    started_process,
     with_words,
 )
 from urdfkit.ros.launch.signature import arguments_in
@@ -97,7 +98,7 @@ def start_executable(file: XmlLaunchFile, element: Element) -> None:
     """Read an ``<executable>``: a program that is not a node."""
     words = file.substitutions.words(element.attributes.get("cmd"))
     is_sure = not file.unknown_conditions
-    file.collector.started.append(StartedProgram("", "", words, element.span, file.frame, is_sure))
+    file.collector.start(started_process(words, element.span, file.frame, is_sure))
 
 
 def _parameters(file: XmlLaunchFile, node: Element) -> GivenParameters:
