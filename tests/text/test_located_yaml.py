@@ -1,4 +1,5 @@
 import pytest
+import yaml
 
 from urdfkit.text.located_yaml import MAX_BYTES, MAX_LEVELS, Value, load, syntax_error
 from urdfkit.text.source import Source
@@ -89,3 +90,17 @@ def test_tabs_are_an_error_where_the_reader_has_one(
     for is_python, expected in ((False, in_ros), (True, in_python)):
         error = syntax_error(source, in_python=is_python)
         assert (error and error[0].start) == expected
+
+
+@pytest.mark.parametrize("encoding", ["latin-1", "utf-8", "utf-16"])
+def test_a_byte_that_is_no_text_is_an_error_as_in_libyaml(encoding: str) -> None:
+    """Also in a comment: the node does not start."""
+    data = "a: 1  # Gr\xf6\xdfe\n".encode(encoding)
+    error = syntax_error(Source("c.yaml", data))
+    try:
+        yaml.safe_load(data)
+    except yaml.YAMLError:
+        assert error is not None
+        assert error[0].start == 10
+    else:
+        assert error is None

@@ -195,6 +195,8 @@ def syntax_error(source: Source, *, in_python: bool = False) -> tuple[Span, str]
     """
     if len(source.data) > MAX_BYTES:
         return None
+    if (at := source.undecodable) is not None:  # also in a comment
+        return Span(source, at, at + 1), f"this byte is not {source.encoding}"
     import yaml
 
     loader: Any = yaml.SafeLoader
