@@ -56,6 +56,24 @@ def test_reliable_displays(tmp_path: Path, policy: str, topic: str, count: int) 
     assert ["best effort" in one for one in found] == [True] * count
 
 
+@pytest.mark.parametrize(
+    ("driver", "count"),
+    [(("slam_toolbox", "slam"), 1), (("sick_scan_xd", "sick_generic_caller"), 0)],
+)
+def test_another_lidar_publishes_the_topic(
+    tmp_path: Path, driver: tuple[str, str], count: int
+) -> None:
+    """fbot_description: a launch file with a view for each of its lidars."""
+    rviz = ', arguments=["-d", "../a.rviz"])]\nother = [Node(package="{}", executable="{}"'
+    files = {
+        "a.rviz": RVIZ.format("Reliable", "scan"),
+        "launch/b.launch.py": NODE.format(*TO_SCAN, ""),
+    }
+    text = NODE.format("rviz2", "rviz2", rviz.format(*driver))
+    found = messages(tmp_path, "LAU027", text, files)
+    assert ["best effort" in one for one in found] == [True] * count
+
+
 BEHAVIORS = """behavior_server:
   ros__parameters:
     behavior_plugins: {}

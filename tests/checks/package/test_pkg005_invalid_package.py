@@ -284,6 +284,7 @@ def test_executables_that_do_not_start(
         (RUNNING, CONFIG.replace("_s", "-s")),
         (RUNNING.replace("talk = arm.talker:main", "talk = other.talker:main"), CONFIG),
         (RUNNING.replace('["talk = arm.talker:main"]', "[]"), None),
+        (RUNNING.replace(":main", ":Talker.main"), CONFIG),  # my_ros2_robot_gazebo: a method
     ],
 )
 def test_executables_that_start(tmp_path: Path, setup: str, config: str | None) -> None:

@@ -8,11 +8,12 @@ import os
 import re
 from collections.abc import Iterator
 
+from urdfkit.checks.bringup.unread_commands import is_part_of_ros
 from urdfkit.checks.bringup.workspace_launches import all_launches, workspace_launches
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.contents import FileUse, StartedProgram
+from urdfkit.ros.launch.contents import FileUse, Launch, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter, topic_of_program
 from urdfkit.ros.launch.rviz import displays, other_classes, tools, topic_of
 from urdfkit.ros.launch.spawned_controllers import resolve_name
@@ -22,6 +23,8 @@ from urdfkit.text.source import Source, Span
 _PLUGINS, _POLICY = "rviz_default_plugins", "Reliability Policy"
 #: The topic of goals in ROS 1.
 _OLD_GOAL = "move_base_simple/goal"
+#: Beginnings of the names of packages whose programs publish no messages of sensors.
+_NO_SENSORS = ("joint_state_publisher", "nav2_", "robot_state_", "rviz2", "slam_toolbox", "tf2_ros")
 #: The topics of tools that Nav2 reads.
 _READ_BY_NAV2 = {"SetGoal": "goal_pose", "SetInitialPose": "initialpose"}
 
@@ -106,7 +109,8 @@ def incompatible_reliability(context: Context) -> Findings:
     if has_other_topics(context):
         return
     published: dict[str, Span] = {}
-    for launch in all_launches(context):
+    own = context.launch
+    for launch in (own,) if _may_start_sensors(own) else all_launches(context):
         for node in launch.programs if not launch.has_scopes else ():
             for topic in _best_effort(node, context):
                 published.setdefault(topic, node.span)
@@ -118,6 +122,12 @@ def incompatible_reliability(context: Context) -> Findings:
             note = Related(at, "the publisher is started here")
             finding = _finding(policy.span, message, "write Best Effort", file)
             yield finding._replace(related=(*finding.related, note))
+
+
+def _may_start_sensors(launch: Launch) -> bool:
+    """False for a launch file whose RViz shows the sensors that other launch files start."""
+    are_known = all(node.package.startswith(_NO_SENSORS) for node in launch.programs)
+    return not are_known or not all(map(is_part_of_ros, launch.unread))
 
 
 def _best_effort(program: StartedProgram, context: Context) -> Iterator[str]:

@@ -103,7 +103,7 @@ def _missing_modules(setup: Source, entries: list[EntryPoint], directory: str) -
             message += did_you_mean(rest, names)
             help = "fix the name, or create the module"
             yield Finding(_span_of(setup, entry), message, help, severity=Severity.WARNING)
-        elif source and entry.function.encode() not in source.data:
+        elif source and entry.function.rpartition(".")[2].encode() not in source.data:
             message = f"executable '{entry.name}': {entry.module} has no {entry.function}"
             help = "fix the name, or define the function"
             yield Finding(_span_of(setup, entry), message, help, severity=Severity.WARNING)
