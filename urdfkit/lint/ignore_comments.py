@@ -18,7 +18,8 @@ from urdfkit.text.editing.edits import indent_of, newline
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 
-_IGNORE = re.compile(rb"\s*urdfkit\s*:\s*ignore\s*\[([^\]]*)\](.*)", re.DOTALL)
+#: Without brackets it ignores nothing, which CFG001 reports.
+_IGNORE = re.compile(rb"(?s)\s*urdfkit\s*:\s*ignore\b\s*(?:\[([^\]]*)\])?(.*)")
 _CODE = re.compile(rb"[A-Za-z0-9_-]+")
 
 
@@ -26,7 +27,8 @@ class Ignore(Record):
     """One ignore comment."""
 
     span: Span  # span of the comment
-    codes: tuple[tuple[str, Span], ...]  # codes, prefixes of codes, or names, as written
+    #: Codes, prefixes of codes, or names, as written; empty if the comment is incomplete.
+    codes: tuple[tuple[str, Span], ...]
     reason: str  # as written
     start: int  # first byte of the source that it applies to
     end: int  # end of these bytes
@@ -48,10 +50,8 @@ def ignores(source: Source) -> tuple[Ignore, ...]:
     for span, match in matches:
         following = bisect_left(elements, (span.end,))
         if following < len(elements):
-            codes = tuple(
-                (code.group().decode(), Span(source, *code.span()))
-                for code in _CODE.finditer(source.data, *match.span(1))
-            )
+            found = _CODE.finditer(source.data, *match.span(1)) if match[1] else ()
+            codes = tuple((code.group().decode(), Span(source, *code.span())) for code in found)
             reason = match.group(2).strip().decode("utf-8", "replace")
             ignores.append(Ignore(span, codes, reason, *elements[following]))
     return tuple(ignores)

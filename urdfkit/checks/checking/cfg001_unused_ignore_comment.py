@@ -1,7 +1,7 @@
 """An ignore comment suppresses nothing.
 
-The defect is fixed, or the comment is above another element. An unused comment would hide the
-next defect there: delete it.
+The defect is fixed, the comment is above another element, or it names no rule in brackets. An
+unused comment would hide the next defect there: delete it.
 """
 
 from urdfkit.lint.rule_index import codes_of, get
@@ -26,13 +26,16 @@ def check(context: Context) -> Findings:
     chosen = context.run.chosen
     for ignore in context.ignores:
         codes = [code for code, _ in ignore.codes]
-        if ignore.span not in hits and (chosen is None or _ran(codes, chosen)):
+        if not codes:
+            help = "write urdfkit: ignore[CODE], with the codes of rules in brackets"
+            yield Finding(ignore.span, "ignore comment without a rule", help)
+        elif ignore.span not in hits and (chosen is None or _ran(codes, chosen)):
             place = ignore.span
             # Another robot that includes the file may need the comment.
             is_own = ignore.span.source is context.source
             fix = Fix("delete the comment", remove_spans([ignore.span])) if is_own else None
-            named = ", ".join(codes) or "any rule"
-            yield Finding(place, f"unused ignore comment: no finding of {named} here", fix=fix)
+            message = f"unused ignore comment: no finding of {', '.join(codes)} here"
+            yield Finding(place, message, fix=fix)
 
 
 def _ran(words: list[str], chosen: frozenset[str]) -> bool:
