@@ -23,7 +23,7 @@ from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import is_expression
-from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalar, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, items, load, mapping, scalar, scalars
 from urdfkit.text.source import Source, Span
 
 MANAGER = "controller_manager"
@@ -41,9 +41,7 @@ class Section(Record):
         stack: list[tuple[str, dict[str, Node]]] = [("", node)]
         while stack:
             above, mapping = stack.pop()
-            for key, value in mapping.items():
-                if not isinstance(key, Key):  # a list or mapping as key is not a parameter name
-                    continue
+            for key, value in items(mapping):
                 name = above + key
                 self.places[name] = key.span
                 if isinstance(value, dict):

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 from urdfkit.core.record import Record
-from urdfkit.text.located_yaml import Key, Node, load, mapping
+from urdfkit.text.located_yaml import Key, Node, items, load, mapping
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
@@ -55,7 +55,5 @@ def _nodes(source: Source) -> Iterator[NodeParameters]:
             yield NodeParameters(name, parent.span, parameters, namespace)
             continue
         inner_namespace = f"{namespace_above}/{parent}" if parent else ""
-        keys = [
-            (key, value) for key, value in reversed(mapping(node).items()) if isinstance(key, Key)
-        ]
-        stack += [(value, key, inner_namespace) for key, value in keys]
+        inside = [(value, key, inner_namespace) for key, value in items(node)]
+        stack += reversed(inside)

@@ -10,7 +10,7 @@ from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import plugin_class
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalar, words
+from urdfkit.text.located_yaml import Node, Value, items, mapping, scalar, words
 
 _PACKAGE = "nav2_costmap_2d"
 _KIND = r"(Layer|Filter)s?$"
@@ -63,9 +63,9 @@ def misplaced_source_parameters(node: NodeParameters) -> Findings:
         layer = mapping(section)
         names = words(layer, "observation_sources")
         read = data("node_parameters")["of_sources"].get(plugin_class(layer), "").split()
-        for key, value in layer.items() if names else ():
+        for key, value in items(layer) if names else ():
             lacking = [source for source in names if key not in mapping(layer.get(source))]
-            if key in read and lacking and isinstance(key, Key) and isinstance(value, Value):
+            if key in read and lacking and isinstance(value, Value):
                 yield Finding(
                     key.span,
                     f"'{node.name}' reads {key} of each source, not of '{name}'",

@@ -58,7 +58,7 @@ from urdfkit.ros.launch.bridges import (
     ros_types,
 )
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.text.located_yaml import Key, load, mapping
+from urdfkit.text.located_yaml import items, load
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -117,15 +117,14 @@ def _not_a_list(program: StartedProgram, context: Context) -> Findings:
     """A file of topics that is a mapping, such as a single topic without its dash."""
     path = config_path(program) if is_bridge(program) else None
     source = context.resolver.readable(path) if path else None
-    entries = load(source) if source else None
-    for key in mapping(entries):
-        if isinstance(key, Key):
-            message = "the bridge has no topics: the file is a mapping, must be a list"
-            help = f"write - {key}: ..., and the other keys below it"
-            if isinstance(mapping(entries)[key], list):
-                help = f"remove {key}: and write its list as the whole file"
-            yield Finding(Location(key.span, program.frame), message, help)
-            return
+    first = next(items(load(source)), None) if source else None
+    if first:
+        key, value = first
+        message = "the bridge has no topics: the file is a mapping, must be a list"
+        help = f"write - {key}: ..., and the other keys below it"
+        if isinstance(value, list):
+            help = f"remove {key}: and write its list as the whole file"
+        yield Finding(Location(key.span, program.frame), message, help)
 
 
 def _merged(program: StartedProgram, context: Context) -> Findings:

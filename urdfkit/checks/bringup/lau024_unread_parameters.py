@@ -44,7 +44,7 @@ from urdfkit.ros.launch.known_parameters import (
     plugin_class,
 )
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Value, entries, load, mapping
+from urdfkit.text.located_yaml import Value, entries, items, load, mapping
 
 NAME = "launch/filter.launch.py"
 BAD = """\
@@ -134,15 +134,14 @@ def _of_other_level(node: NodeParameters) -> Findings:
     }
     own = parameters_of_node(node)
     for name, section in sections.items():
-        for key in section if known[name] and own else ():
-            is_lost = isinstance(key, Key) and key not in known[name] and key not in _OF_ALL
-            if is_lost and isinstance(key, Key) and key in own:
+        for key, _ in items(section) if known[name] and own else ():
+            if key in own and key not in known[name] and key not in _OF_ALL:
                 message = f"'{node.name}' reads {key} of itself, not of its plugin '{name}'"
                 yield Finding(key.span, message, f"write it next to {name}, not in it")
-    for key, value in node.values.items() if own else ():
+    for key, value in items(node.values) if own else ():
         readers = [name for name in known if key in known[name] and key not in sections[name]]
         is_lost = isinstance(value, Value | list) and key not in own
-        if is_lost and isinstance(key, Key) and len(readers) == 1:
+        if is_lost and len(readers) == 1:
             message = f"'{node.name}' reads {key} of its plugin '{readers[0]}', not of itself"
             yield Finding(key.span, message, f"move it into the section {readers[0]}")
 
@@ -189,9 +188,9 @@ def _unread_inputs(node: NodeParameters) -> Findings:
     """Inputs of robot_localization without the list of what is read of them."""
     if not any(CONFIGURATION.fullmatch(name) for name in node.values):
         return
-    for name, value in node.values.items():
+    for name, value in items(node.values):
         is_input = _INPUT.fullmatch(name) and isinstance(value, Value)
-        if not is_input or f"{name}_config" in node.values or not isinstance(name, Key):
+        if not is_input or f"{name}_config" in node.values:
             continue
         others = [other for other in node.values if other.startswith(name) and other != name]
         yield Finding(

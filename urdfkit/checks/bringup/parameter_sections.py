@@ -9,7 +9,7 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Value, mapping, scalar, scalars
+from urdfkit.text.located_yaml import Value, items, mapping, scalar, scalars
 
 #: Programs that start several nodes, or nodes of other names.
 _CONTAINERS = ("component_container", "gzserver", "gazebo", "ros2_control_node", "move_group")
@@ -145,9 +145,9 @@ def unread_plugins(node: NodeParameters) -> Findings:
         if len(defaults) != 1 or is_given or (is_of_costmap and node.name not in COSTMAPS):
             continue
         default = defaults[0]
-        for name, value in node.values.items() if has_default_plugins(node, key, defaults) else ():
+        for name, value in items(node.values) if has_default_plugins(node, key, defaults) else ():
             is_unread = name not in listed and "plugin" in mapping(value)
-            if is_unread and isinstance(name, Key) and nearest(name, [default]):
+            if is_unread and nearest(name, [default]):
                 yield Finding(
                     name.span,
                     f"'{node.name}': the parameters of '{name}' are not read: {key} has "
@@ -176,9 +176,9 @@ def misplaced(node: NodeParameters) -> Findings:
 def unlisted_filters(node: NodeParameters) -> Findings:
     """A filter that a costmap does not load; an info, as it may be left for later use."""
     listed = {name.text for key in ("plugins", "filters") for name in scalars(node.values.get(key))}
-    for name, section in node.values.items() if node.name in COSTMAPS else ():
+    for name, section in items(node.values) if node.name in COSTMAPS else ():
         kind = class_of_active_layer(section)
-        if kind.endswith("Filter") and isinstance(name, Key) and name not in listed:
+        if kind.endswith("Filter") and name not in listed:
             yield Finding(
                 name.span,
                 f"'{node.name}' does not load '{name}', which filters does not have",
@@ -191,9 +191,8 @@ def unnumbered_filters(node: NodeParameters) -> Findings:
     """Filters of laser_filters that it does not load, as they have another name than filter1."""
     filters = [
         name
-        for name, section in node.values.items()
-        if (kind := scalar(section, "type")) and isinstance(name, Key)
-        if kind.text.startswith("laser_filters/")
+        for name, section in items(node.values)
+        if (kind := scalar(section, "type")) and kind.text.startswith("laser_filters/")
     ]
     expected = [f"filter{number}" for number in range(1, len(filters) + 1)]
     for name in filters:

@@ -11,7 +11,7 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import CONFIGURATION, given_values
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
-from urdfkit.text.located_yaml import Key, Node, Value, entries, mapping, scalar, scalars
+from urdfkit.text.located_yaml import Node, Value, entries, items, mapping, scalar, scalars
 
 _SIZES = ("width", "height")
 _SIM_TIME = "use_sim_time"
@@ -60,10 +60,9 @@ def wrong_sizes(node: NodeParameters) -> Findings:
 
 def wrong_configurations(node: NodeParameters) -> Findings:
     """Configurations of robot_localization of another length than the filter reads."""
-    for key, value in node.values.items():
-        if not isinstance(key, Key) or not CONFIGURATION.fullmatch(key):
-            continue
-        if isinstance(value, list) and len(value) != _STATES:
+    for key, value in items(node.values):
+        is_configuration = CONFIGURATION.fullmatch(key) is not None
+        if is_configuration and isinstance(value, list) and len(value) != _STATES:
             yield Finding(
                 key.span,
                 f"'{node.name}': {key} has {len(value)} values, not {_STATES}",
@@ -88,13 +87,13 @@ def outdated_motion_model(node: NodeParameters) -> Findings:
 def inputs_of_twist_mux(node: NodeParameters) -> Findings:
     """Inputs of twist_mux without a parameter, or with one of another type, at which it stops."""
     for group in ("topics", "locks") if node.name == "twist_mux" else ():
-        for name, entry in mapping(node.values.get(group)).items():
+        for name, entry in items(node.values, group):
             values = mapping(entry)
             for key, kind in _OF_INPUT.items():
                 value = values.get(key)
                 actual = type_of(value) if isinstance(value, Value) else None
                 who = f"'{node.name}' stops: {key} of '{name}' is"
-                if values and key not in values and isinstance(name, Key):
+                if values and key not in values:
                     yield Finding(name.span, f"{who} not given", f"add {key}")
                 elif actual and actual != kind and isinstance(value, Value):
                     message = f"{who} {TYPES[actual]}, must be {TYPES[kind]}"

@@ -15,7 +15,7 @@ from urdfkit.ros.controllers import MANAGER
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.node_parameters import PARAMETERS
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
-from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalars, syntax_error
+from urdfkit.text.located_yaml import Key, Node, Value, items, load, mapping, scalars, syntax_error
 from urdfkit.text.source import Source
 
 #: Functions of Nav2 that write the file anew.
@@ -49,11 +49,9 @@ def _rejected(source: Source, *, is_of_robot: bool, is_rewritten: bool) -> Itera
     inside: list[Node] = []
     sections: list[tuple[Node, Key | None]] = [(load(source), None)]
     for node, owner in sections:  # the inner ones are added to it
-        for key, value in mapping(node).items():
+        for key, value in items(node):
             if key == PARAMETERS:
                 inside.append(value)
-            if not isinstance(key, Key):
-                continue
             if key == PARAMETERS and owner is None:
                 message = f"ROS 2 rejects the file: {PARAMETERS} is not below the name of a node"
                 yield Finding(key.span, message, "write the name of the node, or /**, above it")
@@ -83,7 +81,7 @@ def _outside(key: Key, owner: Key | None) -> Finding:
 def _wrong_values(parameters: Node, *, is_rewritten: bool) -> Iterator[Finding]:
     sections = [parameters]
     for section in sections:
-        for key, value in mapping(section).items():
+        for key, value in items(section):
             if isinstance(value, dict):
                 sections.append(value)
             elif isinstance(value, list):
@@ -91,22 +89,22 @@ def _wrong_values(parameters: Node, *, is_rewritten: bool) -> Iterator[Finding]:
                     sections.append(section)
                     continue
                 yield from _mixed(key, value)
-                if any(isinstance(item, dict) for item in value) and isinstance(key, Key):
+                if any(isinstance(item, dict) for item in value):
                     message = f"ROS 2 does not read '{key}', a list of mappings"
                     yield Finding(key.span, message, "write a section for each of them")
-            elif isinstance(key, Key) and not is_rewritten and _is_empty(value):
+            elif not is_rewritten and _is_empty(value):
                 message = f"ROS 2 rejects the file: '{key}' has no value"
                 yield Finding(key.span, message, f'write a value, or {key}: ""')
 
 
-def _only_section(items: list[Node]) -> Node | None:
+def _only_section(values: list[Node]) -> Node | None:
     """The mapping that ROS 2 reads without its dash, as in ``- interfaces: [enable]``.
 
     So the documentation of gpio_controllers writes it. The parser takes the values of a list for
     parts of it until the next list ends: so the first value in the mapping must be a list.
     """
-    is_alone = len(items) == 1 and isinstance(items[0], dict) and items[0]
-    return items[0] if is_alone and isinstance(next(iter(is_alone.values())), list) else None
+    is_alone = len(values) == 1 and isinstance(values[0], dict) and values[0]
+    return values[0] if is_alone and isinstance(next(iter(is_alone.values())), list) else None
 
 
 def _is_empty(node: Node) -> bool:

@@ -14,7 +14,7 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import given_values, kind_of
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Node, Value, mapping, scalars
+from urdfkit.text.located_yaml import Key, Node, Value, items, mapping, scalars
 
 _LIBRARIES = "plugin_lib_names"
 _LIBRARY = re.compile(r"nav2_\w+_bt_node")
@@ -56,11 +56,11 @@ def _renamed(node: NodeParameters) -> Iterator[tuple[str, Finding]]:
             for key, inner in section.items()
             if not _is_of_other_package(mapping(inner).get("plugin"))
         ]
-        for key, value in section.items():
+        for key, value in items(section):
             facts = renamed.get(f"{prefix}{key}") or renamed.get(key) or ("", "", "")
             name, since, default = facts
             is_given = name in section or _has(node.values, name)
-            if name and not is_given and isinstance(key, Key) and not isinstance(value, dict):
+            if name and not is_given and not isinstance(value, dict):
                 is_default = isinstance(value, Value) and value.text == default
                 severity = Severity.INFO if is_default else Severity.WARNING
                 message = (

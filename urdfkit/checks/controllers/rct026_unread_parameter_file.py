@@ -30,7 +30,7 @@ from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.node_parameters import PARAMETERS, node_parameters
 from urdfkit.ros.ros_control import control_plugins, namespace_of
 from urdfkit.text.document import Element
-from urdfkit.text.located_yaml import Key, Node, Value, load, mapping, scalar, syntax_error
+from urdfkit.text.located_yaml import Key, Node, Value, items, load, mapping, scalar, syntax_error
 from urdfkit.text.source import Span
 
 BAD = ARM + CONTROL
@@ -121,10 +121,10 @@ def _not_found(context: Context, file: ParameterFile, element: Element) -> Findi
 
 def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:
     """The unread keys of a file: location, message and help."""
-    sections = [(k, node) for k, node in mapping(root).items() if isinstance(node, dict)]
+    sections = [(key, node) for key, node in items(root) if isinstance(node, dict)]
     for key, node in sections:
-        for inner in node:
-            if isinstance(inner, Key) and inner != PARAMETERS and _is_parameters(inner):
+        for inner, _ in items(node):
+            if inner != PARAMETERS and _is_parameters(inner):
                 message = f"parameters of '{key}' are not read: '{inner}' is not '{PARAMETERS}'"
                 yield inner.span, message, f"write {PARAMETERS}"
     declared: set[str] = set()
@@ -141,14 +141,12 @@ def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:
 
 
 def _unread_sections(
-    sections: list[tuple[str, dict[str, Node]]], declared: set[str]
+    sections: list[tuple[Key, dict[str, Node]]], declared: set[str]
 ) -> Iterator[tuple[Span, str, str]]:
     """Sections without a controller, and sections of controllers without ``ros__parameters``."""
     without = declared.difference(_node_of(key) for key, _ in sections)
     for key, node in sections:
         name = _node_of(key)
-        if not isinstance(key, Key):
-            continue
         if name in declared and not any(map(_is_parameters, node)):
             message = f"parameters of '{key}' are not read: they are not in {PARAMETERS}"
             yield key.span, message, f"write {PARAMETERS}: below '{key}', and indent the rest"
@@ -168,21 +166,21 @@ def _without_type(manager: dict[str, Node]) -> Iterator[tuple[Span, str, str]]:
         message = "type without a controller: it is not indented below a name"
         yield kind.span, message, "indent it below the name of its controller"
     for name, node in manager.items():
-        for key, value in mapping(node).items() if "type" not in mapping(node) else ():
+        for key, value in items(node) if "type" not in mapping(node) else ():
             is_class = isinstance(value, Value) and "/" in value.text
-            if isinstance(key, Key) and is_class and is_typo(key, "type"):
+            if is_class and is_typo(key, "type"):
                 yield key.span, f"controller '{name}' has '{key}' instead of type", "write type"
 
 
 def _misspelt_manager(
-    sections: list[tuple[str, dict[str, Node]]],
+    sections: list[tuple[Key, dict[str, Node]]],
 ) -> Iterator[tuple[Span, str, str]]:
     """A section with the types of controllers whose name is that of the manager, misspelt."""
     for key, node in sections:
         inside = mapping(node, PARAMETERS)
         is_manager = any("type" in mapping(value) for value in inside.values())
         name = _node_of(key)
-        if isinstance(key, Key) and is_manager and name != MANAGER and is_typo(name, MANAGER):
+        if is_manager and name != MANAGER and is_typo(name, MANAGER):
             message = f"parameters of '{key}' are not read: the node is '{MANAGER}'"
             yield key.span, message, f"write {MANAGER}"
 
@@ -198,9 +196,9 @@ def _below_manager(
         kind = scalar(node, "type")
         known = parameters_of(kind.text, 2) if kind else None
         own = mapping(sections.get(name), PARAMETERS)
-        for key in mapping(node) if known else ():
+        for key, _ in items(node) if known else ():
             is_own = known is not None and (known.type_of(key) or key in known.required)
-            if is_own and key not in own and isinstance(key, Key):
+            if is_own and key not in own:
                 message = f"'{key}' of controller '{name}' is not read: it is a parameter of "
                 message += MANAGER
                 help = f"write it below {name}: {PARAMETERS}:, at the top level"

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Key, Node, scalar
+from urdfkit.text.located_yaml import Key, Node, items, scalar
 
 #: The node of a costmap has the name of the costmap.
 _COSTMAP = "_costmap"
@@ -48,10 +48,10 @@ def has_parameter(node: NodeParameters, name: str) -> bool:
 
 
 def _in_section(
-    section: Mapping[str, Node], known: Mapping[str, str], prefix: str, owner: str
+    section: dict[str, Node], known: Mapping[str, str], prefix: str, owner: str
 ) -> Iterator[GivenValue]:
     siblings = frozenset(section)
-    for key, value in section.items():
+    for key, value in items(section):
         if isinstance(value, dict):
             # The parameters of an unknown class are not known, but those of a section are: the
             # position of initial_pose, an observation source, a critic.
@@ -60,7 +60,7 @@ def _in_section(
                 yield from _in_section(value, parameters_of_plugin(name), "", name)
             else:
                 yield from _in_section(value, known, f"{prefix}{key}.", owner)
-        elif isinstance(key, Key) and known and key != "plugin":
+        elif known and key != "plugin":
             yield GivenValue(f"{prefix}{key}", key, value, known, siblings, owner)
 
 

@@ -10,7 +10,7 @@ from functools import lru_cache
 
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, Document, Element, Tag
-from urdfkit.text.located_yaml import CACHE_SIZE, Key, Node, Value, load, syntax_error
+from urdfkit.text.located_yaml import CACHE_SIZE, Key, Node, Value, items, load, syntax_error
 from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
 
@@ -55,21 +55,18 @@ def parsed(source: Source) -> tuple[Document | None, Sequence[Problem]]:
     if error := syntax_error(source, in_python=True):
         span, reason = error
         return None, (Problem("XML001", span, f"not YAML: {reason}"),)
-    top = load(source)
-    key = next((key for key in top if key == "launch"), None) if isinstance(top, dict) else None
-    if not isinstance(top, dict) or not isinstance(key, Key):
-        return None, ()
-    root = _Action("launch", key.span, None)
-    _fill(root, top[key])
-    return Document(root, (source,)), ()
+    for key, actions in items(load(source)):
+        if key == "launch":
+            root = _Action("launch", key.span, None)
+            _fill(root, actions)
+            return Document(root, (source,)), ()
+    return None, ()
 
 
 def _fill(element: Element, node: Node) -> None:
     """Add the contents of a YAML node to an element, to a bounded depth."""
     for item in node if isinstance(node, list) else (node,):
-        for key, value in item.items() if isinstance(item, dict) else ():
-            if not isinstance(key, Key):
-                continue
+        for key, value in items(item):
             if isinstance(value, Value):
                 element.attributes[key] = _Placed(key, value, element)
             elif key == _CHILDREN:

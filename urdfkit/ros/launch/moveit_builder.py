@@ -17,7 +17,7 @@ from urdfkit.ros.launch.contents import MOVEIT, LaunchedDescription
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Tag
-from urdfkit.text.located_yaml import Key, load, mapping
+from urdfkit.text.located_yaml import items, load, mapping
 from urdfkit.text.source import Span
 from urdfkit.workspace.srdf_files import setup_assistant
 
@@ -202,15 +202,13 @@ def _without_plugin(directory: str, collector: Collector) -> None:
             root = mapping(load(collector.resolver.read(path))) if disk.is_file(path) else {}
         except UnreadableFile:
             continue
-        if any(isinstance(key, Key) for key in root) and root.keys().isdisjoint(
-            ("planning_plugin", "planning_plugins")
-        ):
+        first = next((key for key, _ in items(root)), None)
+        if first and root.keys().isdisjoint(("planning_plugin", "planning_plugins")):
             message = f"config/{name}_planning.yaml has no planning plugin"
             help = f"add planning_plugins (planning_plugin up to Humble) with the plugin of {name}"
             if mapping(root, name):
                 message += f": its settings are below '{name}'"
                 help = f"remove '{name}:', and the indentation below it"
-            first = next(key for key in root if isinstance(key, Key))
             problem = Problem("LAU029", first.span, message, help, severity=Severity.WARNING)
             collector.problems.append(problem)
 
@@ -220,9 +218,9 @@ def _wrapped(method: str, path: str, collector: Collector) -> None:
     _, prefix = data("moveit")["wrapped"].get(method, ("", ""))
     source = collector.resolver.readable(path) if disk.is_file(path) else None
     file = os.path.basename(path)
-    for key, value in mapping(load(source)).items() if source else ():
+    for key, value in items(load(source)) if source else ():
         inner = mapping(value)
-        if not isinstance(key, Key) or not inner:
+        if not inner:
             continue
         extra = [str(key)]
         message = f"{file}: MoveItConfigsBuilder adds {prefix} around the file, which has it"

@@ -11,7 +11,7 @@ from math import radians
 from urdfkit.core.record import Record
 from urdfkit.robot.values import number
 from urdfkit.ros import RosDescription
-from urdfkit.text.located_yaml import Key, Value, mapping
+from urdfkit.text.located_yaml import Value, items, mapping
 
 _FILE = "joint_limits.yaml"
 _ON = ("true", "yes", "on", "1")
@@ -44,7 +44,7 @@ def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
     if description.srdf is None:
         return
     root = description.moveit_config.load(_FILE)
-    for name, entry in mapping(root, "joint_limits").items():
+    for name, entry in items(root, "joint_limits"):
         given = {key: value for key, value in mapping(entry).items() if isinstance(value, Value)}
-        if given and isinstance(name, Key):
+        if given:
             yield PlannedLimit(name, name.at, given)
