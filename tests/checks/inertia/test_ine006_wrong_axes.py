@@ -120,3 +120,10 @@ def test_products_with_the_wrong_sign_of_a_part_of_other_density() -> None:
     assert "0.71 -0.71 0, but" in found.message
     assert found.message.endswith("0.71 0.71 0")
     assert found.fix is None
+
+
+def test_moments_in_the_wrong_order_of_a_part_with_products() -> None:
+    rod = shape("collision", '<box size="0.1 0.1 0.6"/>', rpy="0 0.1 0")
+    moments = (0.0247, 0.0022, 0, 0.003, 0, 0.0247)
+    (found,) = reported("INE006", link("rod", rod, inertial(1, moments)))
+    assert found.help == naming("iyy", "izz")

@@ -150,6 +150,32 @@ def test_moments_of_a_usual_part_show_that_the_mass_is_wrong() -> None:
     ]
     tiny = tuple(moment / 1e4 for moment in good)
     assert [len(messages(code, part("box", 600, tiny, BOX))) for code in ("INE010", "INE006")] == [
+        1,
+        0,
+    ]
+    assert [len(messages(code, part("box", 6, tiny, BOX))) for code in ("INE010", "INE006")] == [
         0,
         1,
     ]
+
+
+def test_grams_of_a_part_with_its_mass_in_the_middle() -> None:
+    """Its tensor is that of 6 kg, and a sixth of the uniform box's."""
+    (found,) = reported("INE010", part("box", 6000, (0.05 / 6, 0.025 / 6, 0.065 / 6), BOX))
+    assert found.help == naming("6", "kg·m²")
+
+
+def test_the_other_side_shows_that_a_density_is_wrong() -> None:
+    """15000 kg/m³ may be due to a coarse shape, unless that of the other side has 1500."""
+    volume, moments = 0.02, (0.4, 0.4, 0.4)
+
+    def arms(left: float, right: float) -> str:
+        text = link("base")
+        for side, density in (("left", left), ("right", right)):
+            text += part(f"{side}_arm", volume * density, moments, '<box size="0.1 0.4 0.5"/>')
+            text += joint("base", f"{side}_arm", "revolute")
+        return text
+
+    for other, severity in ((15000, "info"), (1500, "warning")):
+        found = reported("INE010", arms(15000, other))
+        assert {one.severity.value for one in found} == {severity}

@@ -121,3 +121,10 @@ def test_the_same_part_on_both_sides() -> None:
         text = text.replace(inside, inside + mesh)
     assert len(messages("INE012", text)) == 1
     assert messages("INE012", text.replace("b.stl", "a.stl")) == []
+
+
+def test_small_coordinates_of_copies_that_are_turned() -> None:
+    """A Mulinex: the modules of the right legs are those of the left, turned by half a turn."""
+    turned = [(IMAGE, "0.004 -0.02 -0.1")] * 2
+    text = leg_pairs(*turned, (IMAGE, "0.004 0.02 -0.1")).replace("0.01 0.02", "-0.004 0.02")
+    assert messages("INE012", text) == [naming("right_leg_c", "y of the", "0.02 m", "left_leg_c")]

@@ -65,6 +65,9 @@ _SMALL_PRODUCT = 0.05
 
 _TURN = "swap the values, or give the <inertial> the rpy of the shape"
 
+#: Cosine of the angle to an axis of the frame up to which two of them were exchanged.
+_ALONG = 0.95
+
 #: Shares in the inertia of the rigid body that the message contains.
 _MIN_SHARE, _MAX_SHARE = 0.1, 0.99
 
@@ -170,15 +173,17 @@ def _turned(inertia: LinkInertia) -> Finding:
     if max(map(abs, (tensor.ixy, tensor.ixz, tensor.iyz))) < _SMALL_PRODUCT * inertia.moments[2]:
         return Finding(inertia.at, _moments(inertia), _TURN, confidence=Confidence.INFERRED)
     assert inertia.turned_axis is not None
-    own, other = (
-        rounded(axis if max(axis, key=abs) > 0 else times(axis, -1), 2)
-        for axis in inertia.turned_axis
-    )
+    axes = [axis if max(axis, key=abs) > 0 else times(axis, -1) for axis in inertia.turned_axis]
+    own, other = (rounded(axis, 2) for axis in axes)
+    help = "correct the signs of the products, or give the <inertial> the rpy of the shape"
+    if all(max(axis) > _ALONG for axis in axes):
+        one, two = sorted("xyz"[axis.index(max(axis))] for axis in axes)
+        help = f"swap i{one}{one} and i{two}{two}, and the products with them"
     return Finding(
         inertia.at,
         f"link '{inertia.link.name}': the tensor is that of a body with the axis {own}, but the "
         f"solid {inertia.solid} has the axis {other}",
-        "correct the signs of the products, or give the <inertial> the rpy of the shape",
+        help,
         confidence=Confidence.INFERRED,
     )
 

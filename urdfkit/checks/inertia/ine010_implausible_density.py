@@ -4,7 +4,8 @@ Hollow plastic has about 50 kg/m³, wood 600, aluminium 2700, steel 7800, lead 1
 grams, a size in millimetres or a missing zero results in a density far outside this range: forces
 and torques in the simulation are wrong. Correct the mass or the size. If most links of a robot are
 wrong, they are one finding: all of them have the wrong unit. It is an info if the density is at
-most a factor of two outside the range of robot parts, and for a light body of more than 1 m³, such
+most a factor of two outside the range of robot parts, unless the left or right counterpart has
+another mass, and for a light body of more than 1 m³, such
 as a wall of a scene, unless its mass is that of a part in millimetres. Suppress this if a collision
 shape is intentionally much smaller or larger than the part.
 
@@ -24,6 +25,7 @@ from urdfkit.robot.inertials.defects import (
 )
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED
 from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.inertials.masses import unlike
 from urdfkit.robot.inertials.tensor_fix import replacement
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 from urdfkit.text.editing.edits import rewrite
@@ -52,8 +54,14 @@ _UNIT_HELPS = {
 
 @rule(Severity.WARNING, help="correct the mass in kg, or the size in m", computes_fix=True)
 def check(context: Context) -> Findings:
+    unequal = {  # left and right
+        link.name
+        for pair in context.masses.symmetric_pairs
+        if unlike(*pair) == "mass"
+        for link in pair
+    }
     findings = [
-        (inertia, _finding(inertia))
+        (inertia, _finding(inertia, is_certain=inertia.name in unequal))
         for inertia in context.masses.defects.get(InertiaDefect.DENSITY, ())
     ]
     if context.masses.consistently_wrong:
@@ -86,7 +94,7 @@ def _common_unit(links: list[LinkInertia]) -> str:
     return next((unit for unit in ("g", "mm") if 2 * units.count(unit) > len(links)), "")
 
 
-def _finding(inertia: LinkInertia) -> Finding:
+def _finding(inertia: LinkInertia, *, is_certain: bool) -> Finding:
     density = implausible_density(inertia)
     assert density is not None
     assert inertia.inertial.mass is not None
@@ -102,7 +110,7 @@ def _finding(inertia: LinkInertia) -> Finding:
         confidence=Confidence.INFERRED,
         weight=max(density / MAX_PART_DENSITY, MIN_PART_DENSITY / max(density, 1e-300)),
         group_key="density",
-        severity=Severity.INFO if _is_harmless(inertia, density) else None,
+        severity=Severity.INFO if _is_harmless(inertia, density) and not is_certain else None,
     )
 
 

@@ -182,7 +182,11 @@ def _center(
     image = (x, -y, z)
 
     def is_image(place: Vector) -> bool:
-        return _is_near(rotate(other.rotation, place), image, _MAX_DISTANCE)
+        # Small coordinates often differ: the two are copies turned about an axis.
+        return all(
+            abs(a - b) <= _MAX_DISTANCE or max(abs(a), abs(b)) <= _LEAST_COORDINATE
+            for a, b in zip(rotate(other.rotation, place), image, strict=True)
+        )
 
     if is_image(center):
         return frozenset(

@@ -118,7 +118,9 @@ def _defect(link: LinkInertia, is_significant: IsSignificant) -> InertiaDefect |
     if high > MAX_MOMENT_RATIO * link.largest_possible and is_significant(link.body, high):
         return InertiaDefect.DENSITY if is_mass_wrong else InertiaDefect.TOO_LARGE
     if high < MIN_MOMENT_RATIO * expected and is_significant(link.body, expected):
-        return InertiaDefect.DENSITY if is_mass_wrong else InertiaDefect.TOO_SMALL
+        # A mass that is too large explains both the density and the moments.
+        is_too_dense = density is not None and density > MAX_PART_DENSITY
+        return InertiaDefect.DENSITY if is_mass_wrong or is_too_dense else InertiaDefect.TOO_SMALL
     if density is not None:
         return InertiaDefect.DENSITY
     is_turned = link.is_at_wrong_axes or link.turned_axis is not None
@@ -156,7 +158,7 @@ def unit_mistake(link: LinkInertia) -> str:
     low, high = link.densities
     if low > MAX_PART_DENSITY and USUAL_DENSITIES[0] <= low / 1000 <= USUAL_DENSITIES[1]:
         consistent = link.fits(link.expected, 3)
-        return "g" if consistent or link.fits(scaled(link.expected, 1e-3), 3) else ""
+        return "g" if consistent or link.fits(scaled(link.expected, 1e-3), 10) else ""
     longest = max(link.solid.bounds.edges)
     plausible = USUAL_DENSITIES[0] <= high * 1e9 <= USUAL_DENSITIES[1]
     is_no_building = longest > LARGEST_LINK and link.mass < LEAST_BUILDING
