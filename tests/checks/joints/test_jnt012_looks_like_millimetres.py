@@ -1,6 +1,6 @@
 import pytest
 
-from tests.jointed import joint, robot
+from tests.jointed import joint, limit, robot
 from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
 from urdfkit.text.diagnostic import Confidence
@@ -96,3 +96,23 @@ def test_thirty_metres_of_a_gripper() -> None:
 )
 def test_a_plausible_travel(lower: str, upper: str, size: str) -> None:
     assert messages("JNT012", gripper(lower, upper, size)) == []
+
+
+_VISUAL = f"<visual><geometry>{MESH.format(1)}</geometry></visual>"
+
+
+@pytest.mark.parametrize(
+    ("limits", "parent", "found"),
+    [
+        (("-100", "150"), _VISUAL, 1),
+        (("-100", "100"), _VISUAL, 0),  # of a mobile base
+        (("0", "150"), "<inertial/>", 0),
+        (("0", "20"), _VISUAL, 0),
+    ],
+)
+def test_limits_next_to_meshes(limits: tuple[str, str], parent: str, found: int) -> None:
+    """A lift of 15 cm: the origins show that the robot is small."""
+    text = f'<link name="base">{parent}</link><link name="lid">{_VISUAL}</link>'
+    text += joint("rack", "prismatic", '<origin xyz="0.3 0 0"/>' + limit(*limits))
+    expected = naming("rack", f"[{limits[0]}, {limits[1]}] m", "0.3 m")
+    assert messages("JNT012", text) == [expected] * found

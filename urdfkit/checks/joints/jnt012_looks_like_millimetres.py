@@ -6,8 +6,8 @@ Lengths are metres in URDF.
   other joints are less than 1 m and less than a hundredth of that distance apart, or the meshes are
   scaled by 0.001, or no shape has a hundredth of that size.
 - Limits of a prismatic joint are reported if they are whole numbers of 5 m or more, and 20 times
-  the longest part of the robot. A gripper that opens by 30 m instead of 30 mm flies apart in the
-  simulator.
+  the longest part of the robot; next to meshes, 100 times the farthest origin. A gripper that opens
+  by 30 m instead of 30 mm flies apart in the simulator.
 - A shape is reported if it is 5 m or more, fifty times as long as the rest of the robot, and
   thicker than the rest is long: in RViz it is a wall, and everything collides with it. If most
   links are so large, or no joint moves, they are the walls of a scene and are not reported.
@@ -22,6 +22,7 @@ Sources:
 from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import length
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_limits import bounds, related, several
 from urdfkit.robot.link import Body
 from urdfkit.robot.model import RobotModel
@@ -108,20 +109,29 @@ def _limits(model: RobotModel) -> Findings:
         and _MIN_TRAVEL <= max(map(abs, ends)) <= 10_000
         and all(end == int(end) for end in ends)
     ]
-    if not suspects or any(shape.filename for shape in model.shapes):
-        return
+    is_measured = not any(shape.filename for shape in model.shapes)
     sizes = [2 * max(half) for shape in model.shapes if (half := shape.half_extents)]
     origins = [max(map(abs, joint.origin.position)) for joint in model.joints]
     longest = max((*sizes, *origins), default=0.0)
+    ratio = _MIN_RELATIVE_TRAVEL if is_measured else _MIN_RATIO
+    known = f"no part of the robot is longer than {longest:.3g} m"
+    if not is_measured:
+        known = f"no origin is further away than {longest:.3g} m"
     for joint, (lower, upper) in suspects:
-        if longest and max(abs(lower), abs(upper)) > _MIN_RELATIVE_TRAVEL * longest and joint.limit:
+        is_part = is_measured or _is_of_a_part(joint, (lower, upper), model)
+        if longest and max(-lower, upper) > ratio * longest and is_part and joint.limit:
             yield Finding(
                 joint.limit.at,
-                f"joint '{joint.name}' has limits [{lower:g}, {upper:g}] m, but no part of the "
-                f"robot is longer than {longest:.3g} m",
+                f"joint '{joint.name}' has limits [{lower:g}, {upper:g}] m, but {known}",
                 fix=Fix.of("write the limits in metres", scale_limits(joint.limit.at, 1e-3)),
                 confidence=Confidence.INFERRED,
             )
+
+
+def _is_of_a_part(joint: Joint, ends: tuple[float, float], model: RobotModel) -> bool:
+    """False for a joint that lets a robot move in the plane of the world."""
+    parent = model.links_by_name.get(joint.parent_name)
+    return ends[0] != -ends[1] and bool(parent and parent.bodies)
 
 
 def _shapes(model: RobotModel) -> Findings:

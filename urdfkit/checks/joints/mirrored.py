@@ -18,6 +18,7 @@ from urdfkit.core.spatial import Vector, dot, minus
 from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
 from urdfkit.robot.joint import Joint
+from urdfkit.robot.kinematics import direction
 from urdfkit.robot.symmetry import has_one_side, have_same_meshes, pairs
 
 #: In m: tolerance, as robots are not quite symmetric.
@@ -74,7 +75,10 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
 
 
 def on_the_other_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
-    """Counterparts with chains of joints that both begin on the left, and the link on the right."""
+    """Counterparts that are both on the left, and the link on the right, which has no child.
+
+    Fingers of one hand are side by side, or end chains there.
+    """
     counterparts = context.symmetric_joints
     right_of = {left.child_name: right.child_name for left, right in counterparts}
     parents = {joint.parent_name for joint in context.model.joints}
@@ -82,8 +86,15 @@ def on_the_other_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
     for left, right in counterparts:
         link = right_of.get(left.parent_name, "")
         is_leaf = link and link not in parents
-        if is_leaf and left.parent_name == right.parent_name and right.child_name in continued:
+        is_copied = right.child_name in continued or _have_one_place(left, right)
+        if is_leaf and left.parent_name == right.parent_name and is_copied:
             yield left, right, link
+
+
+def _have_one_place(left: Joint, right: Joint) -> bool:
+    """True for joints of one link with the same frame and axis."""
+    is_placed = is_equal(left.origin.position, right.origin.position)
+    return is_placed and is_equally_turned(left, right) and direction(left) == direction(right)
 
 
 def on_one_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
