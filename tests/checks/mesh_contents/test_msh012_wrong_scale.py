@@ -85,3 +85,25 @@ def test_a_part_of_30_cm(tmp_path: Path) -> None:
 )
 def test_small_parts_and_other_scales(sound: str, tmp_path: Path) -> None:
     assert messages(tmp_path, "MSH012", link(sound), FILES) == []
+
+
+@pytest.mark.parametrize(
+    ("scale", "length", "found"),
+    [
+        ("0.01", 300, "3 m"),
+        ("0.01", 30, ""),  # of about the size of the others
+        ("0.0001", 300, "0.03 m"),
+        ("0.02", 300, ""),  # no wrong decimal point
+        ("0.001", 2000, ""),
+    ],
+)
+def test_one_scale_with_a_wrong_decimal_point(
+    tmp_path: Path, scale: str, length: float, found: str
+) -> None:
+    """Bodies in centimetres and small parts in millimetres are of similar size."""
+    files = {f"{name}.stl": stl(box((0, 0, 0), (80, 60, 300))) for name in "abcd"}
+    files["e.stl"] = stl(box((0, 0, 0), (8, 6, length)))
+    shapes = [mesh(f"{name}.stl", more=' scale="0.001 0.001 0.001"') for name in "abcd"]
+    shapes.append(mesh("e.stl", more=f' scale="{scale} {scale} {scale}"'))
+    texts = messages(tmp_path, "MSH012", robot("".join(shapes), 14), files)
+    assert texts == [naming("arm", "collision", "e.stl", found, scale, "0.001")] * bool(found)

@@ -10,11 +10,17 @@ too small to see or to touch. The attribute was copied from a mesh that needs it
 exported again in metres. The mesh is reported if a scale of 0.01 or less makes it shorter than
 1 mm.
 
+One mesh alone with another scale than all others, such as 0.01 instead of 0.001, is reported if
+that makes it much longer or shorter than they are.
+
 Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
     URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
+from collections.abc import Iterable, Iterator
+
+from urdfkit.core.grouping import by_key
 from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.mesh.samples import box, stl
@@ -33,6 +39,10 @@ FIXED = GOOD = BAD.replace(
     'filename="forearm.stl"', 'filename="forearm.stl" scale="0.001 0.001 0.001"'
 )
 FILES = {"forearm.stl": stl(box((0, 0, 0), (80, 60, 300)))}
+
+#: Least number of meshes with the usual scale, factors of a wrong decimal point, and the ratio to
+#: the length of any other mesh from which one is reported.
+_MANY, _DECIMAL_POINTS, _MAX_RATIO = 4, (10.0, 100.0), 5.0
 
 
 @rule(
@@ -59,6 +69,28 @@ def check(context: Context) -> Findings:
             confidence=Confidence.INFERRED,
             group_key="scale",
         )
+    for use, usual in _unlike_others(context.measured.files):
+        yield Finding(
+            use.scale_at or use.at,
+            f"{use.who} is {use.longest:.3g} m long with the scale {use.shape.scale[0]:g}; the "
+            f"other meshes have the scale {usual:g}",
+            f'write scale="{usual:g} {usual:g} {usual:g}"',
+            confidence=Confidence.INFERRED,
+        )
+
+
+def _unlike_others(files: Iterable[MeshUse]) -> Iterator[tuple[MeshUse, float]]:
+    """The only mesh with a wrong decimal point in its scale, and the scale of all others."""
+    groups = by_key((abs(use.shape.scale[0]), use) for use in files)
+    if len(groups) != 2 or 0 in groups:
+        return
+    (scale, wrong), (usual, others) = sorted(groups.items(), key=lambda group: len(group[1]))
+    factor = round(max(scale, usual) / min(scale, usual), 6)
+    if len(wrong) > 1 or len(others) < _MANY or factor not in _DECIMAL_POINTS:
+        return
+    length, lengths = wrong[0].longest, [use.longest for use in others]
+    if length > _MAX_RATIO * max(lengths) or _MAX_RATIO * length < min(lengths):
+        yield wrong[0], usual
 
 
 def _fix(use: MeshUse) -> Fix | None:
