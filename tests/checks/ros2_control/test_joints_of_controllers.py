@@ -105,3 +105,14 @@ def test_the_files_of_a_launch_file_in_python(tmp_path: Path) -> None:
     (found,) = check(tmp_path / "r.launch.py", select=["RCT001"]).diagnostics
     assert "'slied'" in found.message
     assert found.related[0].span.text == "controllers"
+
+
+def test_a_joint_with_one_word_more_or_less(tmp_path: Path) -> None:
+    """Its controller is the only one of the file without a joint of the robot."""
+    arm = controller("a", joints="[swing]")
+    (found,) = reported(tmp_path, arm + controller("l", joints="[slide_joint]"))
+    assert found.message == naming("l", "unknown", "slide_joint", "slide")
+    assert (
+        reported(tmp_path, arm + controller("l", joints="[swing_joint]")) == []
+    )  # swing is driven
+    assert reported(tmp_path, arm + controller("l", joints="[slidebar]")) == []

@@ -109,3 +109,17 @@ def test_a_joint_with_an_entry_of_its_own_is_not_offered(name: str, offered: boo
     neck = robot(joint("neck_pitch", "continuous", limit("0", "0", "10", "2")))
     (found,) = reported("RCT001", neck + control(driven(name), driven("neck_pitch")))
     assert bool(found.fix) is ("did you mean" in found.message) is offered
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "found"),
+    [("swing", "slide", 0), ("swnig", "slide", 1), ("swnig", "sldie", 0), ("", "slide", 0)],
+)
+def test_a_parameter_of_the_hardware_names_no_joint(left: str, right: str, found: int) -> None:
+    """Only where its counterpart names one: else nothing says that joints are meant."""
+    hardware = f"""<hardware><plugin>p/C</plugin><param name="left_wheel_name">{left}</param>
+        <param name="right_wheel_name">{right}</param></hardware>"""
+    joints = driven("swing") + driven("slide")
+    text = ROBOT + f'<ros2_control name="c" type="system">{hardware}{joints}</ros2_control>'
+    expected = naming("<ros2_control>", "c", "left_wheel_name", "right_wheel_name", left, "swing")
+    assert messages("RCT001", text) == [expected] * found

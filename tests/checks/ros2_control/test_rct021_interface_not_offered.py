@@ -258,3 +258,16 @@ def test_controllers_of_which_a_launch_file_starts_one(tmp_path: Path) -> None:
     )
     assert len(reported(tmp_path, effort)) == 1
     assert reported(tmp_path, effort + position) == []
+
+
+@pytest.mark.parametrize(("plugin", "severity"), [(GZ, Severity.ERROR), ("p/C", Severity.WARNING)])
+def test_a_gripper_controller_of_the_mimicking_joint(
+    tmp_path: Path, plugin: str, severity: Severity
+) -> None:
+    kind = "position_controllers/GripperActionController"
+    block = control(driven("swing"), plugin=plugin)
+    (found,) = reported_with_file("RCT021", tmp_path, controller("h", kind, joint="follow"), block)
+    assert found.message == naming("h", "position", "follow", "<ros2_control>")
+    assert (found.help, found.severity) == (naming("swing"), severity)
+    other = controller("h", kind, joint="slide")
+    assert reported_with_file("RCT021", tmp_path, other, block) == []

@@ -2,7 +2,7 @@
 
 - `<ros2_control>`: from ROS 2 Jazzy on, the controller manager stops with an exception; the
   simulators of Humble ignore the joint. `<param name="mimic">` must name another joint of the
-  block.
+  block. So must a parameter of the hardware, if its left or right counterpart does.
 - A transmission of ROS 1: the whole hardware of gazebo_ros_control fails, so that no joint moves.
 - A controller in a parameter file: it cannot be activated ("not in the list of available
   interfaces"). A controller without any joint of the robot is assumed to belong to another variant
@@ -28,12 +28,13 @@ from collections.abc import Iterator
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import Suggester, did_you_mean
+from urdfkit.core.suggest import Suggester, did_you_mean, meant
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
 from urdfkit.robot.assets.file_names import is_mistyped
 from urdfkit.robot.samples import robot_xml
+from urdfkit.robot.symmetry import pairs
 from urdfkit.ros.controllers import Controller, ParameterFile
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.ros_control import (
@@ -72,6 +73,7 @@ def check(context: Context) -> Findings:
         yield from _unknown_joints(context, Suggester(known))
     yield from _not_in_block(context)
     yield from _unknown_leaders(context)
+    yield from _unlike_counterpart(context)
     if not context.is_part:
         yield from _controller_joints(context)
 
@@ -135,6 +137,24 @@ def _unknown_leaders(context: Context) -> Findings:
                 yield Finding(named, message, "list the joint in the same block, or fix the name")
 
 
+def _unlike_counterpart(context: Context) -> Findings:
+    """Parameters of the hardware of which only the left or the right one names a joint."""
+    for component in components(context.model):
+        parameters = component.at.child_or_self("hardware").all("param")
+        values = {element.get("name") or "": element for element in parameters}
+        listed = [joint.name for joint in component.joints]
+        for pair in pairs(values):
+            right, wrong = sorted(pair, key=lambda key: values[key].text.strip() not in listed)
+            name = values[wrong].text.strip()
+            is_known = values[right].text.strip() in listed
+            if is_known and name not in listed and name.isidentifier():
+                yield Finding(
+                    values[wrong],
+                    f"{component.called}: parameter '{wrong}' names no joint of the block, unlike "
+                    f"'{right}': '{name}'{did_you_mean(name, listed)}",
+                )
+
+
 class _Use(Record):
     """The joints that a controller in a parameter file uses."""
 
@@ -158,13 +178,26 @@ def _controller_joints(context: Context) -> Findings:
         if other:
             yield other
             continue
+        used = {joint.text for use in of_file for joint in use.joints}
+        free = known - used
         for use in of_file:
             is_of_robot = use.fits or _is_broadcaster_of_robot(use, uses)
             for joint in _unknown_to_robot(use, known, context, is_of_robot=is_of_robot):
-                hint = suggester.hint(joint.text)
+                hint = suggester.hint(joint.text) or meant(_with_other_words(joint.text, free))
                 is_likely = is_of_robot or bool(hint)
                 if is_likely or not is_fitting:
                     yield _unknown_joint(use, joint, hint, context, is_likely=is_likely)
+
+
+def _with_other_words(name: str, free: set[str]) -> str:
+    """The joint without a controller whose name begins the unknown one, or the reverse."""
+    found = [
+        other
+        for other in free
+        for short, long in (sorted((name, other), key=len),)
+        if long.startswith(f"{short}_")
+    ]
+    return found[0] if len(found) == 1 else ""
 
 
 def _is_broadcaster_of_robot(use: _Use, uses: list[_Use]) -> bool:

@@ -7,7 +7,8 @@ without it: `position_feedback: false` or `open_loop: true` of a wheel controlle
 `max_effort_interface` of a gripper controller. A joint with
 command interfaces but no state interface is reported even without a controller (warning): most
 controllers do not start, and the joint is missing in the joint states. A joint without any
-`<ros2_control>` is reported only if the hardware offers all others of its controller. If a file
+`<ros2_control>` is reported only if the hardware offers all others of its controller, or the joint
+that it mimics. If a file
 defines several controllers of a joint, one with available interfaces is enough: a launch file
 starts only some of them. In ROS 1, Gazebo offers the `<hardwareInterface>` of the joint's
 transmission.
@@ -183,18 +184,24 @@ def _forgotten(
     missing = [value for value in joints if value.text not in offered]
     others = [offered[value.text] for value in joints if value.text in offered]
     is_served = bool(needed) and all(names.issuperset(needed) for names in others)
-    if not others or len(missing) != 1 or not is_served:
+    if len(missing) != 1 or not is_served:
         return
+    joint = context.model.joints_by_name.get(missing[0].text)
+    leader = joint.leader if joint and joint.mimic else ""
+    follows = bool(leader) and offered.get(leader, set()).issuperset(needed)
     is_known = all(map(_offers_only_listed, components(context.model)))
     if not offered.keys() <= context.model.joints_by_name.keys():
         return  # the joint is there under another name, which RCT001 reports
-    if is_known and missing[0].text in context.model.joints_by_name:
+    if joint and (follows or (others and is_known)):
         yield Finding(
             missing[0].span,
             f"{controller.title} requires command interface {', '.join(needed)} of "
             f"joint '{missing[0].text}', which no <ros2_control> has",
-            "add the joint to <ros2_control>, or remove it from the controller",
+            f"name '{leader}', which moves this joint, too"
+            if follows
+            else "add the joint to <ros2_control>, or remove it from the controller",
             related=(file.note,),
+            severity=None if is_known else Severity.WARNING,
         )
 
 
