@@ -246,3 +246,31 @@ def test_the_car_of_gz_sim(first: str, second: str, count: int) -> None:
     )
     found = reported_of("RCT025", CAR + plugin("gz-sim-ackermann-steering-system", tags))
     assert len(found) == count
+
+
+def quadrotor(*directions: str, places: tuple[str, ...] = ("1 0", "0 1", "-1 0", "0 -1")) -> str:
+    """Rotors with their motors, in the order front, left, back, right."""
+    text = BASE
+    for number, (turning, at) in enumerate(zip(directions, places, strict=False)):
+        inside = f'<origin xyz="{at} 0"/><axis xyz="0 0 1"/>'
+        text += joint(f"motor_{number}", "continuous", inside, "base")
+        names = f"<jointName>motor_{number}</jointName><linkName>motor_{number}_link</linkName>"
+        names += f"<motorNumber>{number}</motorNumber>"
+        tags = f"{names}<turningDirection>{turning}</turningDirection>"
+        text += plugin("librotors_gazebo_motor_model.so", tags)
+    return text
+
+
+@pytest.mark.parametrize(
+    ("directions", "wrong"),
+    [
+        (("cw", "ccw", "cw", "ccw"), ""),
+        (("cw", "cw", "cw", "ccw"), "motor_1_link"),
+        (("ccw", "ccw", "cw", "ccw"), "motor_0_link"),
+        (("cw", "cw", "cw", "cw"), ""),
+        (("cw", "cw", "ccw"), ""),
+    ],
+)
+def test_three_of_four_rotors_turn_alike(directions: tuple[str, ...], wrong: str) -> None:
+    found = messages("RCT025", quadrotor(*directions))
+    assert [wrong in message.partition(",")[0] for message in found] == [True] * bool(wrong)

@@ -1,4 +1,4 @@
-"""Wheels turn in the wrong direction: left and right are swapped, or axes are opposite.
+"""Wheels or rotors turn in the wrong direction: sides are swapped, or axes are opposite.
 
 Drive plugins and controllers command the same speed for all wheels of a side, positive for
 forwards. The axis of the wheels defines the direction in which the robot rolls, and so the left
@@ -14,6 +14,8 @@ side.
 - One of four wheels has a reversed `<axis>`: the robot skids, turns or stands still, while its
   odometry does not show it. Robots whose left wheels all turn opposite to the right wheels are not
   reported.
+- One of four rotors turns otherwise than the opposite one: the torques do not cancel, and the drone
+  yaws.
 - The axes of the only left and right wheel are opposite and no drive is known (info): the driver of
   some robots inverts one sign.
 
@@ -31,7 +33,9 @@ Sources:
 from __future__ import annotations
 
 from itertools import product
+from math import dist
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import Vector, dot, rotate
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.context import Context
@@ -86,10 +90,40 @@ _PARALLEL = 0.95
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
 def check(context: Context) -> Findings:
+    yield from _rotors(context)
     for explain in (_one_of_four, _wrong_drives, _opposite):  # the most precise explanation first
         if findings := list(explain(context)):
             yield from findings
             return
+
+
+def _rotors(context: Context) -> Findings:
+    """The rotor of a quadrotor that turns otherwise than the opposite one."""
+    rotors = [
+        (joint, item)
+        for use in context.plugins
+        for item in use.values("turningDirection")[:1]
+        if (joint := context.model.joints_by_name.get(use.value("jointName")))
+    ]
+    axes = [_axle(context, joint) or (0, 0, 0) for joint, _ in rotors]
+    if len(axes) != 4 or any(dot(axes[0], axis) < _PARALLEL for axis in axes):
+        return
+    directions = by_key((item.text, (joint, item)) for joint, item in rotors).values()
+    single, *rest = sorted(directions, key=len)
+    if len(single) != 1 or len(rest) != 1:
+        return
+    others = rest[0]
+    joint, turning = single[0]
+    places = {each.name: context.tree.frames[each.child_name].position for each, _ in rotors}
+    wrong, item = max(others, key=lambda other: dist(places[joint.name], places[other[0].name]))
+    yield Finding(
+        item.at,
+        f"rotor '{wrong.child_name}' turns {item.text}, as two of the others do, but the opposite "
+        f"rotor '{joint.child_name}' {turning.text}",
+        f"write {turning.text}, so that opposite rotors turn alike",
+        related=(Related(turning.at.span, f"rotor '{joint.child_name}'"),),
+        confidence=Confidence.INFERRED,
+    )
 
 
 def _wrong_drives(context: Context) -> Findings:
