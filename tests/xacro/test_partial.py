@@ -6,7 +6,7 @@ import pytest
 
 from urdfkit import check
 from urdfkit.lint import engine
-from urdfkit.robot.samples import xacro_xml
+from urdfkit.robot.samples import joint_xml, link_xml, xacro_xml
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import expand
@@ -104,3 +104,10 @@ def test_a_launch_file_requires_the_whole_robot(tmp_path: Path) -> None:
     )
     found = check(tmp_path, select=["RCT001", "REF001", "TRE001", "LAU013", "XAC011"]).diagnostics
     assert [one.code for one in found] == ["XAC011"]
+
+
+@pytest.mark.parametrize(("name", "found"), [("basse", ["REF001"]), ("camera", []), ("base2", [])])
+def test_a_typo_is_not_in_the_package(name: str, found: list[str]) -> None:
+    arm = link_xml("arm") + joint_xml("fixed", name="j", parent=name, child="arm")
+    sound = BASE.replace("-1", "1")
+    assert [code for code in codes(sound, CAMERA, arm) if code != "XAC011"] == found

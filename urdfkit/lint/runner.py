@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import TYPE_CHECKING
+from urdfkit.core.suggest import is_typo
 from urdfkit.errors import Cancelled, NotApplicable, Unavailable
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context, RunState
@@ -245,7 +246,11 @@ class _RuleRun:
         diagnostics = self._unsuppressed()
         suppressed = len(self.diagnostics) - len(diagnostics)
         if self.context.part is not None:  # what is missing may be in a package that is not found
-            diagnostics = tuple(d for d in diagnostics if not self._rules[d.code].reports_missing)
+            diagnostics = tuple(
+                d
+                for d in diagnostics
+                if not self._rules[d.code].reports_missing or _corrects_typo(d)
+            )
         diagnostics, superseded = _without_consequences(diagnostics, self._rules)
         targets = self.context.targets if "targets" in vars(self.context) else None
         return FileResult(
@@ -280,6 +285,12 @@ def _is_of_visual(node: Element | Attribute | None) -> bool:
     while element is not None and element.tag not in ("visual", "material"):
         element = element.parent
     return element is not None and element.tag == "visual"
+
+
+def _corrects_typo(diagnostic: Diagnostic) -> bool:
+    """True if the fix changes one letter of a name: that is no name in a missing package."""
+    edits = diagnostic.fix.edits if diagnostic.fix else ()
+    return any(edit.span.text and is_typo(edit.span.text, edit.text) for edit in edits)
 
 
 def _without_consequences(

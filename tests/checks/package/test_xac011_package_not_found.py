@@ -123,3 +123,18 @@ def test_a_macro_that_calls_itself_for_want_of_the_one_that_is_included() -> Non
     """osx_robot: its `ur_robot` includes the file of ur_description that defines `ur_robot`."""
     call = '<xacro:include filename="$(find ur)/ur.xacro"/><xacro:ur/>'
     assert codes(f'<xacro:macro name="ur">{call}</xacro:macro><xacro:ur/>') == ["XAC011"]
+
+
+def test_a_package_of_the_workspace_that_has_the_file(tmp_path: Path) -> None:
+    for name in ("arm_description", "arm_bringup"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    write(tmp_path / "arm_description", hand='<link name="a"/>')
+    include = '<xacro:include filename="$(find arm)/{}.xacro"/>'
+    write(tmp_path / "arm_bringup", robot=include.format("hand") + include.format("foot"))
+    hand, foot = told_of("XAC011", tmp_path / "arm_bringup" / "robot.xacro")
+    assert hand.help == naming("--package", "arm=DIR", "arm_description", "hand.xacro")
+    assert foot.help == naming("--package", "arm=DIR")
+    write(tmp_path / "arm_bringup", hand='<link name="a"/>')
+    hand, _ = told_of("XAC011", tmp_path / "arm_bringup" / "robot.xacro")
+    assert hand.help == naming("--package", "arm=DIR"), "two packages have it"

@@ -3,7 +3,7 @@
 Without the package a xacro cannot be expanded, and programs on this machine cannot load its meshes:
 an error if the workspace has a package with nearly the same name, one for all meshes of a package.
 What the xacro defines without the package is checked, if the places of its links are known; names
-that the package may define are not reported as missing.
+that the package may define are not reported as missing, unless they differ in a letter from others.
 Other packages may be missing on this machine only, and exist where the robot runs: a warning. It is
 an info if only meshes cannot be checked and `package.xml` declares the package, ROS has it, or a
 submodule that is not checked out may contain it.
@@ -19,8 +19,11 @@ Sources:
     ros/xacro#359: https://github.com/ros/xacro/issues/359
 """
 
+import os
 import re
+from collections.abc import Mapping
 
+from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, reported, rule
@@ -28,12 +31,15 @@ from urdfkit.robot.assets.file_names import is_mistyped
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.source import Span
 from urdfkit.workspace.manifest import is_known_dependency, manifest_of
 
 BAD = xacro_xml('<xacro:include filename="$(find arm_descripton)/urdf/arm.xacro"/>')
 GOOD = xacro_xml('<link name="base"/>')
 
 _NAME = r"^package '([^']+)'"
+#: Longest path in a package.
+_MAX_PATH = 300
 
 
 @rule(
@@ -63,7 +69,9 @@ def check(context: Context) -> Findings:
             reason += f", so {part} checked"
         yield finding._replace(
             message=finding.message.replace("is not found", reason, 1),
-            help=finding.help + ("" if severity else did_you_mean(name, alike)),
+            help=finding.help
+            + ("" if severity else did_you_mean(name, alike))
+            + ("" if is_declared else _owner(name, _from(problem.span), known)),
             group_key=name,
             severity=severity,
         )
@@ -79,6 +87,24 @@ def check(context: Context) -> Findings:
             yield _of_meshes(context, name, meshes)
 
 
+def _from(span: Span) -> str:
+    """The text from the name of a package on, with the path in it."""
+    return span.source.data[span.start : span.end + _MAX_PATH].decode("utf-8", "replace")
+
+
+def _owner(name: str, text: str, known: Mapping[str, str]) -> str:
+    """``, or write ...``: the only package with the file that is looked for in a missing one."""
+    match = re.search(rf"{re.escape(name)}\)?/+([\w./-]+)", text)
+    owners = [
+        package
+        for package, directory in known.items()
+        if match and disk.is_file(os.path.join(directory, match.group(1)))
+    ]
+    if match is None or len(owners) != 1:
+        return ""
+    return f", or name package '{owners[0]}', which has '{match.group(1)}'"
+
+
 def _of_meshes(context: Context, name: str, meshes: list[MeshReference]) -> Finding:
     """One finding for all meshes of a package."""
     first = meshes[0]
@@ -91,7 +117,7 @@ def _of_meshes(context: Context, name: str, meshes: list[MeshReference]) -> Find
         f"link '{first.link.name}': package '{name}' is not found, so {count} of it cannot be "
         f"checked; searched: {', '.join(first.located.searched)}",
         f"pass its directory with --package {name}=DIR, or source the workspace that has it"
-        f"{suggested}",
+        f"{suggested or ('' if is_declared else _owner(name, first.at.value, known))}",
         group_key=f"meshes of {name}",
         severity=None if suggested else Severity.INFO if is_declared else Severity.WARNING,
     )
