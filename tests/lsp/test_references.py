@@ -6,7 +6,7 @@ import pytest
 
 from tests.lsp.edited import XACRO, Edited
 from urdfkit.errors import UrdfkitError
-from urdfkit.lsp.navigation import definitions, references, renamable, rename
+from urdfkit.lsp.navigation import CannotRename, definitions, references, renamable, rename
 from urdfkit.lsp.workspace import Workspace
 from urdfkit.text.editing.apply import apply_edits
 from urdfkit.text.source import Source
@@ -120,6 +120,28 @@ def test_what_may_be_another_robot_s_is_left_alone(tmp_path: Path) -> None:
     renamed(path, 'joint name="le', "ft", "port")
     assert (tmp_path / "config/initial_positions.yaml").read_text() == "left: 0.1\n"
     assert 'name="port"' in path.read_text()
+
+
+def sharing(directory: Path) -> Edited:
+    """A link of a file that two robots include; the second one and a YAML file use its name."""
+    (directory / "package.xml").write_text("<package><name>p</name></package>")
+    (directory / "c.yaml").write_text("tool_frame: tool0\n")
+    include = '<xacro:include filename="common.xacro"/>'
+    (directory / "a.urdf.xacro").write_text(XACRO.format(include))
+    gripper = """<link name="g"/>
+<joint name="k" type="fixed"><parent link="tool0"/><child link="g"/></joint>"""
+    (directory / "b.urdf.xacro").write_text(XACRO.format(include + gripper))
+    return Edited(directory / "common.xacro", XACRO.format('<link name="to|ol0"/>'))
+
+
+def test_renaming_reaches_all_robots_that_share_a_file(tmp_path: Path) -> None:
+    file = sharing(tmp_path)
+    others = file.workspace.other_robots(file.path)
+    edits = rename(file.robot, file.page, file.offset, "flange", others)
+    places = ["b.urdf.xacro", "c.yaml", "common.xacro"]
+    assert sorted(Path(edit.span.source.path).name for edit in edits) == places
+    with pytest.raises(CannotRename, match="there is already a link 'g'"):
+        rename(file.robot, file.page, file.offset, "g", others)
 
 
 @pytest.mark.parametrize("text", ["", "\0", "[", "- " * 500, "a: &x [*x]", "joints: [left]\xff"])

@@ -124,9 +124,13 @@ def _definitions(server: Server, params: lsp.DefinitionParams) -> list[lsp.Locat
 
 
 def _references(server: Server, params: lsp.ReferenceParams) -> list[lsp.Location]:
-    location = server.at(params.text_document.uri, params.position)
-    with_definitions = params.context.include_declaration
-    return server.locations(navigation.references(*location, definitions=with_definitions))
+    uri = params.text_document.uri
+    spans = navigation.references(
+        *server.at(uri, params.position),
+        definitions=params.context.include_declaration,
+        others=server.robots.other_robots(server.path(uri)),
+    )
+    return server.locations(spans)
 
 
 def _symbols(server: Server, params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
@@ -180,8 +184,9 @@ def _rename_placeholder(
 
 def _rename(server: Server, params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
     location = server.at(params.text_document.uri, params.position)
+    others = server.robots.other_robots(server.path(params.text_document.uri))
     try:
-        return server.edit(navigation.rename(*location, params.new_name))
+        return server.edit(navigation.rename(*location, params.new_name, others))
     except navigation.CannotRename as error:
         warning = lsp.ShowMessageParams(lsp.MessageType.Warning, str(error))
         server.window_show_message(warning)

@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.markup import Page, TagNode, WrittenAttribute
@@ -35,14 +35,34 @@ def definitions(robot: OpenRobot, page: Page, offset: int) -> list[Span]:
     return [use.span for use in robot.names.occurrences(name) if use.is_definition]
 
 
-def references(robot: OpenRobot, page: Page, offset: int, *, definitions: bool) -> list[Span]:
-    """References of the name at an offset, with its definitions if requested."""
-    name = _name(robot, page, offset)
-    if name is None:
-        return []
-    same = robot.names.occurrences(name)
-    own = [use.span for use in same if definitions or not use.is_definition]
-    return own + _package_uses(robot, name, same)
+def references(
+    robot: OpenRobot,
+    page: Page,
+    offset: int,
+    *,
+    definitions: bool,
+    others: Sequence[OpenRobot] = (),
+) -> list[Span]:
+    """References of the name at an offset, with its definitions if requested.
+
+    Args:
+        others: further robots that the file belongs to.
+    """
+    robots = (robot, *others)
+    spans: list[Span] = []
+    for each in robots:
+        name = _name(each, each.page(page.source.path), offset)
+        if name is not None:
+            same = each.names.occurrences(name)
+            spans += [use.span for use in same if definitions or not use.is_definition]
+            spans += _package_uses(each, name, same, _files_of(robots))
+    return _distinct(spans)
+
+
+def _distinct(spans: Iterable[Span]) -> list[Span]:
+    """The spans, each once: robots may share files."""
+    places = {(os.path.realpath(span.source.path), *span[1:]): span for span in reversed([*spans])}
+    return list(places.values())[::-1]
 
 
 def _name(robot: OpenRobot, page: Page, offset: int) -> NameUse | None:
@@ -56,15 +76,22 @@ def _name(robot: OpenRobot, page: Page, offset: int) -> NameUse | None:
     return NameUse(kind, span.text, span, False, nodes[0]) if nodes else None
 
 
-def _package_uses(robot: OpenRobot, name: NameUse, same: list[NameUse]) -> list[Span]:
-    """References to a link or joint in other files of the package."""
+def _package_uses(
+    robot: OpenRobot, name: NameUse, same: list[NameUse], own: Collection[str]
+) -> list[Span]:
+    """References to a link or joint in other files of the package than those of the robots."""
     kinds = {use.kind for use in same if use.is_definition} & {"link", "joint"}
     if not kinds:
         return []
     values = robot.names.values(name)
-    own = {*robot.sources, *(robot.before.sources if robot.before else ())}
     references = package_references(values, robot.path, own, robot.resolver)
     return [use.span for use in references if use.kind in kinds]
+
+
+def _files_of(robots: Iterable[OpenRobot]) -> set[str]:
+    """The real paths of the files of robots, also of their last readable state."""
+    states = (state for robot in robots for state in (robot, robot.before) if state)
+    return {path for state in states for path in state.sources}
 
 
 def _file(robot: OpenRobot, page: Page, offset: int) -> Source | None:
@@ -125,8 +152,13 @@ def renamable(robot: OpenRobot, page: Page, offset: int) -> NameUse:
     return name
 
 
-def rename(robot: OpenRobot, page: Page, offset: int, new: str) -> list[Edit]:
+def rename(
+    robot: OpenRobot, page: Page, offset: int, new: str, others: Sequence[OpenRobot] = ()
+) -> list[Edit]:
     """The edits that rename the name at an offset.
+
+    Args:
+        others: further robots that the file belongs to, which use the name as well.
 
     Raises:
         CannotRename: with the reason.
@@ -138,10 +170,20 @@ def rename(robot: OpenRobot, page: Page, offset: int, new: str) -> list[Edit]:
         )
     if not new.strip() or set(new) & set("<>&\"'${}") or new != new.strip():
         raise CannotRename(f"'{new}' is not a valid name")
-    same = robot.names.occurrences(name)
-    kinds = {use.kind for use in same if use.is_definition}
-    if new in robot.defined(*kinds):
-        raise CannotRename(f"there is already a {name.kind} '{new}'")
-    return [
-        Edit(span, new) for span in (*(use.span for use in same), *_package_uses(robot, name, same))
-    ]
+    robots = (robot, *others)
+    for each in robots:
+        own = each.page(page.source.path)
+        if each is not robot and not _is_defined(each, own, offset):
+            continue
+        same = each.names.occurrences(renamable(each, own, offset))
+        kinds = {use.kind for use in same if use.is_definition}
+        if new in each.defined(*kinds):
+            raise CannotRename(f"there is already a {name.kind} '{new}'")
+    spans = references(robot, page, offset, definitions=True, others=others)
+    return [Edit(span, new) for span in spans]
+
+
+def _is_defined(robot: OpenRobot, page: Page, offset: int) -> bool:
+    """True if a robot defines the name at an offset."""
+    name = _name(robot, page, offset)
+    return name is not None and any(use.is_definition for use in robot.names.occurrences(name))

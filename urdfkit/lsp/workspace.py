@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from functools import cache
 from typing import Any
 
@@ -153,7 +154,22 @@ class Workspace:
         """
         if not self.entries(path):
             raise UrdfkitError(f"{path} is not part of a robot")
-        entry = self.entries(path)[0]
+        return self._open(self.entries(path)[0], path)
+
+    def other_robots(self, path: str) -> list[OpenRobot]:
+        """The further robots that a file belongs to, without unreadable ones."""
+        robots: list[OpenRobot] = []
+        for entry in self.entries(path)[1:]:
+            with suppress(UrdfkitError):
+                robots.append(self._open(entry, path))
+        return robots
+
+    def _open(self, entry: RobotEntry, path: str) -> OpenRobot:
+        """The robot of an entry to which a file belongs.
+
+        Raises:
+            UrdfkitError: its file is unreadable.
+        """
         if entry.file not in self._robots:
             config, _ = self.config(path)
             before = self._before.pop(entry.file, None)
