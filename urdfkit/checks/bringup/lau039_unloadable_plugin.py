@@ -26,26 +26,12 @@ from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import plugin_class
+from urdfkit.ros.launch.samples import nav2_launch
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Node, Value, items, mapping, scalar, scalars
 
 NAME = "launch/navigation.launch.py"
-BAD = """\
-from launch_ros.actions import Node
-
-nodes = [
-    Node(
-        package="nav2_planner",
-        executable="planner_server",
-        parameters=["../navigation.yaml"],
-    ),
-    Node(
-        package="nav2_lifecycle_manager",
-        executable="lifecycle_manager",
-        parameters=[{"autostart": True, "node_names": ["planner_server"]}],
-    ),
-]
-"""
+BAD = nav2_launch("nav2_planner", "planner_server", '"../navigation.yaml"')
 GOOD = BAD.replace("navigation.yaml", "sound.yaml")
 _PLANNER = b"planner_server:\n  ros__parameters: {planner_plugins: [grid], grid: {plugin: %s}}\n"
 FILES = {

@@ -20,6 +20,7 @@ from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, meant, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.samples import nav2_launch
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.document import Document, Element
 from urdfkit.text.located_yaml import Value, scalar, scalars
@@ -27,22 +28,7 @@ from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 
 NAME = "launch/navigation.launch.py"
-BAD = """\
-from launch_ros.actions import Node
-
-nodes = [
-    Node(
-        package="nav2_bt_navigator",
-        executable="bt_navigator",
-        parameters=["../navigation.yaml"],
-    ),
-    Node(
-        package="nav2_lifecycle_manager",
-        executable="lifecycle_manager",
-        parameters=[{"autostart": True, "node_names": ["bt_navigator"]}],
-    ),
-]
-"""
+BAD = nav2_launch("nav2_bt_navigator", "bt_navigator", '"../navigation.yaml"')
 GOOD = BAD.replace("navigation.yaml", "sound.yaml")
 _NAVIGATION = b"bt_navigator:\n  ros__parameters: {default_nav_to_pose_bt_xml: '%s/wait.xml'}\n"
 FILES = {

@@ -19,27 +19,13 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.launch.contents import MAP, StartedProgram
+from urdfkit.ros.launch.samples import nav2_launch
 from urdfkit.text.located_yaml import Node, Value, load, mapping, scalar, scalars
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.launch_files import launch_files
 
 NAME = "launch/localization.launch.py"
-BAD = """\
-from launch_ros.actions import Node
-
-nodes = [
-    Node(
-        package="nav2_map_server",
-        executable="map_server",
-        parameters=[{"yaml_filename": "../hall.yaml"}],
-    ),
-    Node(
-        package="nav2_lifecycle_manager",
-        executable="lifecycle_manager",
-        parameters=[{"autostart": True, "node_names": ["map_server"]}],
-    ),
-]
-"""
+BAD = nav2_launch("nav2_map_server", "map_server", '{"yaml_filename": "../hall.yaml"}')
 GOOD = BAD.replace("hall.yaml", "sound.yaml")
 _MAP_FILE = b"image: hall.pgm\nresolution: %s\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
 _LIMITS = b"occupied_thresh: 0.65\nfree_thresh: 0.25\n"

@@ -27,40 +27,28 @@ from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.samples import element_xml
 from urdfkit.ros.catalog.plugins import Plugin, all_plugins
 from urdfkit.ros.catalog.sensors import types
-from urdfkit.ros.gazebo.samples import CART_LAUNCH, gazebo_xml, sensor_xml, solid_xml
+from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.worlds import Models, all_systems, default_systems, own_systems, systems_in
+from urdfkit.ros.launch.samples import CART_LAUNCH, world_files
 from urdfkit.ros.launch.spawning import model_spawner
 from urdfkit.ros.launch.worlds import FACTORY, GZ
 
 NAME = "launch/robot.launch.py"
 BAD = CART_LAUNCH
 GOOD = BAD.replace("bad.sdf", "good.sdf")
-_WORLD = b"""\
-<sdf version="1.9">
-  <world name="hall">
-    <plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>
-    <plugin filename="gz-sim-user-commands-system" name="gz::sim::systems::UserCommands"/>
-    <plugin filename="gz-sim-scene-broadcaster-system" name="gz::sim::systems::SceneBroadcaster"/>
-%s  </world>
-</sdf>
+_SYSTEMS = """\
+<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>
+<plugin filename="gz-sim-user-commands-system" name="gz::sim::systems::UserCommands"/>
+<plugin filename="gz-sim-scene-broadcaster-system" name="gz::sim::systems::SceneBroadcaster"/>
 """
-_SENSORS = b'    <plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors"/>\n'
-FILES = {
-    "package.xml": b"<package><name>cart</name></package>",
-    "cart.urdf": element_xml(
-        'robot name="cart"',
-        solid_xml("base"),
-        gazebo_xml(
-            sensor_xml("front", "camera", "<update_rate>30</update_rate>"), reference="base"
-        ),
-    ).encode(),
-    "worlds/bad.sdf": _WORLD % b"",
-    "worlds/good.sdf": _WORLD % _SENSORS,
-}
+_SENSORS = '<plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors"/>\n'
+_CAMERA = sensor_xml("front", "camera", "<update_rate>30</update_rate>")
+FILES = world_files(
+    _SYSTEMS, _SYSTEMS + _SENSORS, solid_xml("base"), gazebo_xml(_CAMERA, reference="base")
+)
 
 #: The effect of a missing default system.
 _EFFECTS = {

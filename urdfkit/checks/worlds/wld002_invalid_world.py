@@ -23,29 +23,13 @@ from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severi
 from urdfkit.robot.values import number, numbers
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.worlds import World
+from urdfkit.ros.launch.samples import WORLD_LAUNCH, world_files
 from urdfkit.text.document import Element
 
 NAME = "launch/robot.launch.py"
-BAD = """\
-from ament_index_python.packages import get_package_share_directory
-from launch.actions import ExecuteProcess
-
-share = get_package_share_directory("cart")
-gazebo = ExecuteProcess(cmd=["gz", "sim", "-r", share + "/worlds/bad.sdf"])
-"""
+BAD = WORLD_LAUNCH
 GOOD = BAD.replace("bad.sdf", "good.sdf")
-_WORLD = b"""\
-<sdf version="1.9">
-  <world name="hall">
-    <gravity>0 0 %s9.8</gravity>
-  </world>
-</sdf>
-"""
-FILES = {
-    "package.xml": b"<package><name>cart</name></package>",
-    "worlds/bad.sdf": _WORLD % b"",
-    "worlds/good.sdf": _WORLD % b"-",
-}
+FILES = world_files("<gravity>0 0 9.8</gravity>", "<gravity>0 0 -9.8</gravity>")
 
 #: Marks of templates from which a world is generated.
 _TEMPLATES = (b"<%", b"{%", b"{{", b"@(", b"xmlns:xacro")

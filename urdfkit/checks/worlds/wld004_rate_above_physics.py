@@ -16,34 +16,25 @@ from collections.abc import Iterator
 
 from urdfkit.checks.worlds.opened_worlds import opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.robot.samples import element_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.controllers import managers
-from urdfkit.ros.gazebo.samples import CART_LAUNCH, gazebo_xml, sensor_xml, solid_xml
+from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.gazebo.worlds import DEFAULT_STEP
+from urdfkit.ros.launch.samples import CART_LAUNCH, world_files
 from urdfkit.text.source import Span
 
 NAME = "launch/robot.launch.py"
 BAD = CART_LAUNCH
 GOOD = BAD.replace("bad.sdf", "good.sdf")
-_WORLD = b"""\
-<sdf version="1.9">
-  <world name="hall">
-    <physics name="fast" type="dart"><max_step_size>%s</max_step_size></physics>
-  </world>
-</sdf>
-"""
-FILES = {
-    "package.xml": b"<package><name>cart</name></package>",
-    "cart.urdf": element_xml(
-        'robot name="cart"',
-        solid_xml("base"),
-        gazebo_xml(sensor_xml("tilt", "imu", "<update_rate>500</update_rate>"), reference="base"),
-    ).encode(),
-    "worlds/bad.sdf": _WORLD % b"0.01",
-    "worlds/good.sdf": _WORLD % b"0.002",
-}
+_PHYSICS = '<physics name="fast" type="dart"><max_step_size>{}</max_step_size></physics>'
+_IMU = sensor_xml("tilt", "imu", "<update_rate>500</update_rate>")
+FILES = world_files(
+    _PHYSICS.format("0.01"),
+    _PHYSICS.format("0.002"),
+    solid_xml("base"),
+    gazebo_xml(_IMU, reference="base"),
+)
 
 #: Greatest rate relative to 1 / step, which may be rounded: 0.00833 s is 120 Hz.
 _TOLERANCE = 1.01

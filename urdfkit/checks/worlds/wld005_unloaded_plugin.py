@@ -23,31 +23,18 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.catalog.plugins import TITLES, find, misspelt, system_of_class
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.worlds import World
+from urdfkit.ros.launch.samples import WORLD_LAUNCH, world_files
 from urdfkit.ros.launch.worlds import GZ
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 
 NAME = "launch/robot.launch.py"
-BAD = """\
-from ament_index_python.packages import get_package_share_directory
-from launch.actions import ExecuteProcess
-
-share = get_package_share_directory("cart")
-gazebo = ExecuteProcess(cmd=["gz", "sim", "-r", share + "/worlds/bad.sdf"])
-"""
+BAD = WORLD_LAUNCH
 GOOD = BAD.replace("bad.sdf", "good.sdf")
-_WORLD = b"""\
-<sdf version="1.9">
-  <world name="hall">
-    <plugin filename="gz-sim-physics-system" name="gz::sim::systems::%s"/>
-  </world>
-</sdf>
-"""
-FILES = {
-    "package.xml": b"<package><name>cart</name></package>",
-    "worlds/bad.sdf": _WORLD % b"Phisics",
-    "worlds/good.sdf": _WORLD % b"Physics",
-}
+FILES = world_files(
+    '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Phisics"/>',
+    '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>',
+)
 
 #: Gazebo Classic and gz-sim.
 _TITLES = ("Gazebo Classic", TITLES[GZ])

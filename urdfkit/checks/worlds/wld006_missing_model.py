@@ -19,32 +19,18 @@ from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.worlds import Models, World, model_name
+from urdfkit.ros.launch.samples import WORLD_LAUNCH, world_files
 from urdfkit.ros.launch.worlds import GZ
 from urdfkit.workspace.gitignore import is_ignored
 from urdfkit.workspace.resolve import Resolver
 
 NAME = "launch/robot.launch.py"
-BAD = """\
-from ament_index_python.packages import get_package_share_directory
-from launch.actions import ExecuteProcess
-
-share = get_package_share_directory("cart")
-gazebo = ExecuteProcess(cmd=["gz", "sim", "-r", share + "/worlds/bad.sdf"])
-"""
+BAD = WORLD_LAUNCH
 GOOD = BAD.replace("bad.sdf", "good.sdf")
-_WORLD = b"""\
-<sdf version="1.9">
-  <world name="hall">
-    <include><uri>model://big_%s</uri></include>
-  </world>
-</sdf>
-"""
-FILES = {
-    "package.xml": b"<package><name>cart</name></package>",
-    "models/big_shelf/model.config": b"<model/>",
-    "worlds/bad.sdf": _WORLD % b"shlef",
-    "worlds/good.sdf": _WORLD % b"shelf",
-}
+FILES = world_files(
+    "<include><uri>model://big_shlef</uri></include>",
+    "<include><uri>model://big_shelf</uri></include>",
+) | {"models/big_shelf/model.config": b"<model/>"}
 
 _FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
 

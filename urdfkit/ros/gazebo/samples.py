@@ -149,14 +149,3 @@ DRIVE = controller_yaml(
     "wheel_separation: 0.3",
     "wheel_radius: 0.1",
 )
-
-#: A launch file of the package ``cart`` that starts the world ``bad.sdf`` with the robot.
-CART_LAUNCH = """\
-from ament_index_python.packages import get_package_share_directory
-from launch.actions import ExecuteProcess
-from launch.substitutions import Command
-
-share = get_package_share_directory("cart")
-gazebo = ExecuteProcess(cmd=["gz", "sim", "-r", share + "/worlds/bad.sdf"])
-robot = Command(["xacro ", share + "/cart.urdf"])
-"""
