@@ -39,6 +39,13 @@ def test_every_name_of_a_list() -> None:
     assert [one.split("'")[3] for one in heard] == ["rihgt_joint", "spare"]
 
 
+def test_a_list_where_one_name_counts() -> None:
+    """A rover with six wheels, whose plugin drives one joint on each side."""
+    tag = "<leftJoint>left_joint, right_joint</leftJoint><rightJoint>right_joint</rightJoint>"
+    (found,) = reported("GAZ021", WHEELS + plugin("libgazebo_ros_diff_drive.so", tag))
+    assert found.help == naming("one", "joints")
+
+
 def test_the_name_of_a_link_is_not_a_joint() -> None:
     assert len(reported("GAZ021", states("left"))) == 1
 

@@ -55,19 +55,25 @@ def check(context: Context) -> Findings:
             result = conversion_result(conversion, reference.kind, reference.name)
             is_world = reference.kind == "link" and reference.name == "world"
             if result == "unknown" and not is_world and not context.is_part:
-                yield _unknown(use, reference, suggesters[reference.kind])
+                yield _unknown(context, use, reference, suggesters[reference.kind])
             elif result == "merged" and not _is_rewritten(use, reference):
                 yield _merged(context, use, reference)
             elif result == "dropped" and not context.is_part:
                 yield _dropped(context, use, reference)
 
 
-def _unknown(use: PluginUse, reference: Reference, suggester: Suggester) -> Finding:
+def _unknown(
+    context: Context, use: PluginUse, reference: Reference, suggester: Suggester
+) -> Finding:
     item, name = reference.item, reference.name
     suggested = suggester.suggested(name)
     fix = fix_value(item.at, suggested) if item.text == name else None
     message = f"{use.title} refers to unknown {reference.kind} '{name}'{use.outcome}"
     help = f"did you mean '{suggested}'?" if suggested else f"name a {reference.kind} of this robot"
+    words, model = name.replace(",", " ").split(), context.model
+    names = model.links_by_name if reference.kind == "link" else model.joints_by_name
+    if len(words) > 1 and all(word in names for word in words):
+        help = f"name one of them: the tag does not take several {reference.kind}s"
     return Finding(item.at, message, help, fix)
 
 
