@@ -42,6 +42,14 @@ def test_ros_1(tmp_path: Path, executable: str, args: str) -> None:
     assert found.span.line == 3
 
 
+def test_controllers_with_a_space_in_their_names(tmp_path: Path) -> None:
+    """An export of Fusion 360 with its names of joints: the spawner reads two controllers."""
+    files = {"config/c.yaml": ROS_1["config/c.yaml"].replace("arm_c", "Revolute 1_c")}
+    text = LOAD_1 + SPAWN_1.format("spawner", "Revolute 1_controller")
+    found = reported(tmp_path, "LAU013", "a.launch", text, files)
+    assert [one.help for one in found] == [naming("Revolute 1_controller")] * 2
+
+
 def test_several_controllers_of_one_spawner(tmp_path: Path) -> None:
     text = LOAD_1 + SPAWN_1.format("controller_manager", "spawn arm_controller a b")
     assert len(reported(tmp_path, "LAU013", "a.launch", text, ROS_1)) == 2

@@ -6,6 +6,7 @@ import pytest
 
 from tests.launched import reported
 from tests.workspaces import add_package
+from urdfkit.text.diagnostic import Severity
 
 CODES = ("LAU024", "LAU025", "LAU039")
 NODE = """from launch.substitutions import LaunchConfiguration
@@ -180,10 +181,25 @@ def test_parameters_of_sources(
     assert [f"reads {key} of each source" in one for one in messages] == [True] * count
 
 
+SAVER = 'package="nav2_map_server", executable="map_saver_server"'
+
+
+@pytest.mark.parametrize(
+    ("value", "severity", "words"),
+    [
+        ("2000", Severity.WARNING, "write 2.0"),  # the timeout of Foxy, in ms
+        ("5", Severity.ERROR, "write 5.0"),
+    ],
+)
+def test_the_timeout_of_the_map_saver(
+    tmp_path: Path, value: str, severity: Severity, words: str
+) -> None:
+    text = NODE.format(SAVER, f'{{"save_map_timeout": {value}}}')
+    (one,) = reported(tmp_path / "arm", "LAU025", "a.launch.py", text)
+    assert (one.severity, one.help) == (severity, words)
+
+
 def test_a_program_whose_source_is_in_the_workspace(tmp_path: Path) -> None:
-    """The map saver of Nav2 for Foxy takes the timeout in ms, as an integer."""
-    saver = 'package="nav2_map_server", executable="map_saver_server"'
-    assert len(found(tmp_path, saver, '{"save_map_timeout": 2000}')) == 1
     (tmp_path / ".git").mkdir()
     add_package(tmp_path / "navigation2" / "nav2_map_server", "nav2_map_server")
-    assert found(tmp_path, saver, '{"save_map_timeout": 2000}') == []
+    assert found(tmp_path, SAVER, '{"save_map_timeout": 2000}') == []

@@ -66,7 +66,14 @@ def test_names_that_ros2_rejects(name: str, good: str) -> None:
     assert f'<plugin name="{good}"' in fixed("GAZ010", text)
 
 
-@pytest.mark.parametrize("name", ["a", "A_b2", "_2wd"])
+def test_a_plugin_that_gazebo_does_not_read_is_not_rejected() -> None:
+    """In a block of a link it is an unknown element, which is copied without a look at it."""
+    text = BASE + '<gazebo reference="base"><plugin name="x"/></gazebo>'
+    assert reported("GAZ010", text) == []
+    assert len(reported("GAZ014", text)) == 1
+
+
+@pytest.mark.parametrize("name", ["a", "A_b2", "_2wd", "camera${suffix}"])
 def test_names_that_ros2_takes(name: str) -> None:
     assert reported("GAZ010", BASE + plugin(MOVE, NEW, name)) == []
 

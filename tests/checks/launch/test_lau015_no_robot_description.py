@@ -93,6 +93,13 @@ def test_a_command_that_expands_nothing(tmp_path: Path, program: str, count: int
     assert len(reported(tmp_path, "LAU015", "a.launch.xml", text, XACRO)) == count
 
 
+@pytest.mark.parametrize(("files", "count"), [(XACRO, 1), (PLAIN, 0), (UNUSED, 0), ({}, 1)])
+def test_the_path_of_a_xacro_file(tmp_path: Path, files: dict[str, str], count: int) -> None:
+    """A file that is only called .xacro is read by robot_state_publisher, too."""
+    text = NODE.format(f", arguments=['{tmp_path}/arm.xacro']")
+    assert len(reported(tmp_path, "LAU015", "a.launch.py", text, files)) == count
+
+
 def test_expanded_xacro_is_accepted(tmp_path: Path) -> None:
     text = "import xacro\ntext = xacro.parse(open('../arm.xacro')).toxml()\n"
     text += NODE.format(", parameters=[{'robot_description': text}]")

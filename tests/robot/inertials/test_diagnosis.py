@@ -179,6 +179,12 @@ def test_the_first_two_rows_of_the_matrix() -> None:
     assert str(diagnosis).startswith("the tensor contains the first two rows of the matrix")
 
 
+def test_equal_numbers_are_no_rows_of_a_matrix() -> None:
+    """ROSbot's box: 0.01 at five of six places."""
+    diagnosis = impossible((0.01, 0.01, 0, 0.01, 0.01, 0.01))
+    assert "rows" not in str(diagnosis)
+
+
 def test_a_wrong_sign_of_a_moment() -> None:
     diagnosis = impossible((0.03, 0, 0, -0.02, 0, 0.015))
     assert diagnosis.cause == "has a negative moment that is possible when positive"

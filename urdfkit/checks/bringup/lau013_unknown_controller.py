@@ -155,6 +155,8 @@ def _help(name: str, is_suggested: bool, loaded: set[str], context: Context) -> 
     """The controllers that nothing starts, one of which may be meant."""
     if " " in name:
         return f"write one item for each controller: {name.split()}"
+    if spaced := next((one for one in sorted(loaded) if name in one.split() != [one]), ""):
+        return f"rename '{spaced}': a spawner reads each of its words as a controller"
     words = [spawned.word for spawned in spawned_controllers(context.launch.programs)]
     idle = sorted(loaded - {word.name for word in words})
     is_clear = not is_suggested and idle and all(word.text for word in words)

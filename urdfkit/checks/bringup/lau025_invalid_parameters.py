@@ -11,7 +11,8 @@
 - The frames of the map and of odometry are swapped (warning).
 - The `frame_prefix` of robot_state_publisher begins with a slash, or is the namespace without one
   behind it (warnings).
-- `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class.
+- `robot_model_type` of AMCL is a name of ROS 1 (warning): Humble and later load a class. The map
+  saver has a `save_map_timeout` in ms (warning): since Galactic it is a double in s.
 
 Sources:
     ROS 2, parser of parameter files: https://github.com/ros2/rcl/blob/rolling/rcl_yaml_param_parser/src/parse.c
@@ -58,6 +59,7 @@ def check(context: Context) -> Findings:
     sections = [section for own in files.values() for section in own]
     for section in (*sections, *parameters_of_started(context, files)):
         yield from parameter_types.wrong_types(section)
+        yield from parameter_types.timeout_in_ms(section)
         yield from parameter_values.invalid_values(section)
         yield from parameter_values.wrong_signs(section)
     for section in sections:

@@ -8,13 +8,15 @@ import re
 
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.known_parameters import CONFIGURATION, given_values
+from urdfkit.ros.launch.known_parameters import CONFIGURATION, given_values, kind_of
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
 from urdfkit.text.located_yaml import Node, Value, entries, items, mapping, scalar, scalars
 
 _SIZES = ("width", "height")
 _SIM_TIME = "use_sim_time"
+#: The map saver of Nav2, the parameter that is in ms up to Foxy, and its least value in ms.
+_MAP_SAVER, _TIMEOUT, _LEAST_MS = "map_saver", "save_map_timeout", 100
 #: Values of a configuration of robot_localization: position, angles, velocities, rates,
 #: accelerations.
 _STATES = 15
@@ -35,7 +37,7 @@ def wrong_types(node: NodeParameters) -> Findings:
     is_checked = False
     for given in given_values(node):
         is_checked = is_checked or given.at == _SIM_TIME
-        if given.at not in _SIZES:
+        if given.at not in _SIZES and not _is_in_ms(given.at, given.value):
             yield from _wrong_type(node, given.at, given.value, given.type)
     if _SIM_TIME in node.values and not is_checked:  # every node has it
         yield from _wrong_type(node, _SIM_TIME, node.values[_SIM_TIME], "bool")
@@ -56,6 +58,22 @@ def wrong_sizes(node: NodeParameters) -> Findings:
         if value and re.fullmatch(r"[-+]?\d+\.\d*", value.text):
             message = f"'{node.name}' stops: {key} is declared as an integer, not {value.text}"
             yield Finding(value.span, message, f"write {round(float(value.text))}")
+
+
+def timeout_in_ms(node: NodeParameters) -> Findings:
+    """The timeout of the map saver as Foxy reads it: an integer in ms."""
+    value = scalar(node.values, _TIMEOUT) if kind_of(node) == _MAP_SAVER else None
+    if value and _is_in_ms(_TIMEOUT, value):
+        message = f"'{node.name}' of Galactic and later stops: {_TIMEOUT} is in s, "
+        message += f"{TYPES['double']}, not {value.text} ms"
+        seconds = int(value.text) / 1000
+        yield Finding(value.span, message, f"write {seconds}", severity=Severity.WARNING)
+
+
+def _is_in_ms(name: str, value: Node) -> bool:
+    """True for a timeout that only the map saver of Foxy reads."""
+    is_integer = isinstance(value, Value) and type_of(value) == "int"
+    return name == _TIMEOUT and is_integer and abs(int(value.text)) >= _LEAST_MS
 
 
 def wrong_configurations(node: NodeParameters) -> Findings:

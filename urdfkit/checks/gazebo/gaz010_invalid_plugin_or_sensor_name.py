@@ -52,8 +52,9 @@ _ONE_IN_CLASSIC = "Gazebo Classic creates only one of them"
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.GAZEBO))
 def check(context: Context) -> Findings:
     for use in context.plugins:
-        yield from _missing(context, use)
-        if use.plugin and use.plugin.node and use.name:
+        if use.place != "link":  # Gazebo does not read it there (GAZ014)
+            yield from _missing(context, use)
+        if use.plugin and use.plugin.node and use.name and not is_expression(use.name):
             yield from _invalid_node_name(use)
     for sensor in sensors(context.model):
         if not sensor.name.strip():

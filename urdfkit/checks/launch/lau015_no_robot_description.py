@@ -14,6 +14,7 @@ from collections.abc import Mapping
 
 from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
+from urdfkit.ros.launch.collect import needs_xacro
 from urdfkit.ros.launch.contents import StartedProgram
 
 NAME = "robot.launch.py"
@@ -40,7 +41,7 @@ def check(context: Context) -> Findings:
         if node.package != "robot_state_publisher" or parameters is None:
             continue
         if node.words:
-            yield from _unexpanded(node, parameters)
+            yield from _unexpanded(node, parameters, context)
             continue
         if (parameters.get(_PARAMETER) or "").endswith((".urdf", ".xacro")):
             message = f"{_PARAMETER} is the path of a file, not the text of the robot"
@@ -53,10 +54,14 @@ def check(context: Context) -> Findings:
             yield Finding(node.at, message)
 
 
-def _unexpanded(node: StartedProgram, parameters: Mapping[str, str | None]) -> Findings:
+def _unexpanded(
+    node: StartedProgram, parameters: Mapping[str, str | None], context: Context
+) -> Findings:
     """A xacro file in the arguments of the node, which reads it as a URDF."""
     for word in node.words if _PARAMETER not in parameters else ():
-        if (word.text or "").endswith(".xacro"):
+        path = word.text or ""
+        source = context.resolver.readable(path) if path.endswith(".xacro") else None
+        if path.endswith(".xacro") and (source is None or needs_xacro(source)):
             file = (word.text or "").rpartition("/")[2]
             message = f"robot_state_publisher reads '{file}' as a URDF: nothing expands it"
             help = f"{_EXPANDED} as its parameter {_PARAMETER}"

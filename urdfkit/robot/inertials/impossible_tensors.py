@@ -87,7 +87,7 @@ def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
     as_in_sdf = Tensor(a, d, e, b, f, c)
     if min(a, b, c) > 0 and is_possible(as_in_sdf):
         yield "is in the order ixx iyy izz ixy ixz iyz", as_in_sdf
-    if b == d and e > 0 and abs(f) <= e and a > 0 and len({*link.tensor}) > 1:
+    if b == d and e > 0 and abs(f) <= e and a > 0 and b * b < a * e:
         rows = "contains the first two rows of the matrix, so that the value at iyz is iyy"
         yield f"{rows}, the one at izz is iyz, and izz is missing", None
     positive = Tensor(abs(a), b, c, abs(d), e, abs(f))

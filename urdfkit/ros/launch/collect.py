@@ -214,8 +214,7 @@ class Collector:
         if not disk.exists(path) or not self.resolver.admits(path):
             return
         source = self.resolver.readable(path)
-        text = blank_comments(source.data) if source else b""
-        if b"<xacro:" in text and _NEEDS_XACRO(text):
+        if source and b"<xacro:" in source.data and needs_xacro(source):
             message = f"'{os.path.basename(path)}' is a xacro file, but is used without expansion"
             self.problems.append(Problem("LAU015", span, message, _EXPAND, frame))
 
@@ -277,6 +276,11 @@ class Collector:
             tuple(self.includes),
             tuple(self.configured),
         )
+
+
+def needs_xacro(source: Source) -> bool:
+    """True for a robot that URDF parsers do not read unless xacro expands it."""
+    return _NEEDS_XACRO(blank_comments(source.data)) is not None
 
 
 def frame_at(source: Source, tag: Tag, outer: CallFrame | None) -> CallFrame:
