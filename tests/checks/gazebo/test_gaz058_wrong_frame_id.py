@@ -6,6 +6,7 @@ from tests.reported import fixed, messages
 from tests.sensing import findings
 from urdfkit.text.diagnostic import Severity
 
+IMU = "libgazebo_ros_imu_sensor.so"
 LASER = '<plugin name="p" filename="libgazebo_ros_laser.so"><frameName>{}</frameName></plugin>'
 
 
@@ -14,13 +15,29 @@ LASER = '<plugin name="p" filename="libgazebo_ros_laser.so"><frameName>{}</frame
     [
         ("basis", "a link of the robot"),
         ("robot/lidar", "a link of the robot"),
-        ("/base", "which tf2 rejects"),
+        ("/base", ""),
+        ("/basis", "a link of the robot"),
     ],
 )
 def test_frames_without_a_link(frame: str, message: str) -> None:
-    (reported,) = messages("GAZ058", BASE + sensor("ray", LASER.format(frame)))
-    assert f"frame_id '{frame}'" in reported
-    assert reported.endswith(message)
+    """A laser of ROS 1, whose frame tf::resolve changes: it takes the slash away."""
+    reported = messages("GAZ058", BASE + sensor("ray", LASER.format(frame)))
+    assert [frame.lstrip("/") in one for one in reported] == [True] * bool(message)
+    assert all(one.endswith(message) for one in reported)
+
+
+@pytest.mark.parametrize(
+    ("kind", "tag", "file", "count"),
+    [
+        ("imu", "frameName", IMU, 1),  # it does not call tf::resolve
+        ("ray", "frame_name", "libgazebo_ros_ray_sensor.so", 1),
+        ("ray", "frameName", "libgazebo_ros_laser.so", 0),
+    ],
+)
+def test_the_slash_of_a_frame(kind: str, tag: str, file: str, count: int) -> None:
+    inside = f'<plugin name="p" filename="{file}"><{tag}>/base</{tag}></plugin>'
+    reported = messages("GAZ058", BASE + sensor(kind, inside))
+    assert [one.endswith("which tf2 rejects") for one in reported] == [True] * count
 
 
 def test_the_frame_of_a_sensor_of_gz() -> None:

@@ -56,7 +56,7 @@ def test_given_by_the_user(robot: str, tmp_path: Path) -> None:
 
 def test_a_model_that_gazebo_would_not_find(robot: str) -> None:
     (message,) = messages(CODE, mesh_link("model://lidar.stl"), robot)
-    assert "package 'lidar.stl'" in message
+    assert "model 'lidar.stl'" in message
     assert "GAZEBO_MODEL_PATH (" in message
 
 

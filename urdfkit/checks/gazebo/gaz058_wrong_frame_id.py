@@ -83,8 +83,9 @@ def _frames(context: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
     """Each frame that is named: by whom, where, its name."""
     for use in context.plugins:
         if not _is_dropped(use.at, context.model):
+            strips = _strips_slash(use)
             yield from (
-                (use.title, item.at, item.text)
+                (use.title, item.at, item.text.lstrip("/") if strips else item.text)
                 for item in use.items
                 if _is_frame_of_robot(use, item, context.model)
             )
@@ -176,6 +177,12 @@ def _given(sensor: Sensor) -> list[str]:
 
 def _is_of_the_world(name: str) -> bool:
     return any(word in name.lower() for word in _ELSEWHERE)
+
+
+def _strips_slash(use: PluginUse) -> bool:
+    """True if a plugin passes its frames through ``tf::resolve`` of ROS 1, as all but IMUs do."""
+    is_resolved = use.plugin is not None and use.plugin.package == "gazebo_plugins"
+    return is_resolved and _is_of_ros1(use) and "imu" not in use.filename
 
 
 def _is_of_ros1(use: PluginUse) -> bool:

@@ -112,11 +112,14 @@ def _of_meshes(context: Context, name: str, meshes: list[MeshReference]) -> Find
     count = "1 mesh" if len(meshes) == 1 else f"{len(meshes)} meshes"
     known = context.resolver.packages.known(context.source.path)
     suggested = did_you_mean(name, [package for package in known if is_mistyped(name, package)])
+    is_model = first.located.scheme == "model"
+    source = "add the directory around it to GAZEBO_MODEL_PATH or GZ_SIM_RESOURCE_PATH"
+    source = source if is_model else "source the workspace that has it"
     return Finding(
         first.at,
-        f"link '{first.link.name}': package '{name}' is not found, so {count} of it cannot be "
-        f"checked; searched: {', '.join(first.located.searched)}",
-        f"pass its directory with --package {name}=DIR, or source the workspace that has it"
+        f"link '{first.link.name}': {'model' if is_model else 'package'} '{name}' is not found, "
+        f"so {count} of it cannot be checked; searched: {', '.join(first.located.searched)}",
+        f"pass its directory with --package {name}=DIR, or {source}"
         f"{suggested or ('' if is_declared else _owner(name, first.at.value, known))}",
         group_key=f"meshes of {name}",
         severity=None if suggested else Severity.INFO if is_declared else Severity.WARNING,

@@ -77,8 +77,8 @@ def diagnose_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:
     if link.densities and link.densities[1] < _DENSITY_OF_AIR:
         return Diagnosis("", None, Confidence.GUESSED)
     for cause, tensor in _mistakes(link, expected):
-        is_chance = cause == _LIKE_METRIC and _fit_as_written(link, masses)
-        return Diagnosis(cause, tensor, Confidence.GUESSED if is_chance else Confidence.INFERRED)
+        if cause != _LIKE_METRIC or not _fit_as_written(link, masses):
+            return Diagnosis(cause, tensor, Confidence.INFERRED)
     match = masses.of_their_shape.get(link.tensor)
     cause = f"is that of link '{match.name}', which it fits" if match else ""
     is_wrong = bool(match) or _is_invented(link, expected)
