@@ -72,8 +72,9 @@ def timeout_in_ms(node: NodeParameters) -> Findings:
 
 def _is_in_ms(name: str, value: Node) -> bool:
     """True for a timeout that only the map saver of Foxy reads."""
-    is_integer = isinstance(value, Value) and type_of(value) == "int"
-    return name == _TIMEOUT and is_integer and abs(int(value.text)) >= _LEAST_MS
+    if name != _TIMEOUT or not isinstance(value, Value) or type_of(value) != "int":
+        return False
+    return abs(int(value.text)) >= _LEAST_MS
 
 
 def wrong_configurations(node: NodeParameters) -> Findings:
