@@ -104,3 +104,10 @@ def test_the_parent_is_not_suggested_for_its_own_child():
     (finding,) = findings("GAZ003", "camera", inner)
     message = naming("s", "unknown", "<distortionModel>", "<distortion>", "ignored")
     assert (finding.message, finding.help, finding.fix) == (message, "remove it", None)
+
+
+def test_a_setting_beside_its_block() -> None:
+    """swarm_description has <optical_frame_id> beside <camera>."""
+    (found,) = findings("GAZ003", "camera", "<camera/><optical_frame_id>base</optical_frame_id>")
+    assert found.message == naming("s", "unknown", "<optical_frame_id>", "<sensor>", "ignored")
+    assert found.help == "move it into <camera>"

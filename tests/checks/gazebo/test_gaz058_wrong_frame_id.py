@@ -2,7 +2,7 @@ import pytest
 
 from tests.gazebos import BASE, child, plugin, sensor
 from tests.naming import naming
-from tests.reported import fixed, messages
+from tests.reported import fixed, messages, reported
 from tests.sensing import findings
 from urdfkit.text.diagnostic import Severity
 
@@ -21,9 +21,9 @@ LASER = '<plugin name="p" filename="libgazebo_ros_laser.so"><frameName>{}</frame
 )
 def test_frames_without_a_link(frame: str, message: str) -> None:
     """A laser of ROS 1, whose frame tf::resolve changes: it takes the slash away."""
-    reported = messages("GAZ058", BASE + sensor("ray", LASER.format(frame)))
-    assert [frame.lstrip("/") in one for one in reported] == [True] * bool(message)
-    assert all(one.endswith(message) for one in reported)
+    found = messages("GAZ058", BASE + sensor("ray", LASER.format(frame)))
+    assert [frame.lstrip("/") in one for one in found] == [True] * bool(message)
+    assert all(one.endswith(message) for one in found)
 
 
 @pytest.mark.parametrize(
@@ -36,13 +36,21 @@ def test_frames_without_a_link(frame: str, message: str) -> None:
 )
 def test_the_slash_of_a_frame(kind: str, tag: str, file: str, count: int) -> None:
     inside = f'<plugin name="p" filename="{file}"><{tag}>/base</{tag}></plugin>'
-    reported = messages("GAZ058", BASE + sensor(kind, inside))
-    assert [one.endswith("which tf2 rejects") for one in reported] == [True] * count
+    found = messages("GAZ058", BASE + sensor(kind, inside))
+    assert [one.endswith("which tf2 rejects") for one in found] == [True] * count
+
+
+def test_a_link_with_a_slash_is_not_suggested() -> None:
+    """my_ros2_robot_gazebo: the prefix of the links, $(arg ns)/, is empty by default."""
+    (found,) = reported(
+        "GAZ058", BASE.replace('"base"', '"/base"') + sensor("ray", LASER.format("bas"), "/base")
+    )
+    assert found.help == "name a link of the robot"
 
 
 def test_the_frame_of_a_sensor_of_gz() -> None:
-    (reported,) = messages("GAZ058", BASE + sensor("imu", "<gz_frame_id>imu</gz_frame_id>"))
-    assert reported == naming("s", "frame_id", "imu")
+    (message_of_all,) = messages("GAZ058", BASE + sensor("imu", "<gz_frame_id>imu</gz_frame_id>"))
+    assert message_of_all == naming("s", "frame_id", "imu")
 
 
 def test_a_typo_is_fixed() -> None:

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from tests.naming import naming
-from tests.srdfs import findings
-from urdfkit import Diagnostic, Severity
+from tests.srdfs import ROBOT, findings
+from urdfkit import Diagnostic, Severity, check
 
 
 def reported(directory: Path, *joints: str, place: str = "joint_limits.yaml") -> list[Diagnostic]:
@@ -21,6 +21,15 @@ def test_a_misspelt_joint(tmp_path: Path) -> None:
     assert found.message == naming("unknown", "shuolder", "shoulder")
     assert found.span.source.path == str(tmp_path / "joint_limits.yaml")
     assert (found.span.line, found.span.text) == (4, "shuolder")
+
+
+def test_another_joint_is_not_suggested(tmp_path: Path) -> None:
+    """RePAIR: left_hand_synergy_joint is not left_hand_grasp_joint."""
+    reported(tmp_path, "left_hand_synergy_joint", "wrist")
+    (tmp_path / "r.urdf").write_text(ROBOT.replace("shoulder", "left_hand_grasp_joint"))
+    (found,) = check(tmp_path / "r.urdf", select=["SRD026"]).diagnostics
+    assert found.message == naming("unknown", "left_hand_synergy_joint")
+    assert "did you mean" not in found.message
 
 
 def test_limits_of_another_robot_are_reported_once(tmp_path: Path) -> None:

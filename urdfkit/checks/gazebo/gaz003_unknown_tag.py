@@ -20,7 +20,7 @@ from urdfkit.robot.joint_limits import can_move
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import copied, extensions, suggested
-from urdfkit.ros.catalog.sensors import children
+from urdfkit.ros.catalog.sensors import children, settings
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import SettingElement, sensors, written
 from urdfkit.text.document import Element
@@ -87,7 +87,10 @@ def _in_sensors(model: RobotModel) -> Findings:
     for sensor in sensors(model):
         for child in sensor.at.children:
             if child.tag not in known and ":" not in child.tag:
-                yield _in_sensor(child, sensor.who, "sensor", known)
+                blocks = (block.tag for block in sensor.at.children)
+                block = next((block for block in blocks if child.tag in settings(block)), "")
+                deeper = f"move it into <{block}>" if block else ""
+                yield _in_sensor(child, sensor.who, "sensor", known, deeper)
         for inner in written(sensor):
             if inner.setting is None and ":" not in inner.at.tag:
                 yield _in_sensor(inner.at, sensor.who, inner.parent, inner.siblings, _nested(inner))

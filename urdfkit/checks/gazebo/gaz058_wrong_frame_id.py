@@ -62,7 +62,7 @@ def check(context: Context) -> Findings:
 
 def _unknown(context: Context) -> Findings:
     known = context.model.links_by_name
-    suggester = Suggester(known)
+    suggester = Suggester([link for link in known if not link.startswith("/")])
     for who, at, name in _frames(context):
         bare = name.strip("/").rpartition("/")[2]
         if not bare or is_expression(name):

@@ -89,8 +89,9 @@ def _joint_limits(context: Context, srdf: Srdf) -> Findings:
     unknown = [limit for limit in unknown if limit.joint not in others]
     if len(unknown) == len(planned) > 1:
         unknown = unknown[:1]  # the file is for another robot
+    suggester = Suggester(known)
     for limit in unknown:
-        message = f"limits of unknown joint '{limit.joint}'{did_you_mean(limit.joint, known)}"
+        message = f"limits of unknown joint '{limit.joint}'{suggester.hint(limit.joint)}"
         help = "fix the name, or remove the entry"
         yield Finding(limit.at.span, message, help, severity=Severity.WARNING)
 
