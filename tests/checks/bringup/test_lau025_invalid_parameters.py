@@ -127,6 +127,12 @@ TELEOP = "teleop_twist_joy_node: {{ros__parameters: {{scale_linear: {{x: {}}}}}}
         (TELEOP.format("0.5"), 0),
         (TELEOP.format("1"), 1),
         (SLAM.format("max_laser_range: 20"), 1),
+        (SLAM.format("solver_plugin: solver_plugins::CeresSolver"), 0),
+        (SLAM.format("solver_plugin: solver_plugins::MySolver"), 1),
+        (SLAM.format("solver_plugin: solver_plugin::CeresSolver"), 1),
+        (SLAM.format("solver_plugin: CeresSolver"), 1),
+        # Isaac_Sim_ROS2_Nav has its own.
+        (SLAM.format("solver_plugin: robot_slam_solver::ConfigurableCeresSolver"), 0),
         (EKF.format(f"frequency: 30, odom0: odom, odom0_config: {rows(2)}"), 1),
     ],
 )

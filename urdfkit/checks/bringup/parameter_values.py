@@ -86,7 +86,7 @@ def invalid_values(node: NodeParameters) -> Findings:
         value, expected = given.value, lengths.get(given.at)
         modes = choices.get(f"{given.owner}.{given.at}", "").split()
         if isinstance(value, Value) and modes and value.text not in modes:
-            if value.text and value.text[0].isalpha():
+            if value.text and value.text[0].isalpha() and not _is_of_workspace(value.text, modes):
                 message = f"'{node.name}': unknown {given.at} '{value.text}'"
                 message += did_you_mean(value.text, modes)
                 help = f"write one of {', '.join(modes)}"
@@ -110,6 +110,13 @@ def invalid_values(node: NodeParameters) -> Findings:
         elif given.at == "footprint" and isinstance(value, Value) and not _is_footprint(value.text):
             message = f"'{node.name}': the footprint is no list of three or more points"
             yield Finding(value.span, message, 'write "[[x, y], [x, y], [x, y]]"')
+
+
+def _is_of_workspace(plugin: str, known: list[str]) -> bool:
+    """True for a plugin of another library: Isaac_Sim_ROS2_Nav has its own solver."""
+    library, separator, _ = plugin.partition("::")
+    libraries = {one.partition("::")[0] for one in known}
+    return bool(separator) and library not in libraries and not did_you_mean(library, libraries)
 
 
 def _is_path(text: str) -> bool:
