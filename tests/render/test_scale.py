@@ -70,7 +70,7 @@ def test_lines_of_the_grid_are_at_multiples_of_its_step() -> None:
     points = np.array([(-1, -0.7, 0), (1, 1, 0)], dtype=np.float32)
     camera = place_camera(points, "top", distance=8.0, size=(400, 300))
     shade = np.zeros((CELLS, CELLS), dtype=np.float32)
-    _, dark = Ground(0.0, (-5.0, -5.0), 10 / CELLS, shade, 0.5).seen(camera, 0, 300)
+    _, dark = Ground(0.0, (-5.0, -5.0), 10 / CELLS, shade, 0.5).render_band(camera, 0, 300)
     scale = camera.scale / camera.eye[2]
     for axis, along, middle in ((1, dark[150], 200), (0, dark[:, 200], 150)):
         (lines,) = np.nonzero(

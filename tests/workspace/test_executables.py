@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from urdfkit.workspace.executables import Absence, absence, entry_points
+from urdfkit.workspace.executables import MissingExecutable, entry_points, missing_executable
 
 PYTHON = "<package><name>arm</name><export><build_type>ament_python</build_type></export></package>"
 CMAKE = "project(arm)\nfind_package(ament_cmake REQUIRED)\n"
@@ -18,30 +18,34 @@ TALKER = "{'console_scripts': ['talker = arm.talker:main']}"
     ("text", "name", "expected"),
     [
         (BUILT + INSTALL, "talker", None),
-        (BUILT, "talker", Absence(True, ("talker",))),
+        (BUILT, "talker", MissingExecutable(True, ("talker",))),
         (BUILT + INSTALL.replace("talker", "${ALL}"), "talker", None),
         (BUILT + "ament_auto_package()\n", "talker", None),
-        (BUILT + INSTALL, "listener", Absence(False, ("talker",))),
-        (BUILT + INSTALL + "# listener\n", "listener", Absence(False, ("talker",))),
+        (BUILT + INSTALL, "listener", MissingExecutable(False, ("talker",))),
+        (BUILT + INSTALL + "# listener\n", "listener", MissingExecutable(False, ("talker",))),
         (BUILT + INSTALL + "include(more.cmake)\n", "listener", None),
         (BUILT + INSTALL + "foreach(n a b)\nendforeach()\n", "listener", None),
         (
             "install(PROGRAMS scripts/a.py DESTINATION lib/${PROJECT_NAME})\n",
             "b.py",
-            Absence(False, ("a.py",)),
+            MissingExecutable(False, ("a.py",)),
         ),
         ("install(PROGRAMS scripts/a.py DESTINATION lib/${PROJECT_NAME})\n", "a.py", None),
         ("install(DIRECTORY scripts DESTINATION lib/${PROJECT_NAME})\n", "a.py", None),
-        ("add_executable(${PROJECT_NAME} a.cpp)\n" + INSTALL, "arm", Absence(True, ("arm",))),
+        (
+            "add_executable(${PROJECT_NAME} a.cpp)\n" + INSTALL,
+            "arm",
+            MissingExecutable(True, ("arm",)),
+        ),
         (
             "install(PROGRAMS scripts/a.py DESTINATION bin/)\n",
             "a.py",
-            Absence(True, ("a.py",), "bin"),
+            MissingExecutable(True, ("a.py",), "bin"),
         ),
         (
             BUILT + "install(TARGETS talker LIBRARY DESTINATION lib RUNTIME DESTINATION bin)\n",
             "talker",
-            Absence(True, ("talker",), "bin"),
+            MissingExecutable(True, ("talker",), "bin"),
         ),
         (
             BUILT + "install(TARGETS talker LIBRARY DESTINATION lib RUNTIME DESTINATION lib/arm)\n",
@@ -53,35 +57,35 @@ TALKER = "{'console_scripts': ['talker = arm.talker:main']}"
         (
             BUILT.replace("talker", "talker_node", 1) + INSTALL.replace("talker", "talker_node"),
             "talker",
-            Absence(False, ("talker_node",)),
+            MissingExecutable(False, ("talker_node",)),
         ),
         ('rclcpp_components_register_node(a PLUGIN "b" EXECUTABLE c)\n', "c", None),
     ],
 )
-def test_cmake(tmp_path: Path, text: str, name: str, expected: Absence | None) -> None:
+def test_cmake(tmp_path: Path, text: str, name: str, expected: MissingExecutable | None) -> None:
     (tmp_path / "CMakeLists.txt").write_text(CMAKE + text)
-    assert absence(str(tmp_path), "arm", name) == expected
+    assert missing_executable(str(tmp_path), "arm", name) == expected
 
 
 @pytest.mark.parametrize(
     ("text", "name", "expected"),
     [
         (SETUP.format(TALKER), "talker", None),
-        (SETUP.format(TALKER), "listener", Absence(False, ("talker",))),
-        (SETUP.format("{}"), "listener", Absence(False, ())),
+        (SETUP.format(TALKER), "listener", MissingExecutable(False, ("talker",))),
+        (SETUP.format("{}"), "listener", MissingExecutable(False, ())),
         (SETUP.format("{'console_scripts': names()}"), "listener", None),
         (SETUP.format("{}").replace("name=", "scripts=all(), name="), "listener", None),
         ("setup(", "listener", None),
     ],
 )
-def test_setup_py(tmp_path: Path, text: str, name: str, expected: Absence | None) -> None:
+def test_setup_py(tmp_path: Path, text: str, name: str, expected: MissingExecutable | None) -> None:
     (tmp_path / "package.xml").write_text(PYTHON)
     (tmp_path / "setup.py").write_text(text)
-    assert absence(str(tmp_path), "arm", name) == expected
+    assert missing_executable(str(tmp_path), "arm", name) == expected
 
 
 def test_a_package_without_a_build_file(tmp_path: Path) -> None:
-    assert absence(str(tmp_path), "arm", "talker") is None
+    assert missing_executable(str(tmp_path), "arm", "talker") is None
 
 
 def test_entry_points_have_places() -> None:

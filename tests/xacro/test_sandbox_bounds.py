@@ -29,11 +29,11 @@ def nested(levels: int) -> list[Any]:
 
 #: What makes a value of a size, and the largest size.
 LARGEST: dict[str, tuple[Callable[[int], object], int]] = {
-    "a text": (lambda n: sandbox().keep("a" * n), 1_000_000),
-    "two texts": (lambda n: sandbox().keep(["a" * (n - 100), "b" * 98]), 1_000_000),
-    "a shared text": (lambda n: sandbox().keep(["a" * n] * 10), 99_999),
-    "a range": (lambda n: sandbox().keep(range(n)), 1_000_000),
-    "a range of steps": (lambda n: sandbox().keep(range(0, 7 * n, 7)), 1_000_000),
+    "a text": (lambda n: sandbox().charged("a" * n), 1_000_000),
+    "two texts": (lambda n: sandbox().charged(["a" * (n - 100), "b" * 98]), 1_000_000),
+    "a shared text": (lambda n: sandbox().charged(["a" * n] * 10), 99_999),
+    "a range": (lambda n: sandbox().charged(range(n)), 1_000_000),
+    "a range of steps": (lambda n: sandbox().charged(range(0, 7 * n, 7)), 1_000_000),
     "a table": (lambda n: extent(dict.fromkeys(range(n))), 500_000),
     "levels": (lambda n: extent(nested(n)), 100),
     "a sum of texts": (lambda n: sandbox().add("a" * 10, "a" * (n - 10)), 1_000_000),
@@ -50,7 +50,7 @@ LARGEST: dict[str, tuple[Callable[[int], object], int]] = {
     "a set of tuples": (lambda n: sandbox().call(set, [(0,) * 98 + (i,) for i in range(n)]), 44),
     "a set that grows": (lambda n: sandbox().call(set(range(n - 1)).add, -1), 316),
     "a product": (lambda n: sandbox().times(2**1000, 2 ** (n - 1)), 24),
-    "long integers": (lambda n: sandbox().keep([2**1000] * n), 2_994),
+    "long integers": (lambda n: sandbox().charged([2**1000] * n), 2_994),
     "center": (lambda n: sandbox().call("a".center, n), 1_000_000),
     "ljust": (lambda n: sandbox().call("a".ljust, n), 1_000_000),
     "rjust": (lambda n: sandbox().call("a".rjust, n), 1_000_000),
@@ -193,7 +193,7 @@ CHARGED: dict[str, tuple[Any, int]] = {
 def test_what_is_made_is_charged_for_with_all_that_it_holds(what: str) -> None:
     value, units = CHARGED[what]
     budget = Charged()
-    assert Sandbox(budget).keep(value) is value
+    assert Sandbox(budget).charged(value) is value
     assert budget.units == [units]
 
 

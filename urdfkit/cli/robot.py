@@ -21,7 +21,7 @@ from urdfkit.cli.decorators import (
 )
 from urdfkit.cli.progress import working
 from urdfkit.core.progress import Progress
-from urdfkit.core.suggest import meant
+from urdfkit.core.suggest import hint_for
 from urdfkit.core.words import counted, few
 from urdfkit.errors import UnreadableFile, UnreadableRobot
 from urdfkit.lint import rule_index
@@ -148,7 +148,7 @@ def robot(inputs: Mapping[str, Any], progress: Progress | None = None) -> Contex
         values = " ".join(f"{name}:={value}" for name, value in launched.arguments.items())
         output.note(f"read with {values} of {shown(launched.launch)}")
     for name, suggested in unknown_arguments(context, options.arguments(inputs)).items():
-        output.note(f"the robot has no argument '{name}'{meant(suggested)}")
+        output.note(f"the robot has no argument '{name}'{hint_for(suggested)}")
     return context
 
 

@@ -95,10 +95,10 @@ def is_typo(word: str, other: str) -> bool:
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """``; did you mean 'arm'?``, or nothing if no known word is similar."""
-    return meant(nearest(word, known))
+    return hint_for(nearest(word, known))
 
 
-def meant(suggested: str | None) -> str:
+def hint_for(suggested: str | None) -> str:
     """``; did you mean 'arm'?``, or nothing without a suggestion."""
     return f"; did you mean '{suggested}'?" if suggested else ""
 
@@ -188,7 +188,7 @@ class Suggester:
 
     def hint(self, word: str) -> str:
         """``; did you mean 'arm'?``, or nothing if the name is not a typo."""
-        return meant(self.suggested(word))
+        return hint_for(self.suggested(word))
 
     def suggested(self, word: str) -> str:
         """The known name that a misspelt name stands for; empty if there is none."""

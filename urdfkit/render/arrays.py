@@ -53,7 +53,7 @@ def single(places: Sequence[Vector]) -> Floats:
     return near.astype(np.float32).reshape(-1, 3)
 
 
-def turned(vectors: Floats, rotation: Floats) -> Floats:
+def rotated(vectors: Floats, rotation: Floats) -> Floats:
     """Vectors (n, 3), multiplied with a rotation or another matrix (3, 3).
 
     Without ``@``: BLAS libraries start threads, and their rounding depends on the version.

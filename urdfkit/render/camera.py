@@ -7,7 +7,7 @@ import numpy as np
 
 from urdfkit.core.spatial import vector
 from urdfkit.errors import UrdfkitError
-from urdfkit.render.arrays import Floats, Integers, bounds, turned
+from urdfkit.render.arrays import Floats, Integers, bounds, rotated
 
 #: Azimuth (from +x towards +y) and elevation of the named views, in degrees.
 VIEWS = {
@@ -147,7 +147,7 @@ def place_camera(
     if reason := size_error(size):
         raise NoSuchView(reason)
     axes = _axes(view, azimuth, elevation)
-    projected = turned(points, axes) if len(points) else np.zeros((1, 3), dtype=np.float32)
+    projected = rotated(points, axes) if len(points) else np.zeros((1, 3), dtype=np.float32)
     if not np.ptp(projected, axis=0).any():  # all points coincide
         projected = projected[:1] + np.concatenate((_ROOM, -_ROOM))
     lowest, highest = (end.astype(np.float64) for end in bounds(projected))

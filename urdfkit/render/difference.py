@@ -62,7 +62,7 @@ def difference(
         sheet.paste(image, (number * cell[0], 0))
     floor = np.zeros((cell[1], cell[0]), dtype=np.float32)
     if has_scale(drawing):
-        _, floor = without_shadows(*bounds(points), camera, level).seen(camera, 0, cell[1])
+        _, floor = without_shadows(*bounds(points), camera, level).render_band(camera, 0, cell[1])
     image = Image.fromarray(_compared(before, after, camera, floor))
     caption(image, "difference")
     write_legend(image, LEGEND)

@@ -11,7 +11,7 @@ from typing import NamedTuple, TypedDict
 import numpy as np
 
 from urdfkit.core.progress import Progress, silent
-from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, turned
+from urdfkit.render.arrays import FAR, Bytes, Floats, Integers, Keys, rotated
 from urdfkit.render.camera import Camera
 from urdfkit.render.fragments import Fragments, FragmentSurface, fragments_of, surface_of
 from urdfkit.render.ground import Ground, ground, without_shadows
@@ -157,7 +157,7 @@ class _Drawing:
         robot = [piece for piece, kind in pieces if kind != _OVERLAY] or everything.pieces
         casts = rows(everything.faces, self._kind(everything) == _OPAQUE)
         axes = np.asarray(camera.axes, dtype=np.float32).T
-        world = turned(everything.points, axes) + np.asarray(camera.eye, dtype=np.float32)
+        world = rotated(everything.points, axes) + np.asarray(camera.eye, dtype=np.float32)
         lowest, highest = extent(world, robot)
         self.size = float((highest - lowest).max()) or 1.0
         self.sun: ShadowMap = shadow_map(everything, casts, solid, rig(camera), workers)
@@ -244,7 +244,7 @@ class _Drawing:
         opaque = self._with_surface(fragments_of(keys, grid))
         dark = np.zeros((0,), dtype=np.float32)
         if self.floor is not None:
-            self.depth[first:last], dark = self.floor.seen(self.camera, first, last)
+            self.depth[first:last], dark = self.floor.render_band(self.camera, first, last)
         self._store_depth(*opaque)
         clear = self._peeled(self.clear, grid, keys)
         overlays = self._peeled(self.overlays, grid, np.zeros_like(keys))

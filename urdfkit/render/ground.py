@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import FAR, Floats, Integers, turned
+from urdfkit.render.arrays import FAR, Floats, Integers, rotated
 from urdfkit.render.camera import Camera
 from urdfkit.render.light import TEXELS, ShadowMap
 from urdfkit.render.raster import nearness_map
@@ -41,7 +41,7 @@ class Ground(NamedTuple):
     shade: Floats  # (c, c), from 0 (bright) to 1 (black)
     step: float  # edge of a grid square in m; 0 without a grid
 
-    def seen(self, camera: Camera, first: int, last: int) -> tuple[Floats, Floats]:
+    def render_band(self, camera: Camera, first: int, last: int) -> tuple[Floats, Floats]:
         """The floor in a band of an image: depth in m and darkness, (rows, w) each.
 
         The depth is `FAR` where the floor is not visible.
@@ -176,7 +176,7 @@ def _contact(
 def _sun(floor: Floats, shadow_map: ShadowMap, camera: Camera, size: float) -> Floats:
     """The sun's shadow on points of the floor, with a blur that grows with distance."""
     rotation, position = camera.to_view(np.eye(3), np.zeros(3))
-    column, row, level = shadow_map.coordinates(turned(floor, rotation) + position)
+    column, row, level = shadow_map.coordinates(rotated(floor, rotation) + position)
     covered = _coarse((shadow_map.nearness > 0).astype(np.float32))
     texels = size * shadow_map.scale / COARSE
     sharp, soft = blurred(covered, 0.006 * texels), blurred(covered, 0.035 * texels)

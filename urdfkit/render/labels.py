@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from urdfkit.core.words import counted
-from urdfkit.render.arrays import Floats, turned
+from urdfkit.render.arrays import Floats, rotated
 from urdfkit.render.camera import Camera
 from urdfkit.render.fonts import writing
 from urdfkit.render.raster import Grid, nearest, projected, rooks, split
@@ -127,7 +127,7 @@ def _anchors(scene: Scene, camera: Camera) -> dict[int, tuple[float, float]]:
     rotation, position = camera.to_view(np.eye(3), np.zeros(3))
     for number, label in enumerate(scene.labels):
         point = np.array([label.point], dtype=np.float32)
-        view_point = turned(placed(point, scene.frames[label.link]), rotation) + position
+        view_point = rotated(placed(point, scene.frames[label.link]), rotation) + position
         if not camera.is_orthographic and view_point[0, 2] > -camera.near:
             continue
         x, y, _ = (float(part[0]) for part in camera.project(view_point))

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Floats, Integers, dot, turned
+from urdfkit.render.arrays import Floats, Integers, dot, rotated
 from urdfkit.render.camera import Camera
 from urdfkit.render.raster import nearness_map
 from urdfkit.render.soup import CameraTriangles, extent
@@ -52,7 +52,7 @@ class ShadowMap(NamedTuple):
 
     def coordinates(self, points: Floats) -> tuple[Floats, Floats, Floats]:
         """Column and row in texels, and height in m, of points (n, 3) in the camera frame."""
-        return self.placed(turned(points, self.axes))
+        return self.placed(rotated(points, self.axes))
 
     def placed(self, points: Floats) -> tuple[Floats, Floats, Floats]:
         """The same for points in the axes of the map."""
@@ -72,7 +72,7 @@ def shadow_map(
         faces: (m, 3), faces that cast shadows.
     """
     axes = _axes(rig)
-    points = turned(triangles.points, axes)
+    points = rotated(triangles.points, axes)
     lowest, highest = extent(points, pieces)
     edge = max(float((highest - lowest)[:2].max()), 1e-6) * (1 + 4 * SOFTNESS)
     middle = (lowest + highest) / 2

@@ -49,7 +49,7 @@ class SceneItem(NamedTuple):
 
     def moved(self, frame: Transform) -> SceneItem:
         """The item transformed from a frame to its parent."""
-        normals = None if self.normals is None else turned(self.normals, frame)
+        normals = None if self.normals is None else rotated(self.normals, frame)
         return self._replace(vertices=placed(self.vertices, frame), normals=normals)
 
 
@@ -311,9 +311,9 @@ def _filename(shape: Shape | None) -> str:
 
 def placed(points: Floats, frame: Transform) -> Floats:
     """Points (n, 3), transformed from a frame to its parent."""
-    return np.asarray(turned(points, frame) + arrays.single([frame.position]))
+    return np.asarray(rotated(points, frame) + arrays.single([frame.position]))
 
 
-def turned(vectors: Floats, frame: Transform) -> Floats:
+def rotated(vectors: Floats, frame: Transform) -> Floats:
     """Directions (n, 3), transformed from a frame to its parent."""
-    return arrays.turned(vectors, np.asarray(frame.rotation))
+    return arrays.rotated(vectors, np.asarray(frame.rotation))

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from urdfkit.render.arrays import Bools, Floats, Integers, bounds, cross, turned, unit
+from urdfkit.render.arrays import Bools, Floats, Integers, bounds, cross, rotated, unit
 from urdfkit.render.camera import Camera
 from urdfkit.render.scene import Scene
 
@@ -39,9 +39,9 @@ def soup(scene: Scene, camera: Camera) -> CameraTriangles:
     for item, here in zip(scene.items, pieces, strict=True):
         frame = scene.frames[item.link]
         rotation, position = camera.to_view(np.asarray(frame.rotation), np.asarray(frame.position))
-        points[here] = turned(item.vertices, rotation) + position
+        points[here] = rotated(item.vertices, rotation) + position
         if item.normals is not None:
-            normals[here] = turned(item.normals, rotation)
+            normals[here] = rotated(item.normals, rotation)
         if item.uv is not None and uv is not None:
             uv[here] = item.uv
         if item.colors is not None and colors is not None:

@@ -10,7 +10,7 @@ from itertools import accumulate
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import meant, nearest
+from urdfkit.core.suggest import hint_for, nearest
 from urdfkit.errors import UnreadableFile
 
 #: Larger text files are rejected: no robot needs them, but a hostile one could.
@@ -180,7 +180,7 @@ def why_unreadable(path: str, error: OSError) -> str:
     # Stems are compared: names that end in '.urdf' are similar anyway.
     similar = [other for other in siblings if nearest(_stem(name), [_stem(other)])]
     suggested = nearest(name, similar, cutoff=0)
-    return "file not found" + meant(suggested)
+    return "file not found" + hint_for(suggested)
 
 
 def _stem(name: str) -> str:

@@ -41,7 +41,7 @@ class EntryPoint(Record):
 _SOURCE_FILE = re.compile(r"[^\s\"();]+\.(?:c|cc|cpp|cxx|h|hpp)(?![\w.])")
 
 
-class Absence(Record):
+class MissingExecutable(Record):
     """An executable that the build of a package does not install."""
 
     is_built: bool  # True if it is built all the same
@@ -49,7 +49,7 @@ class Absence(Record):
     place: str = ""  # where it is installed instead of lib/PACKAGE; empty if nowhere
 
 
-def absence(directory: str, package: str, name: str) -> Absence | None:
+def missing_executable(directory: str, package: str, name: str) -> MissingExecutable | None:
     """Why a package does not have an executable; None if it has, or may have it."""
     file = build_file(directory)
     if file.endswith(".py"):
@@ -57,7 +57,7 @@ def absence(directory: str, package: str, name: str) -> Absence | None:
     return _of_cmake(cmake_text(file), package, name) if file else None
 
 
-def _of_cmake(text: str, package: str, name: str) -> Absence | None:
+def _of_cmake(text: str, package: str, name: str) -> MissingExecutable | None:
     text = text.replace("${PROJECT_NAME}", package)
     if _UNCLEAR.search(text):
         return None
@@ -65,15 +65,19 @@ def _of_cmake(text: str, package: str, name: str) -> Absence | None:
     scripts = [path for group in re.findall(_PROGRAM, text) for path in group.split()]
     others = [*built, *map(os.path.basename, scripts), *re.findall(_COMPONENT, text)]
     if place := _misplaced(text, package, name):
-        return Absence(True, tuple(others), place)
+        return MissingExecutable(True, tuple(others), place)
     if name in built and "ament_auto_package" not in text:
         installed = " ".join(re.findall(_TARGETS, text))
         is_installed = "${" in installed or name in re.split(r"[\s\"]+", installed)
-        return None if is_installed else Absence(True, tuple(others))
+        return None if is_installed else MissingExecutable(True, tuple(others))
     stem = re.escape(name.removesuffix(".py"))
     rest = _SOURCE_FILE.sub(" ", text.replace(package, " ", 1))
     is_named = re.search(rf"(?<![\w-]){stem}(?![\w-])", rest)
-    return None if is_named or ("${" in text and not others) else Absence(False, tuple(others))
+    return (
+        None
+        if is_named or ("${" in text and not others)
+        else MissingExecutable(False, tuple(others))
+    )
 
 
 def script_of(directory: str, package: str, name: str) -> str:
@@ -104,11 +108,11 @@ def _misplaced(text: str, package: str, name: str) -> str:
     return ", ".join(sorted(places)) if is_known else ""
 
 
-def _of_python(text: str, name: str) -> Absence | None:
+def _of_python(text: str, name: str) -> MissingExecutable | None:
     entries = entry_points(text)
     if entries is None or re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", text):
         return None
-    return Absence(False, tuple(entry.name for entry in entries))
+    return MissingExecutable(False, tuple(entry.name for entry in entries))
 
 
 def entry_points(text: str) -> list[EntryPoint] | None:

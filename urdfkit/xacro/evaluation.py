@@ -92,8 +92,8 @@ class Evaluation:
             raise DependsOnError
         sandbox = self.run.sandbox
         if len(values) > 1:
-            return sandbox.keep("".join(sandbox.keep(str(value)) for value in values))
-        return values[0] if self._depth > 1 else sandbox.keep(values[0])
+            return sandbox.charged("".join(sandbox.charged(str(value)) for value in values))
+        return values[0] if self._depth > 1 else sandbox.charged(values[0])
 
     def _token_value(self, kind: str, token: str, symbols: Any) -> Any:
         if kind == "unclosed":

@@ -124,10 +124,10 @@ def _guarded(node: Any, parent: ast.AST) -> Any:
     elif isinstance(node, ast.comprehension):
         node.iter = _call("sandbox steps", node.iter)
     elif isinstance(node, ast.Starred):
-        guard = "sandbox hashed" if isinstance(parent, ast.Set) else "sandbox keep"
+        guard = "sandbox hashed" if isinstance(parent, ast.Set) else "sandbox charged"
         node.value = _call(guard, node.value)
     elif _creates_value(node, parent):
-        return _call("sandbox keep", node)
+        return _call("sandbox charged", node)
     return node
 
 
@@ -186,4 +186,4 @@ def evaluate(text: str, names: Any, sandbox: Sandbox) -> Any:
         Exception: any error of the expression.
     """
     value = eval(compile_expression(text), Scope(sandbox.guards, names))
-    return sandbox.keep(list(value)) if isinstance(value, Iterator) else value
+    return sandbox.charged(list(value)) if isinstance(value, Iterator) else value

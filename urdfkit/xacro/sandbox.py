@@ -54,7 +54,7 @@ class Sandbox:
             "sandbox attribute": self.attribute,
             "sandbox format": self.format,
             "sandbox call": self.call,
-            "sandbox keep": self.keep,
+            "sandbox charged": self.charged,
             "sandbox hashed": lambda values: checked_for_hashing(values)[0],
             "sandbox compared": self.compared,
             "sandbox steps": self.steps,
@@ -63,9 +63,9 @@ class Sandbox:
             "sandbox power": self.power,
             "sandbox shift": self.shift,
             "sandbox modulo": self.modulo,
-            "sandbox and": lambda left, right: self.keep(left & right),
-            "sandbox or": lambda left, right: self.keep(left | right),
-            "sandbox xor": lambda left, right: self.keep(left ^ right),
+            "sandbox and": lambda left, right: self.charged(left & right),
+            "sandbox or": lambda left, right: self.charged(left | right),
+            "sandbox xor": lambda left, right: self.charged(left ^ right),
         }
         self._bounded: dict[Any, Callable[..., Any]] = {
             map: self._map,
@@ -82,7 +82,7 @@ class Sandbox:
             math.lcm: self._multiple,
         }
 
-    def keep(self, value: Any) -> Any:
+    def charged(self, value: Any) -> Any:
         """A value that an expression created, after it is charged to the budget."""
         if isinstance(value, str):
             check_length(len(value))
@@ -150,10 +150,10 @@ class Sandbox:
         if isinstance(function, (type, BuiltinFunctionType)):
             function = self._bounded.get(function, function)
         self._budget.charge(STEP_SIZE)
-        return self.keep(function(*arguments, **keywords))
+        return self.charged(function(*arguments, **keywords))
 
     def add(self, left: Any, right: Any) -> Any:
-        return self.keep(left + right)
+        return self.charged(left + right)
 
     def times(self, left: Any, right: Any) -> Any:
         if isinstance(left, int) and isinstance(right, int):
@@ -161,17 +161,17 @@ class Sandbox:
         for value, count in ((left, right), (right, left)):
             if isinstance(count, int) and isinstance(value, (str, bytes, list, tuple)):
                 check_length(extent(value) * count)
-        return self.keep(left * right)
+        return self.charged(left * right)
 
     def power(self, base: Any, exponent: Any) -> Any:
         if isinstance(base, int) and isinstance(exponent, int) and abs(base) > 1:
             check_bits((base.bit_length() - 1) * exponent)  # a lower bound
-        return self.keep(base**exponent)
+        return self.charged(base**exponent)
 
     def shift(self, value: Any, places: Any) -> Any:
         if isinstance(value, int) and isinstance(places, int):
             check_bits(value.bit_length() + places)
-        return self.keep(value << places)
+        return self.charged(value << places)
 
     def modulo(self, left: Any, right: Any) -> Any:
         if isinstance(left, (str, bytes)):
@@ -179,7 +179,7 @@ class Sandbox:
             if len(text) > _MAX_FORMAT or re.search(_WIDE_FIELD, text):
                 raise TooLarge("a format with a field of more than 999 characters")
             check_length(text.count("%") * extent(right))
-        return self.keep(left % right)
+        return self.charged(left % right)
 
     def _map(self, function: Any, /, *values: Any) -> Iterator[Any]:
         columns = map(materialized, values)
@@ -204,7 +204,7 @@ class Sandbox:
     def _multiple(self, *numbers: Any) -> Any:
         least = 1
         for number in numbers:
-            least = self.keep(math.lcm(least, number))
+            least = self.charged(math.lcm(least, number))
         return least
 
 

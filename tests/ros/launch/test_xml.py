@@ -7,7 +7,7 @@ import pytest
 from tests.conftest import CORPUS, MODELS, needs_corpus
 from urdfkit.ros.launch import read_launch
 from urdfkit.ros.launch.contents import Launch, StartedProgram, _names_exec
-from urdfkit.ros.launch.known_packages import mistakes
+from urdfkit.ros.launch.known_packages import wrong_references
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
@@ -218,7 +218,7 @@ def test_thousands_of_programs_do_not_search_their_file_again() -> None:
     source = Source("a.launch", b'<node pkg="a" type="b"/>')
     program = StartedProgram("a", "b", (), Span(source, 0, 0), None)
     _names_exec.cache_clear()
-    assert list(mistakes([program] * 3, (), Resolver())) == []
+    assert list(wrong_references([program] * 3, (), Resolver())) == []
     assert _names_exec.cache_info().misses == 1
 
 

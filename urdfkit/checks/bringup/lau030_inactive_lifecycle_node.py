@@ -62,10 +62,10 @@ _MAX_NAMED = 4
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    yield from _not_activated(context)
+    yield from _wrong_node_names(context)
     yield from _unmanaged(context)
-    yield from _not_started(context)
-    yield from _inactive_mapping(context)
+    yield from _without_autostart(context)
+    yield from _inactive_slam(context)
     if are_topics_known(context):
         yield from _missing_container(context)
 
@@ -97,7 +97,7 @@ def _may_start_container(launch: Launch) -> bool:
     return starts or any(_STARTING in file.path for file in launch.includes)
 
 
-def _not_activated(context: Context) -> Findings:
+def _wrong_node_names(context: Context) -> Findings:
     """Managed nodes that are not started or not lifecycle nodes, and those that are not managed."""
     launch = context.launch
     programs = launch.programs
@@ -186,13 +186,13 @@ def _may_be_managed(launches: tuple[Launch, ...]) -> bool:
     return _MANAGER in packages or includes_nav2 or not are_of_ros or not _are_known(launches)
 
 
-def _not_started(context: Context) -> Findings:
+def _without_autostart(context: Context) -> Findings:
     """Lifecycle managers that wait for somebody to start their nodes."""
     for node in context.launch.started if not context.launch.has_scopes else ():
         text = given_parameter(node, _AUTOSTART, context.resolver)
         is_manager = node.package == _MANAGER and node.is_sure
         is_off = is_manager and text is not None and text.lower() in ("", "false")
-        if is_off and not _is_called(node, context):
+        if is_off and not _has_client(node, context):
             is_default = " by default" if not text else ""
             yield Finding(
                 node.at,
@@ -202,7 +202,7 @@ def _not_started(context: Context) -> Findings:
             )
 
 
-def _is_called(manager: StartedProgram, context: Context) -> bool:
+def _has_client(manager: StartedProgram, context: Context) -> bool:
     """True if the launch file, or a program of the workspace, names the manager's service."""
     if _SERVICE.encode() in context.source.data:
         return True
@@ -210,7 +210,7 @@ def _is_called(manager: StartedProgram, context: Context) -> bool:
     return bool(strings_in_programs(names, context.source.path, context.resolver))
 
 
-def _inactive_mapping(context: Context) -> Findings:
+def _inactive_slam(context: Context) -> Findings:
     """Nodes of slam_toolbox that nothing activates, as is necessary since Jazzy."""
     nodes = [node for node in context.launch.started if node.package == _SLAM and node.is_sure]
     if not nodes or not is_for_jazzy(context.source.path, context.resolver):

@@ -16,7 +16,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.checks.bringup.read_parameters import parameter_sections, whole_sections
-from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, meant, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, hint_for, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
@@ -140,7 +140,7 @@ def _unknown(node: Element, name: str, known: Iterable[str], *, is_whole: bool) 
     suggested = nearest(name, known, TYPO if is_whole else CLOSE_TYPO)
     if is_whole or suggested:
         help = f"write {suggested}" if suggested else f"add its library to {_LIBRARIES}"
-        message = f"bt_navigator does not load the tree: unknown node '{name}'{meant(suggested)}"
+        message = f"bt_navigator does not load the tree: unknown node '{name}'{hint_for(suggested)}"
         yield Finding(node, message, help, severity=Severity.WARNING)
 
 

@@ -22,7 +22,7 @@ import os
 import re
 from collections.abc import Iterator
 
-from urdfkit.core.suggest import TYPO, is_typo, meant, nearest, nearest_file
+from urdfkit.core.suggest import TYPO, hint_for, is_typo, nearest, nearest_file
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.ros.catalog.controllers import parameters_of
 from urdfkit.ros.controllers import MANAGER, ParameterFile, Section, parameter_files, readable_files
@@ -103,7 +103,7 @@ def _not_found(context: Context, file: ParameterFile, element: Element) -> Findi
     path = file.path
     is_here = context.resolver.packages.searches(path, context.source.path)
     suggested = nearest_file(path)
-    hint = meant(suggested)
+    hint = hint_for(suggested)
     where = "" if is_here else " on this machine"
     written = element.tag_at.inner_span.text
     has_find = "$(find " in written

@@ -76,9 +76,9 @@ FIXED = """\
 @rule(Severity.WARNING, computes_fix=True)
 def check(context: Context) -> Findings:
     for tag, links in context.masses.shared_by_macro.items():
-        from urdfkit.robot.inertials.macro_fixes import computing
+        from urdfkit.robot.inertials.macro_fixes import shape_macro_fix
 
-        fix = computing(context, links, tag)
+        fix = shape_macro_fix(context, links, tag)
         if fix and any(_is_too_light(link, context.masses) for link in links):
             fix = None
         yield _by_macro(links, tag)._replace(fix=fix)

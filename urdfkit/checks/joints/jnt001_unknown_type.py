@@ -12,7 +12,7 @@ Sources:
     PyBullet, UrdfParser.cpp: https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/UrdfParser.cpp
 """
 
-from urdfkit.core.suggest import TYPO, meant, nearest
+from urdfkit.core.suggest import TYPO, hint_for, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.samples import arm_xml
 from urdfkit.text.editing.edits import fix_value
@@ -32,5 +32,5 @@ def check(context: Context) -> Findings:
         if kind.value == "spherical" and context.targets.all_are("reads_ball_joints"):
             continue
         suggested = nearest(kind.value.strip(), JOINT_TYPES, TYPO)
-        message = f"joint '{joint.name}': unknown type '{kind.value}'{meant(suggested)}"
+        message = f"joint '{joint.name}': unknown type '{kind.value}'{hint_for(suggested)}"
         yield Finding(kind, message, fix=fix_value(kind, suggested))

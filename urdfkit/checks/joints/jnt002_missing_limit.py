@@ -28,7 +28,7 @@ GOOD = BAD.replace('upper="1"', 'upper="1" effort="10" velocity="1"')
 
 @rule(Severity.ERROR)
 def check(context: Context) -> Findings:
-    yield from _unequal(context.model)
+    yield from _inconsistent(context.model)
     incomplete = list(_incomplete(context.model))
     if incomplete and not context.targets.all_are("ignores_limits"):
         yield from incomplete
@@ -54,7 +54,7 @@ def _incomplete(model: RobotModel) -> Findings:
             yield Finding(joint.limit.at, message, help)
 
 
-def _unequal(model: RobotModel) -> Findings:
+def _inconsistent(model: RobotModel) -> Findings:
     """Continuous joints without limit, if another one on the same link has effort and velocity."""
     limited: dict[str, tuple[Joint, Limit]] = {}
     joints = [joint for joint in model.joints if joint.kind == "continuous" and joint.parent]

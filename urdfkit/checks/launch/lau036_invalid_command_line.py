@@ -25,7 +25,7 @@ Sources:
 from urdfkit.checks.launch.launch_problems import launch_problems
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.transforms import mistakes
+from urdfkit.ros.launch.transforms import wrong_words
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -41,7 +41,7 @@ def check(context: Context) -> Findings:
     yield from launch_problems(context, "LAU036")
     yield from _without_terminal(context)
     for program in context.launch.started:
-        for word, message, help in mistakes(program):
+        for word, message, help in wrong_words(program):
             yield Finding(Location(word.span, program.frame), message, help)
 
 

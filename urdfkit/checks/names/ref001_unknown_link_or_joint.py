@@ -17,7 +17,7 @@ Sources:
     joint_state_publisher.py: https://github.com/ros/joint_state_publisher/blob/ros2/joint_state_publisher/joint_state_publisher/joint_state_publisher.py
 """
 
-from urdfkit.core.suggest import Suggester, meant
+from urdfkit.core.suggest import Suggester, hint_for
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
 from urdfkit.robot.joint import Joint
@@ -63,7 +63,7 @@ def _links(context: Context) -> Findings:
             suggested = suggesters[role].suggested(link.value)
             if suggested in _ends(joint):
                 suggested = ""
-            hint = meant(suggested)
+            hint = hint_for(suggested)
             yield Finding(
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",

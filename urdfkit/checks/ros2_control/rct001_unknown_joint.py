@@ -28,7 +28,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import Suggester, did_you_mean, meant
+from urdfkit.core.suggest import Suggester, did_you_mean, hint_for
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
@@ -183,7 +183,7 @@ def _controller_joints(context: Context) -> Findings:
         for use in of_file:
             is_of_robot = use.fits or _is_broadcaster_of_robot(use, uses)
             for joint in _unknown_to_robot(use, known, context, is_of_robot=is_of_robot):
-                hint = suggester.hint(joint.text) or meant(_with_other_words(joint.text, free))
+                hint = suggester.hint(joint.text) or hint_for(_with_other_words(joint.text, free))
                 is_likely = is_of_robot or bool(hint)
                 if is_likely or not is_fitting:
                     yield _unknown_joint(use, joint, hint, context, is_likely=is_likely)

@@ -27,7 +27,7 @@ from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.ros.moveit.srdf_grammar import lacking, mistakes
+from urdfkit.ros.moveit.srdf_grammar import lacking, misspelt_names
 from urdfkit.ros.moveit.srdf_reader import unreadable
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_attribute, rename_element
@@ -64,7 +64,7 @@ def check(context: Context) -> Findings:
 
 
 def _misspelt(srdf: Srdf) -> Findings:
-    for mistake in mistakes(srdf.root):
+    for mistake in misspelt_names(srdf.root):
         if isinstance(mistake.at, Element):
             part, edits = f"element <{mistake.name}>", rename_element(mistake.at, mistake.suggested)
         else:

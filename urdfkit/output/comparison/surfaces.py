@@ -42,13 +42,13 @@ def changed_surfaces(
                 needed = install_command("meshes")
                 notes[f"the distance between meshes needs: {needed}"] = None
                 measured[key] = None
-        apart = measured[key]
-        if apart is None:
+        deviation = measured[key]
+        if deviation is None:
             text = f"the file of its {role} mesh differs"
             differences.append(Difference("meshes", "link", link, text))
-        elif apart > allowed.position:
-            text = f"its {role} mesh differs by up to {1000 * apart:.4g} mm"
-            differences.append(Difference("meshes", "link", link, text, 0.0, apart))
+        elif deviation > allowed.position:
+            text = f"its {role} mesh differs by up to {1000 * deviation:.4g} mm"
+            differences.append(Difference("meshes", "link", link, text, 0.0, deviation))
     return differences, list(notes)
 
 

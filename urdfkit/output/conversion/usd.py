@@ -46,7 +46,7 @@ _OF_PROGRAM = re.compile(r"\bdeprecated\b", re.IGNORECASE)
 _AT_LINE = re.compile(r"(?:^|: )(?P<tag>[\w.-]+): (?P<text>.*) \(line: (?P<line>\d+)\)$")
 
 
-class Warned(Record):
+class ConverterWarning(Record):
     """A warning of the converter."""
 
     element: Element  # the element concerned; the root if unknown
@@ -147,7 +147,7 @@ class _ConvertedElements:
         self._files = {renamed.new: renamed.element.partition("@")[0] for renamed in bundle.renamed}
         self._by_path = {element.path: element for element in self._root.walk()}
 
-    def find(self, text: str, prims: Mapping[str, Element]) -> Warned:
+    def find(self, text: str, prims: Mapping[str, Element]) -> ConverterWarning:
         """The element that a message is about.
 
         Args:
@@ -157,10 +157,10 @@ class _ConvertedElements:
         at = _AT_LINE.search(text)
         if at:
             element = self._by_line.get((at["tag"], int(at["line"])), self._root)
-            return Warned(element, at["text"], element is not self._root)
+            return ConverterWarning(element, at["text"], element is not self._root)
         for new, path in self._files.items():
             if new in text or PurePosixPath(new).name in text:
                 element = self._by_path.get(path, self._root)
-                return Warned(element, text, element is not self._root)
+                return ConverterWarning(element, text, element is not self._root)
         prim = prims.get(text.rpartition(": ")[2])
-        return Warned(self._root if prim is None else prim, text, is_loss=False)
+        return ConverterWarning(self._root if prim is None else prim, text, is_loss=False)

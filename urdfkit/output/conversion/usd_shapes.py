@@ -45,23 +45,23 @@ def shape_difference(prim: Any, robot: Context, body: Body) -> float:
     collides = any(gprim.HasAPI(UsdPhysics.CollisionAPI) for gprim in gprims(prim))
     if collides != (body.at.tag == "collision"):
         return 1.0
-    back = homogeneous(*body.origin.inverse)
+    to_body = homogeneous(*body.origin.inverse)
     extents = shape.half_extents
     if extents is None:
-        return _mesh_difference(prim, robot, shape, back)
+        return _mesh_difference(prim, robot, shape, to_body)
     theirs = _half_extents(prim)
     if prim.GetTypeName() != _TYPES[shape.kind] or theirs is None:
         return 1.0
-    points = _moved(_CORNERS * theirs, back @ _matrix(prim, prim.GetParent()))
+    points = _transformed(_CORNERS * theirs, to_body @ _matrix(prim, prim.GetParent()))
     return float(np.abs(points - _CORNERS * extents).max() / max(*extents, _ZERO))
 
 
-def _mesh_difference(prim: Any, robot: Context, shape: Shape, back: Floats) -> float:
+def _mesh_difference(prim: Any, robot: Context, shape: Shape, to_body: Floats) -> float:
     mesh = robot.meshes.mesh(shape) if shape.filename else None
     if mesh is None or not len(mesh.faces):
         return 0.0
     ours = mesh.vertices[np.unique(mesh.faces)] * np.multiply(shape.scale, mesh.unit)
-    theirs = np.concatenate([_moved(points, back @ at) for points, at in _vertices(prim)])
+    theirs = np.concatenate([_transformed(points, to_body @ at) for points, at in _vertices(prim)])
     low, high = theirs.min(axis=0) - ours.min(axis=0), theirs.max(axis=0) - ours.max(axis=0)
     return float(np.abs([low, high]).max() / max(np.abs(ours).max(), _ZERO))
 
@@ -94,5 +94,5 @@ def _matrix(prim: Any, ancestor: Any) -> Floats:
     return np.asarray(np.array(transform).T)
 
 
-def _moved(points: Floats, at: Floats) -> Floats:
+def _transformed(points: Floats, at: Floats) -> Floats:
     return np.asarray(points @ at[:3, :3].T + at[:3, 3])

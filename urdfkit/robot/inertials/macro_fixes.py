@@ -50,7 +50,7 @@ class _MacroCall(Record):
     arguments: tuple[tuple[str, str], ...]  # of the new call, as text
 
 
-def computing(description: DescribedRobot, links: list[Link], tensor: Tag) -> Fix | None:
+def shape_macro_fix(description: DescribedRobot, links: list[Link], tensor: Tag) -> Fix | None:
     """A fix with new macros for the shapes of links, and with calls of these macros.
 
     Args:

@@ -78,8 +78,8 @@ class InertiaProposal(Record):
             return "differs"
         if self.factor > SAME_SHAPE_FACTOR:
             return "near"
-        apart = dist(self.declared.tensor, self.computed.tensor)
-        return "agrees" if apart <= _MAX_TENSOR_DISTANCE * high else "turned"
+        difference = dist(self.declared.tensor, self.computed.tensor)
+        return "agrees" if difference <= _MAX_TENSOR_DISTANCE * high else "turned"
 
     @property
     def is_doubtful(self) -> bool:
@@ -165,7 +165,7 @@ def _declared(inertial: Inertial | None) -> MassProperties | None:
 
 
 def _lumped(parts: list[InertiaProposal], frames: list[Transform]) -> InertiaProposal:
-    """Links as part body in the frame of the first; links without mass add nothing."""
+    """Links as one body in the frame of the first; links without mass add nothing."""
     first = parts[0]
     if len(parts) == 1:
         return first

@@ -26,7 +26,7 @@ from urdfkit.ros.launch.contents import (
     PackageUse,
     StartedProgram,
 )
-from urdfkit.ros.launch.known_packages import mistakes, shipped_nodes
+from urdfkit.ros.launch.known_packages import shipped_nodes, wrong_references
 from urdfkit.ros.launch.spawned_controllers import parameter_files
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.diagnostic import Problem, Severity
@@ -259,7 +259,7 @@ class Collector:
         self.names_parameters = self.names_parameters or inner.names_parameters
 
     def launch(self) -> Launch:
-        self.problems += mistakes(self.started, self.includes, self.resolver)
+        self.problems += wrong_references(self.started, self.includes, self.resolver)
         for program in self.started:
             self.problems += wrong_options(program)
         return Launch(

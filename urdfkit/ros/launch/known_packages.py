@@ -3,12 +3,12 @@
 import os
 from collections.abc import Iterable, Iterator, Sequence
 
-from urdfkit.core.suggest import SIMILAR, SIMILAR_FILE, TYPO, did_you_mean, meant, nearest
+from urdfkit.core.suggest import SIMILAR, SIMILAR_FILE, TYPO, did_you_mean, hint_for, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import GivenParameters, IncludedFile, StartedProgram, Word
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.workspace.executables import absence, script_of
+from urdfkit.workspace.executables import missing_executable, script_of
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.install_rules import build_file
 from urdfkit.workspace.manifest import manifest_of
@@ -21,7 +21,7 @@ _SIM_TIME = "use_sim_time"
 _FORMER = "robot_state_publisher/state_publisher"
 
 
-def mistakes(
+def wrong_references(
     programs: Iterable[StartedProgram], included: Iterable[IncludedFile], resolver: Resolver
 ) -> Iterator[Problem]:
     """Problems of references that do not exist in these packages; included files are ignored.
@@ -92,7 +92,7 @@ def _own_executable(program: StartedProgram, resolver: Resolver) -> Iterator[Pro
     manifest = manifest_of(resolver, os.path.join(directory, "package.xml"))
     if not name or manifest is None or manifest.ros != 2 or not program.is_ros_2:
         return
-    missing = absence(directory, program.package, name)
+    missing = missing_executable(directory, program.package, name)
     if missing is None:
         yield from _no_shebang(program, script_of(directory, program.package, name))
         return
@@ -196,7 +196,7 @@ def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
             continue
         suggested = former[argument][0] if argument in former else _similar(argument, known)
         suggested = "gz_args" if is_world and not is_ros_1 else suggested
-        message = f"'{name}': unknown argument '{argument}'{meant(suggested)}"
+        message = f"'{name}': unknown argument '{argument}'{hint_for(suggested)}"
         severity = Severity.ERROR if is_ros_1 else Severity.WARNING
         yield Problem("LAU005", word.span, message, frame=included.frame, severity=severity)
 

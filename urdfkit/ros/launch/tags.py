@@ -77,7 +77,7 @@ def dialect(root: Element, of_package: Callable[[], int | None]) -> int | None:
     return of_package() or likely if all(votes.values()) or likely is None else likely
 
 
-def mistakes(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
+def wrong_tags(element: Element, ros: int, frame: CallFrame | None) -> Iterator[Problem]:
     """Unknown, missing and invalid attributes of an element, and an unknown tag."""
     own = _dialect(ros)
     row = own.attributes.get(element.tag)

@@ -64,7 +64,7 @@ def has_unknown_child(program: StartedProgram) -> bool:
     return options.get("--child-frame-id", program.words[-1]).text is None
 
 
-def mistakes(program: StartedProgram) -> Iterator[tuple[Word, str, str]]:
+def wrong_words(program: StartedProgram) -> Iterator[tuple[Word, str, str]]:
     """Words that ``static_transform_publisher`` of ROS 2 rejects, with message and help."""
     if not program.is_ros_2 or program.key != _PROGRAM:
         return

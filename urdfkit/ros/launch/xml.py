@@ -15,7 +15,7 @@ from urdfkit.ros.launch.collect import SIM_TIME, Collector, frame_at
 from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, IncludedFile, LaunchedFile, Word
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import Signature, arguments_in, signature
-from urdfkit.ros.launch.tags import SCOPES, dialect, mistakes, without_effect
+from urdfkit.ros.launch.tags import SCOPES, dialect, without_effect, wrong_tags
 from urdfkit.ros.launch.xml_file import XmlLaunchFile
 from urdfkit.ros.launch.xml_nodes import (
     read_param,
@@ -156,7 +156,7 @@ class _XmlReader(XmlLaunchFile):
 
     def _check(self, element: Element) -> None:
         if self.ros is not None and len(self.collector.problems) < MAX_PROBLEMS:
-            self.collector.problems += mistakes(element, self.ros, self.frame)
+            self.collector.problems += wrong_tags(element, self.ros, self.frame)
         self._arguments.use(element, element.attributes)
 
     def _is_sure(self) -> bool:

@@ -47,7 +47,7 @@ def _elements(root: Element) -> Iterator[tuple[Element, _Grammar]]:
         stack += [child for child in reversed(element.children) if child.tag in grammar.children]
 
 
-def mistakes(root: Element) -> Iterator[SrdfDeviation]:
+def misspelt_names(root: Element) -> Iterator[SrdfDeviation]:
     """The misspelt tags and attributes of a file."""
     for element, grammar in _elements(root):
         for child in element.children:
@@ -68,7 +68,7 @@ def lacking(root: Element) -> Iterator[tuple[Element, str]]:
 
     Typos are ignored, and so are empty values of expressions, which may be arguments of the user.
     """
-    misspelt = {(id(mistake.parent), mistake.suggested) for mistake in mistakes(root)}
+    misspelt = {(id(mistake.parent), mistake.suggested) for mistake in misspelt_names(root)}
     for element, grammar in _elements(root):
         for word in grammar.attributes:
             name = word.rstrip("!")
