@@ -76,6 +76,26 @@ def test_a_corner_within_rounding_is_zero(
     assert "0.2 x 0.2 x 0.1 m, from 0 0 0 to 0.2 0.2 0.1\n" in capsys.readouterr().out
 
 
+def test_a_number_is_in_the_line_of_its_name(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """walkman's masses had 'LHipMot' at the end of a line and '3.796' in the next."""
+    inertial = '<inertial><mass value="1.25"/><inertia ixx="1" iyy="1" izz="1"/></inertial>'
+    links = "".join(f'<link name="{"n" * number}">{inertial}</link>' for number in range(5, 13))
+    joints = "".join(
+        f'<joint name="j{number}" type="fixed"><parent link="nnnnn"/>'
+        f'<child link="{"n" * number}"/></joint>'
+        for number in range(6, 13)
+    )
+    file = tmp_path / "r.urdf"
+    file.write_text(f'<robot name="r">{links}{joints}</robot>')
+    assert main(["info", str(file)]) == 0
+    lines = capsys.readouterr().out.split("\n")
+    rows = [line.strip() for line in lines if "nnn" in line and "1.25" in line]
+    assert len(rows) > 1
+    assert all(row.rstrip(",").endswith(" 1.25") for row in rows)
+
+
 def test_an_unreadable_robot_is_reported_with_the_reason(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -23,6 +23,8 @@ VERSION = 1
 MOST = 8
 
 _LABEL = 12
+#: A space at which `_entry` does not break the line, as between a name and its mass.
+_TIE = "\u00a0"
 
 
 @described("info")
@@ -82,7 +84,7 @@ def _structure(parts: Structure) -> Iterator[str]:
     kinds = ", ".join(f"{count} {kind or 'without type'}" for kind, count in parts.joints.items())
     yield from _entry("joints", f"{sum(parts.joints.values())}{': ' if kinds else ''}{kinds}")
     free = f": {_list(parts.free)}" if parts.free else ""
-    yield from _entry("freedom", f"{parts.nv}{free} (nq {parts.nq}, nv {parts.nv})")
+    yield from _entry("freedom", f"{parts.nv}{free} (nq{_TIE}{parts.nq},{_TIE}nv{_TIE}{parts.nv})")
     followers = _grouped((leader, follower) for follower, leader in parts.followers.items())
     for leader, names in list(followers.items())[:MOST]:
         verb = "follows" if len(names) == 1 else "follow"
@@ -98,7 +100,7 @@ def _weight(overview: Overview, pose: str) -> Iterator[str]:
     if not masses:
         yield from _entry("mass", "0 kg: no link has a mass")
         return
-    shares = [f"{name} {mass:.4g}" for name, mass in masses.items()]
+    shares = [f"{name}{_TIE}{mass:.4g}" for name, mass in masses.items()]
     of_all = f"{len(masses)} of {counted(overview.structure.links, 'link')}"
     yield from _entry("mass", f"{whole.mass:.6g} kg in {of_all}: {_list(shares)}")
     if whole.properties is None:
@@ -122,7 +124,8 @@ def _size(overview: Overview) -> Iterator[str]:
     if box:
         edges = " x ".join(f"{edge:.4g}" for edge in box.edges)
         low, high = (_vector(corner, max(box.edges)) for corner in (box.low, box.high))
-        yield from _entry("size", f"{edges} m, from {low} to {high}")
+        ends = (f"from {low}".replace(" ", _TIE), f"to {high}".replace(" ", _TIE))
+        yield from _entry("size", f"{edges} m, {' '.join(ends)}")
     if left_out:
         reasons = dict.fromkeys(left_out.values())
         names = _list(left_out)
@@ -171,7 +174,8 @@ def _sensor(sensor: Sensor) -> str:
 
 def _entry(label: str, text: str) -> list[str]:
     """A label, and its text wrapped in a second column."""
-    return output.indented(text, f"{label:<{_LABEL}}", " " * _LABEL)
+    lines = output.indented(text, f"{label:<{_LABEL}}", " " * _LABEL)
+    return [line.replace(_TIE, " ") for line in lines]
 
 
 def _list(names: Iterable[str]) -> str:
