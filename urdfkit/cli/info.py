@@ -124,8 +124,8 @@ def _size(overview: Overview) -> Iterator[str]:
     if box:
         edges = " x ".join(f"{edge:.4g}" for edge in box.edges)
         low, high = (_vector(corner, max(box.edges)) for corner in (box.low, box.high))
-        ends = (f"from {low}".replace(" ", _TIE), f"to {high}".replace(" ", _TIE))
-        yield from _entry("size", f"{edges} m, {' '.join(ends)}")
+        first, last = (end.replace(" ", _TIE) for end in (f"from {low}", f"to {high}"))
+        yield from _entry("size", f"{edges} m, {first} {last}")
     if left_out:
         reasons = dict.fromkeys(left_out.values())
         names = _list(left_out)

@@ -174,7 +174,10 @@ def test_drake_frees_the_child_of_a_floating_joint(case: str) -> None:
     assert "; ".join(sorted(found, key=lambda one: int(one.split()[1]))) == positions
 
 
-def test_mujoco_has_ball_joints() -> None:
+def test_mujoco_and_pybullet_have_ball_joints() -> None:
     made = robot(*map(link, "abc"), joint("ball", "a", "b", "spherical"), joint("turn", "b", "c"))
     found = [(one.names, one.q, one.v) for one in made.imported("mujoco").joints]
     assert found == [(("ball",), 0, 0), (("turn",), 4, 3)]
+    # as PyBullet 3.2.7 numbers the joints of a humanoid with 17 of them, after its root
+    found = [(one.names, one.q, one.v) for one in made.imported("pybullet").joints]
+    assert found == [(("ball",), 7, 6), (("turn",), 11, 9)]
