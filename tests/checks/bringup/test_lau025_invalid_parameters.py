@@ -18,6 +18,33 @@ from tests.checks.bringup.nav2 import (
 from tests.launched import reported
 from urdfkit import Severity
 
+POLYGON = "collision_monitor: {{ros__parameters: {{polygons: [near], near: {{{}}}}}}}\n"
+SQUARE = "points: '[[1, 1], [1, -1], [-1, -1], [-1, 1]]'"
+
+
+@pytest.mark.parametrize(
+    ("polygon", "words"),
+    [
+        (f"type: polygon, {SQUARE}", []),
+        ("type: polygon, polygon_sub_topic: shape", []),
+        ("type: polygon, action_type: approach", []),
+        ("type: polygon, action_type: stop", ["no points"]),
+        ("type: polygon, points: '[[1, 1], [1, -1], [-1, -1]]'", ["3 points"]),
+        ("type: polygon, points: $(var points)", []),
+        ("type: circle, radius: 0.3", []),
+        ("type: circle", ["no radius"]),
+        ("type: velocity_polygon, velocity_polygons: [slow]", []),
+        (f"type: velocity_polygon, {SQUARE}", ["no velocity_polygons"]),
+        ("enabled: true", []),
+    ],
+)
+def test_polygons(tmp_path: Path, polygon: str, words: list[str]) -> None:
+    node = 'package="nav2_collision_monitor", executable="collision_monitor", '
+    node += 'parameters=["../a.yaml"]'
+    found = messages("LAU025", tmp_path, POLYGON.format(polygon), node, '"collision_monitor"')
+    found = [one for one in found if "observation_sources" not in one]
+    assert [word in one for word, one in zip(words, found, strict=True)] == [True] * len(words)
+
 
 @pytest.mark.parametrize(
     ("load", "count"),

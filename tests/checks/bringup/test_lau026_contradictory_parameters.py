@@ -9,6 +9,7 @@ from tests.checks.bringup.nav2 import (
     CONTROLLER,
     COSTMAP,
     COSTMAP_OF,
+    DWB,
     EKF,
     JAZZY,
     PLAIN_MPPI,
@@ -47,6 +48,27 @@ def test_layers_behind_the_inflation(tmp_path: Path, plugins: str, names: list[s
     expected = [f"obstacles of '{name}'" for name in names]
     assert len(found) == len(expected)
     assert all(words in one for words, one in zip(expected, found, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("plugin", "limits", "count"),
+    [
+        (f"{PLAIN_MPPI}, motion_model: Omni", "[0.5, 0.0, 1.5]", 1),
+        (f"{PLAIN_MPPI}, motion_model: Omni", "[0.5, 0.3, 1.5]", 0),
+        (f"{PLAIN_MPPI}, motion_model: Omni", "", 0),
+        (f"{PLAIN_MPPI}, motion_model: DiffDrive", "[0.5, 0.0, 1.5]", 0),
+        (f"{DWB}, max_vel_y: 0.2", "[0.5, 0.0, 1.5]", 1),
+        (f"{DWB}, max_vel_y: 0.0", "[0.5, 0.0, 1.5]", 0),
+    ],
+)
+def test_a_controller_that_moves_sideways(
+    tmp_path: Path, plugin: str, limits: str, count: int
+) -> None:
+    yaml = SERVER.format(plugin)
+    if limits:
+        yaml += f"velocity_smoother: {{ros__parameters: {{max_velocity: {limits}}}}}\n"
+    found = messages("LAU026", tmp_path, yaml)
+    assert ["sideways" in one for one in found] == [True] * count
 
 
 MPPI = (

@@ -31,6 +31,19 @@ def test_remappings_of_a_controller(
     assert [one.message.partition(" has")[0] for one in found] == [words] * count
 
 
+@pytest.mark.parametrize(("to", "count"), [("cmd_vel", 1), ("/cmd_vel", 1), ("drive/cmd_vel", 0)])
+def test_a_multiplexer_that_reads_its_output(tmp_path: Path, to: str, count: int) -> None:
+    text = (
+        '<node pkg="twist_mux" exec="twist_mux" name="twist_mux">\n'
+        '<param from="$(dirname)/../mux.yaml"/>\n'
+        f'<remap from="cmd_vel_out" to="{to}"/>\n</node>'
+    )
+    entry = "{topic: cmd_vel, timeout: 0.5, priority: 10}"
+    files = {"mux.yaml": f"twist_mux: {{ros__parameters: {{topics: {{navigation: {entry}}}}}}}\n"}
+    found = reported(tmp_path / "arm", "LAU028", "a.launch.xml", text, files)
+    assert ["own output" in one.message for one in found] == [True] * count
+
+
 @pytest.mark.parametrize(("to", "count"), [("odom", 1), ("/odom", 1), ("odom/filtered", 0)])
 def test_a_filter_that_reads_its_output(tmp_path: Path, to: str, count: int) -> None:
     text = (

@@ -17,6 +17,23 @@ from urdfkit import Severity
 CODE = "WLD002"
 
 
+@pytest.mark.parametrize(
+    ("model", "words"),
+    [
+        ("<link name='l'><static>true</static></link>", ["<static>", "<link>", "<model>"]),
+        ("<static>1</static><link name='l'><mass>2</mass></link>", ["<mass>", "<link>"]),
+        ("<static>1</static><link name='l'><own>2</own></link>", []),
+        ("<static>1</static><link name='l'/>", []),
+        ("<static>1</static><plugin name='p' filename='p'><mass>2</mass></plugin>", []),
+    ],
+)
+def test_elements_of_another_level(tmp_path: Path, model: str, words: list[str]) -> None:
+    world = f'<model name="m">{model}</model>'
+    found = [one for one in messages(tmp_path, CODE, world=world) if "is not read" in one]
+    assert len(found) == bool(words)
+    assert all(word in one for one in found for word in words)
+
+
 PLANE = (
     '<model name="floor">{}<link name="link"><{shape} name="s">'
     "<geometry><plane><normal>0 0 1</normal></plane></geometry></{shape}></link></model>"

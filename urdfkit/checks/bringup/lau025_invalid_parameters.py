@@ -7,7 +7,8 @@
 - `odom0_config` or a similar parameter does not have 15 values, five rows of three, as
   robot_localization requires.
 - A mode or a footprint is invalid, a list has the wrong length, or a limit the wrong sign. A
-  required parameter is missing (warning): "parameter 'polygons' is not initialized".
+  required parameter is missing (warning): "parameter 'polygons' is not initialized". A polygon of
+  the collision monitor has no shape, or fewer points than Jazzy requires (warning).
 - The frames of the map and of odometry are swapped (warning).
 - The `frame_prefix` of robot_state_publisher begins with a slash, or is the namespace without one
   behind it (warnings).
@@ -21,6 +22,7 @@ Sources:
 """
 
 from urdfkit.checks.bringup import parameter_types, parameter_values
+from urdfkit.checks.bringup.polygons import incomplete_polygons
 from urdfkit.checks.bringup.read_parameters import (
     parameter_files,
     parameters_of_started,
@@ -70,6 +72,7 @@ def check(context: Context) -> Findings:
     for section in whole_sections(sections):
         yield from parameter_values.swapped_frames(section)
         yield from parameter_values.missing(section)
+        yield from incomplete_polygons(section)
     yield from parameter_values.invalid_prefixes(context.launch.programs)
     yield from parameter_values.missing_of_programs(context)
     yield from rejected_files(context)

@@ -18,7 +18,8 @@ Each value is valid, but what it is meant for does not happen.
 - A server of Nav2 reads the footprint or the costs from a topic that a costmap does not publish. A
   layer reads a relative topic, which up to Jazzy is in the namespace of the costmap (an info for
   Jazzy).
-- Nodes of Nav2 differ in `enable_stamped_cmd_vel`.
+- Nodes of Nav2 differ in `enable_stamped_cmd_vel`. A controller moves the robot sideways, which the
+  velocity_smoother forbids.
 
 Sources:
     Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
@@ -30,7 +31,11 @@ from urdfkit.checks.bringup import costmap_geometry
 from urdfkit.checks.bringup.footprints import without_footprint, wrong_radii
 from urdfkit.checks.bringup.navigation_commands import mixed_stamps
 from urdfkit.checks.bringup.obstacle_heights import discarded_scans
-from urdfkit.checks.bringup.parameter_relations import contradictions, reversed_bounds
+from urdfkit.checks.bringup.parameter_relations import (
+    contradictions,
+    held_sideways,
+    reversed_bounds,
+)
 from urdfkit.checks.bringup.read_parameters import (
     parameter_files,
     parameter_sections,
@@ -70,5 +75,6 @@ def check(context: Context) -> Findings:
     yield from costmap_geometry.untransformed_map(sections)
     yield from costmap_geometry.relative_topics(context, sections)
     yield from without_footprint(sections)
+    yield from held_sideways(sections)
     yield from mixed_stamps(sections)
     yield from discarded_scans(context, sections)

@@ -6,7 +6,8 @@
 - The node has no such topic: navsat_transform_node reads `imu`, not `imu/data` as in ROS 1.
 - `cmd_vel_unstamped` of a drive is remapped, which it has only with `use_stamped_vel: false`.
 - Gazebo's control plugin, or ros2_control_node, remaps a topic of a drive that is not there.
-- `odometry/filtered` of robot_localization is remapped to its own input.
+- `odometry/filtered` of robot_localization, or `cmd_vel_out` of twist_mux, is remapped to an input
+  of its own.
 
 Sources:
     ros2_controllers, topics of controllers: https://github.com/ros-controls/ros2_controllers/issues/262

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from urdfkit.lint.rules import Finding, Findings, Severity
+from urdfkit.lint.rules import Finding, Findings, Related, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.launch.known_parameters import CONFIGURATION, given_values, plugin_class
 from urdfkit.ros.node_parameters import NodeParameters
@@ -21,6 +21,7 @@ _MIN = re.compile(r"(?<![^_])min(?=imum_|_|$)")
 #: rays that clear them.
 _RANGES = (("obstacle_max_range", "raytrace_max_range"), ("obstacle_range", "raytrace_range"))
 _CONTROLLER, _MPPI = "controller_server", "nav2_mppi_controller::MPPIController"
+_DWB = "dwb_core::DWBLocalPlanner"
 _FREQUENCY, _STEP = 20.0, 0.05  # Hz and s, if not given
 _TOLERANCE = 1e-6
 _PURSUIT = "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"
@@ -42,6 +43,28 @@ def contradictions(node: NodeParameters) -> Findings:
     for layer in map(mapping, node.values.values()):
         yield from _never_cleared(node, layer)
         yield from _not_reversing(node, layer)
+
+
+def held_sideways(sections: list[NodeParameters]) -> Findings:
+    """A controller that moves the robot sideways, which the velocity_smoother forbids."""
+    smoothers = [node for node in sections if node.name == "velocity_smoother"]
+    limits = scalars(smoothers[0].values.get("max_velocity")) if len(smoothers) == 1 else ()
+    if len(limits) != 3 or _number(limits[1]) != 0:
+        return
+    for node in sections:
+        for plugin in map(mapping, node.values.values()) if node.name == _CONTROLLER else ():
+            model, speed = scalar(plugin, "motion_model"), scalar(plugin, "max_vel_y")
+            is_omni = plugin_class(plugin) == _MPPI and model and model.text == "Omni"
+            is_moved = plugin_class(plugin) == _DWB and (_number(speed, 0.0) or 0.0) > 0
+            if at := model if is_omni else speed if is_moved else None:
+                name = "motion_model Omni" if is_omni else "max_vel_y"
+                yield Finding(
+                    at.span,
+                    f"'{node.name}' moves the robot sideways by {name}, but the velocity_smoother "
+                    "does not: its max_velocity in y is 0",
+                    f"write {'DiffDrive' if is_omni else '0.0'}, or a max_velocity in y",
+                    related=(Related(limits[1].span, "the limit in y"),),
+                )
 
 
 def reversed_bounds(node: NodeParameters) -> Findings:

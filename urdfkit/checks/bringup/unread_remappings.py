@@ -22,15 +22,16 @@ from urdfkit.ros.launch.spawned_controllers import (
     spawns_controllers,
     topic_name,
 )
-from urdfkit.ros.node_parameters import nodes_in_files
+from urdfkit.ros.node_parameters import NodeParameters, nodes_in_files
 from urdfkit.ros.ros_control import control_plugins
 from urdfkit.text.document import Element
-from urdfkit.text.located_yaml import Value
+from urdfkit.text.located_yaml import Value, mapping, scalar
 
 #: The topic of a drive without stamps, and the parameter for it, up to Iron.
 _UNSTAMPED, _STAMPED = "cmd_vel_unstamped", "use_stamped_vel"
 #: The output of robot_localization, and its inputs of the same type.
 _FILTERED, _ODOMETRY = "odometry/filtered", re.compile(r"odom\d+")
+_OUTPUTS = {"robot_localization": _FILTERED, "twist_mux": "cmd_vel_out"}
 #: Topics that every node may have, and those of image_transport.
 _OF_ALL = re.compile(
     r"/(tf|tf_static|clock|rosout|parameter_events|diagnostics)$|/_|~"
@@ -179,22 +180,33 @@ def unknown_topics(context: Context) -> Findings:
 
 
 def read_own_output(context: Context) -> Findings:
-    """A filter of robot_localization whose output is renamed to one of its inputs."""
+    """A filter of robot_localization, or twist_mux, whose output is renamed to an input."""
     for node in context.launch.started:
-        output = topic_name(_FILTERED, node) if node.package == "robot_localization" else None
+        written = _OUTPUTS.get(node.package, "")
+        output = topic_name(written, node) if written else None
         files = node.parameters.files if output else ()
         for section in nodes_in_files(files, context.resolver):
-            for key, value in section.values.items() if section.name in (node.name, "**") else ():
-                if not _ODOMETRY.fullmatch(key) or not isinstance(value, Value):
-                    continue
+            for key, value in _inputs(section) if section.name in (node.name, "**") else ():
                 if resolve_name(value.text, node.namespace) == output:
                     yield Finding(
                         value.span,
                         f"'{section.name}' reads its own output: {key} is '{value.text}', and "
-                        f"{_FILTERED} is remapped to it",
-                        f"remap {_FILTERED} to another topic",
+                        f"{written} is remapped to it",
+                        f"remap {written} to another topic"
+                        if written == _FILTERED
+                        else "write another topic",
                         related=(Related(node.span, "the remapping is here"),),
                     )
+
+
+def _inputs(section: NodeParameters) -> Iterator[tuple[str, Value]]:
+    """The topics of odometry that a filter reads, and those of commands that twist_mux reads."""
+    for key, value in section.values.items():
+        if _ODOMETRY.fullmatch(key) and isinstance(value, Value):
+            yield key, value
+    for name, entry in mapping(section.values.get("topics")).items():
+        if topic := scalar(entry, "topic"):
+            yield f"topic of '{name}'", topic
 
 
 def _topics(program: StartedProgram, topics: dict[str, str]) -> list[str]:

@@ -5,9 +5,10 @@
 - The `<world>` has no name, or its `<max_step_size>` is not greater than 0 (error). A value has
   another type than in SDF, such as a `<pose>` of three numbers (error), or a number has a unit
   (warning). A model, a link or a light has no name, or an unknown type (error).
-- The gravity points up, an element is misspelt, which Gazebo ignores (warnings), or a link that
-  moves has no positive mass, which SDF rejects (error). A ground plane is not static, so that it
-  falls with the robot (warning). Two models have the same name (warning).
+- The gravity points up, or an element is misspelt or a level too high or too deep, such as
+  `<static>` in a `<link>`, which Gazebo ignores (warnings). A link that moves has no positive mass,
+  which SDF rejects (error). A ground plane is not static, so that it falls with the robot
+  (warning). Two models have the same name (warning).
 
 Sources:
     gz-sim, Server.cc: https://github.com/gazebosim/gz-sim/blob/gz-sim8/src/Server.cc
@@ -31,6 +32,7 @@ BAD = WORLD_LAUNCH
 GOOD = BAD.replace("bad.sdf", "good.sdf")
 FILES = world_files("<gravity>0 0 9.8</gravity>", "<gravity>0 0 -9.8</gravity>")
 
+_ANYWHERE = ("frame", "plugin")
 #: Marks of templates from which a world is generated.
 _TEMPLATES = (b"<%", b"{%", b"{{", b"@(", b"xmlns:xacro")
 
@@ -102,6 +104,24 @@ def _elements(world: World) -> Findings:
                 message += f"; did you mean <{meant}>?"
                 severity = Severity.WARNING
                 yield Finding(child, message, f"write <{meant}>", severity=severity)
+            elif child.tag not in known and (place := _place_of(child, children)):
+                message = f"<{child.tag}> in <{element.tag}> is not read, only in <{place}>"
+                help = f"move it into the <{place}>"
+                yield Finding(child, message, help, severity=Severity.WARNING)
+
+
+def _place_of(element: Element, children: dict[str, str]) -> str:
+    """Where an element belongs that is one level too deep, or not deep enough; empty if unknown.
+
+    Plugins may stand in each element, and have elements of their own.
+    """
+    parent = element.parent
+    above = parent.parent if parent else None
+    below = children.get(parent.tag, "").split() if parent else []
+    places = [above.tag] if above else []
+    places += [tag for tag in below if tag not in _ANYWHERE]
+    own = (tag for tag in places if element.tag in children.get(tag, "").split())
+    return "" if element.tag in _ANYWHERE else next(own, "")
 
 
 def _repeated_names(opened: OpenedWorld, world: World) -> Findings:
