@@ -7,7 +7,7 @@ Source: ``rcl_yaml_param_parser/src/parse.c`` of ros2/rcl.
 
 import re
 
-from urdfkit.text.located_yaml import Node, Value
+from urdfkit.text.located_yaml import Node, Value, is_template
 
 #: The types in the words of messages.
 TYPES = {
@@ -27,8 +27,6 @@ _INT = re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)$")
 _DOUBLE = re.compile(
     r"[-+]?(([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|\.?(inf|nan|infinity))$", re.IGNORECASE
 )
-#: Characters of values that only launch or a template resolves.
-_OPEN = re.compile(r"[$<{]")
 
 
 def type_of(node: Value | list[Node]) -> str | None:
@@ -44,7 +42,7 @@ def type_of(node: Value | list[Node]) -> str | None:
 
 
 def _of_scalar(value: Value) -> str | None:
-    if value.tag or not value.text or _OPEN.search(value.text):
+    if value.tag or not value.text or is_template(value.text):
         return None
     if value.span.text[:1] in ("'", '"', "|", ">"):
         return "string"

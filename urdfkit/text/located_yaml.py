@@ -19,6 +19,8 @@ MAX_BYTES = 1024 * 1024
 MAX_LEVELS = 30
 #: Files whose values are cached: the launch files of a workspace refer to the same files often.
 CACHE_SIZE = 64
+#: Characters of values that only launch or a template resolves.
+TEMPLATE_MARKS = ("$", "<", "{")
 #: What the scanner says of a line that is no pair of a key and a value, as ``a:1`` is none.
 _NO_COLON = "could not find expected ':'"
 _JOINED = re.compile(r"[\w./-]+:[^\s:]")
@@ -111,6 +113,11 @@ def words(node: Node, *keys: str) -> list[str]:
 def scalars(node: Node) -> list[Value]:
     """The scalars of a list; empty if the node is not a list."""
     return [item for item in node if isinstance(item, Value)] if isinstance(node, list) else []
+
+
+def is_template(text: str) -> bool:
+    """True for a text that only launch or a template resolves."""
+    return any(mark in text for mark in TEMPLATE_MARKS)
 
 
 def items(node: Node, *path: str) -> Iterator[tuple[Key, Node]]:

@@ -20,7 +20,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.launch.contents import MAP, StartedProgram
 from urdfkit.ros.launch.samples import nav2_launch
-from urdfkit.text.located_yaml import Node, Value, load, mapping, scalar, scalars
+from urdfkit.text.located_yaml import Node, Value, is_template, load, mapping, scalar, scalars
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.launch_files import launch_files
 
@@ -40,8 +40,6 @@ _MAP, _GRAPH = "yaml_filename", "map_file_name"
 _REQUIRED = ("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh")
 _NUMBERS = ("resolution", "occupied_thresh", "free_thresh")
 _MODES = ("trinary", "scale", "raw")
-#: Values that a template or another program replaces.
-_OPEN = ("$", "<", "{")
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
@@ -108,7 +106,7 @@ def _problems(source: Source, values: dict[str, Node]) -> Iterator[tuple[Span, s
             yield Span(source, 0, 0), f"the map has no {key}{hint}", f"add {key}"
     for key in _NUMBERS:
         value = scalar(values, key)
-        if value and _is_fixed(value) and number(value.text) is None:
+        if value and not is_template(value.text) and number(value.text) is None:
             yield value.span, f"{key} '{value.text}' is not a number", "write a number"
     resolution, mode = scalar(values, "resolution"), scalar(values, "mode")
     if resolution and (number(resolution.text) or 1.0) < 0:
@@ -118,7 +116,7 @@ def _problems(source: Source, values: dict[str, Node]) -> Iterator[tuple[Span, s
     if isinstance(origin, list) and origin and (len(numbers) != 3 or None in numbers):
         first = scalars(origin)[0].span if scalars(origin) else Span(source, 0, 0)
         yield first, f"origin has {len(origin)} values, not 3 numbers", "write [x, y, yaw]"
-    if mode and _is_fixed(mode) and mode.text not in _MODES:
+    if mode and not is_template(mode.text) and mode.text not in _MODES:
         hint = did_you_mean(mode.text, _MODES)
         yield mode.span, f"unknown mode '{mode.text}'{hint}", f"write {', '.join(_MODES)}"
 
@@ -145,7 +143,3 @@ def _thresholds(values: dict[str, Node]) -> Findings:
                 "write free_thresh: 0.25 and occupied_thresh: 0.65",
                 severity=Severity.WARNING,
             )
-
-
-def _is_fixed(value: Value) -> bool:
-    return not any(mark in value.text for mark in _OPEN)

@@ -64,7 +64,7 @@ from urdfkit.ros.controllers import (
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.parameter_types import TYPES, correction, is_not_positive, number_of, type_of
-from urdfkit.text.located_yaml import Node, Value, scalars
+from urdfkit.text.located_yaml import TEMPLATE_MARKS, Node, Value, scalars
 from urdfkit.text.source import Span
 from urdfkit.workspace.plugin_descriptions import why_unknown
 
@@ -270,7 +270,7 @@ def _unknown_word(
     """A word that a parameter cannot have."""
     words = known.words_of(name)
     for value in scalars(node if isinstance(node, list) else [node]) if words else ():
-        if value.text and value.text not in words and not value.text.startswith(("$", "<", "{")):
+        if value.text and value.text not in words and not value.text.startswith(TEMPLATE_MARKS):
             message = f"{name} has '{value.text}'{did_you_mean(value.text, words)}"
             return value.span, message, f"write one of {', '.join(words)}"
     return None

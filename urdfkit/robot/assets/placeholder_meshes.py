@@ -111,11 +111,9 @@ def generate(
     _require_buildable(size)
     references = tuple(mesh for mesh in robot.files.meshes if mesh.at.value == reference)
     if not references:
-        from urdfkit.core.suggest import nearest
+        from urdfkit.core.suggest import did_you_mean
 
-        filenames = [mesh.at.value for mesh in robot.files.meshes]
-        near = nearest(reference, filenames)
-        hint = f"; did you mean '{near}'?" if near else ""
+        hint = did_you_mean(reference, [mesh.at.value for mesh in robot.files.meshes])
         raise NoSuchMesh(f"no shape of the robot references '{reference}'{hint}")
     path, defect = _place(references[0])
     if not force:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, KeysView
 from functools import lru_cache
 from itertools import islice
 
-from urdfkit.core.suggest import Suggester, did_you_mean
+from urdfkit.core.suggest import Suggester, did_you_mean, hint_for
 from urdfkit.core.suggest import is_typo as is_one_letter_off
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.signature import USE, Signature
@@ -117,8 +117,7 @@ def undeclared(
     Args:
         suggested: the declared argument that it misspells; empty if there is none.
     """
-    message = f"no argument '{name}' is declared"
-    message += f"; did you mean '{suggested}'?" if suggested else ""
+    message = f"no argument '{name}' is declared{hint_for(suggested)}"
     severity = None
     if not (is_lost or suggested):
         severity = Severity.INFO if ros == 1 else Severity.WARNING

@@ -24,7 +24,16 @@ _LASTING = frozenset(
 )
 
 
-def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+def wrong_handlers(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+    """Event handlers whose action never starts, or starts twice."""
+    yield from _never_reached(calls, values)
+    yield from _endless(calls, values)
+    yield from _started_twice(calls, values)
+    yield from _without_process(calls, values)
+    yield from _waits_for_itself(calls, values)
+
+
+def _never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Actions that wait for the exit of a node that does not exit."""
     for call in calls:
         target = values.resolved(argument(call, None, "target_action"))
@@ -42,7 +51,7 @@ def never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
             yield values.problem("LAU037", waiting, message, help, Severity.WARNING)
 
 
-def waits_for_itself(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+def _waits_for_itself(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Actions that a handler starts when they have exited themselves."""
     for call in calls:
         target = argument(call, None, "target_action")
@@ -57,7 +66,7 @@ def waits_for_itself(calls: list[ast.Call], values: Values) -> Iterator[Problem]
                 yield values.problem("LAU037", target, message, help, Severity.WARNING)
 
 
-def wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+def _without_process(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Event handlers of a process for an action that is no process."""
     for call in calls:
         target = argument(call, 0, "target_action")
@@ -70,7 +79,7 @@ def wrong_targets(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
             yield values.problem("LAU037", target, message, help)
 
 
-def endless(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+def _endless(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Processes that a handler starts at an event of any process, also at their own."""
     for call in calls:
         given = {keyword.arg for keyword in call.keywords}
@@ -91,7 +100,7 @@ def endless(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
                 break
 
 
-def started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
+def _started_twice(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Actions that are both in a launch description and in its event handler or timer."""
     for call in calls:
         entities = argument(call, 0, "initial_entities")

@@ -11,7 +11,7 @@ from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.rviz import displays, manager_of
 from urdfkit.ros.node_parameters import node_parameters
-from urdfkit.text.located_yaml import Value, entries, mapping
+from urdfkit.text.located_yaml import Value, entries, is_template, mapping
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
@@ -25,8 +25,6 @@ _OF_ROBOT = (
 GLOBAL = "global_frame"
 _OF_CARTOGRAPHER = ("tracking_frame", "published_frame")
 _NAMING = (*_OF_ROBOT, GLOBAL)
-#: Characters in values that are known only at run time.
-_OPEN = ("$", "<", "{")
 
 
 class NamedFrame(Record):
@@ -55,7 +53,7 @@ def named_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
         source = resolver.readable(file.path)
         for owner, key, value in references(source) if source else ():
             name = value.text.strip().lstrip("/")
-            if name and not any(mark in name for mark in _OPEN):
+            if name and not is_template(name):
                 yield NamedFrame(name, owner, key, value.span, file.span)
 
 
@@ -85,7 +83,7 @@ def sensor_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
         facts = data("nodes")["frames"].get(node.key, "").split()
         value = given_parameter(node, facts[0], resolver) if facts and node.is_sure else None
         frame = value or facts[1] if value is not None and len(facts) > 1 else value
-        if frame and not any(mark in frame for mark in _OPEN):
+        if frame and not is_template(frame):
             span = node.parameters.at.get(facts[0], node.span)
             who = f"{facts[0]} of '{node.title}':"
             yield NamedFrame(frame.lstrip("/"), who, facts[0], span, None)

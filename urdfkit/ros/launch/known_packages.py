@@ -106,7 +106,7 @@ def _own_executable(program: StartedProgram, resolver: Resolver) -> Iterator[Pro
     else:
         message = f"{file} of '{program.package}' has no executable '{name}'"
         similar = nearest(name, missing.others, SIMILAR_FILE)
-        message += f"; did you mean '{similar}'?" if similar else ""
+        message += hint_for(similar)
         command = "console_scripts" if file.endswith(".py") else "install(PROGRAMS ...)"
         help = f"fix the name, or add it to {command}"
     yield Problem("LAU003", program.span, message, help, program.frame)

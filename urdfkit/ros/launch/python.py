@@ -9,13 +9,7 @@ from urdfkit.ros.launch.collect import SIM_TIME, Collector
 from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, Word, started_process
-from urdfkit.ros.launch.event_handlers import (
-    endless,
-    never_reached,
-    started_twice,
-    waits_for_itself,
-    wrong_targets,
-)
+from urdfkit.ros.launch.event_handlers import wrong_handlers
 from urdfkit.ros.launch.launch_description import entry_point, not_started
 from urdfkit.ros.launch.moveit_builder import record_files
 from urdfkit.ros.launch.python_arguments import wrong_arguments
@@ -106,7 +100,7 @@ class _PythonReader(PythonLaunchFile):
             else:
                 record_files(call, self.values, self.collector)
         if self.frame is None:
-            self._mistakes()
+            self._report_problems()
         self._mentions()
         self.collector.problems += self.configurations.undeclared()
 
@@ -114,7 +108,7 @@ class _PythonReader(PythonLaunchFile):
         """False for an action that is not in a launch description."""
         return action not in self._unused or not self._is_complete
 
-    def _mistakes(self) -> None:
+    def _report_problems(self) -> None:
         """Problems of calls; an included file is reported when it is read itself."""
         problems = self.collector.problems
         for call in self.calls:
@@ -127,11 +121,7 @@ class _PythonReader(PythonLaunchFile):
             problems += wrong_names(self.tree, self.values)
         problems += wrong_calls(self.tree, self.calls, self.values)
         problems += declared_late(self.calls, self.values)
-        problems += never_reached(self.calls, self.values)
-        problems += endless(self.calls, self.values)
-        problems += started_twice(self.calls, self.values)
-        problems += wrong_targets(self.calls, self.values)
-        problems += waits_for_itself(self.calls, self.values)
+        problems += wrong_handlers(self.calls, self.values)
 
     def _declare(self, call: ast.Call) -> None:
         name = self.values.text(argument(call, 0, "name"))

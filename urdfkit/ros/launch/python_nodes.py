@@ -28,12 +28,9 @@ _PARAMETER_FILES = (".yaml", ".yml")
 
 def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
     """Read a ``Node(...)``."""
-    package = argument(call, None, "package")
-    name = file.values.text(package)
-    if name and package is not None:
-        file.collector.package(name, file.source, file.values.span(package))
+    package = _package(file, call)
     words = argument(call, None, "arguments")
-    if name is None or "rviz" in name:
+    if package is None or "rviz" in package:
         _record_rviz_configuration(file, words)
     parameters = argument(call, None, "parameters")
     # The file that includes this one chooses other nodes: the parameters are for another robot.
@@ -47,7 +44,7 @@ def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
         options.insert(len(command), "--ros-args")
     remappings = _remappings(file, argument(call, None, "remappings"))
     program = StartedProgram(
-        name or "",
+        package or "",
         file.values.text(executable) or "",
         command,
         file.values.span(call),
@@ -81,15 +78,12 @@ def start_components(file: PythonLaunchFile, container: ast.Call) -> None:
 
 
 def _start_component(file: PythonLaunchFile, call: ast.Call, *, is_sure: bool) -> None:
-    package = argument(call, None, "package")
-    name = file.values.text(package)
-    if name and package is not None:
-        file.collector.package(name, file.source, file.values.span(package))
+    package = _package(file, call)
     parameters = argument(call, None, "parameters")
     if not (file.frame and file.is_off(call)):
         _record_parameter_files(file, parameters)
     program = StartedProgram(
-        name or "",
+        package or "",
         executable_of(file.values.text(argument(call, None, "plugin"))),
         (),
         file.values.span(call),
@@ -101,6 +95,15 @@ def _start_component(file: PythonLaunchFile, call: ast.Call, *, is_sure: bool) -
         name=file.values.text(argument(call, None, "name")) or "",
     )
     file.collector.start(program)
+
+
+def _package(file: PythonLaunchFile, call: ast.Call) -> str | None:
+    """The package of a node, which is recorded; None if it is known only at run time."""
+    node = argument(call, None, "package")
+    name = file.values.text(node)
+    if name and node is not None:
+        file.collector.package(name, file.source, file.values.span(node))
+    return name
 
 
 def _record_rviz_configuration(file: PythonLaunchFile, words: ast.expr | None) -> None:

@@ -28,19 +28,16 @@ _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 def start_node(file: XmlLaunchFile, element: Element) -> None:
     """Read a ``<node>`` or ``<test>``, without its children."""
-    package, arguments = element.attributes.get("pkg"), element.attributes.get("args")
-    name = file.text(package)
-    if package and name:
-        file.collector.package(name, file.source, package.span)
+    package, arguments = _package(file, element), element.attributes.get("args")
     words = file.substitutions.words(arguments)
-    if name is None or "rviz" in name:
+    if package is None or "rviz" in package:
         for option, path in pairwise(word.text for word in words):
             if arguments and option in ("-d", "--display-config") and path:
                 full_path = path_from(file.source, path)
                 file.collector.file(full_path, arguments.span, "RViz configuration")
     executable = element.attributes.get("exec") or element.attributes.get("type")
     program = StartedProgram(
-        name or "",
+        package or "",
         file.text(executable) or "",
         words,
         element.span,
@@ -60,12 +57,8 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
 
 def start_component(file: XmlLaunchFile, element: Element) -> None:
     """Read a ``<composable_node>``, without its children."""
-    package = element.attributes.get("pkg")
-    name = file.text(package)
-    if package and name:
-        file.collector.package(name, file.source, package.span)
     program = StartedProgram(
-        name or "",
+        _package(file, element) or "",
         executable_of(file.text(element.attributes.get("plugin"))),
         (),
         element.span,
@@ -77,6 +70,15 @@ def start_component(file: XmlLaunchFile, element: Element) -> None:
         name=element.get("name") or "",
     )
     file.collector.start(program)
+
+
+def _package(file: XmlLaunchFile, element: Element) -> str | None:
+    """The package of a node, which is recorded; None if it is known only at run time."""
+    attribute = element.attributes.get("pkg")
+    name = file.text(attribute)
+    if attribute and name:
+        file.collector.package(name, file.source, attribute.span)
+    return name
 
 
 def _remappings(file: XmlLaunchFile, node: Element) -> dict[str, str] | None:

@@ -11,7 +11,17 @@ from collections.abc import Iterator
 
 from urdfkit.core import disk
 from urdfkit.core.record import Record
-from urdfkit.text.located_yaml import Key, Node, Value, entries, items, load, mapping, scalars
+from urdfkit.text.located_yaml import (
+    TEMPLATE_MARKS,
+    Key,
+    Node,
+    Value,
+    entries,
+    items,
+    load,
+    mapping,
+    scalars,
+)
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -40,8 +50,6 @@ _INITIAL = "initial_positions.yaml"
 _TOPIC_OF_SERVO = b"command_out_topic:"
 _OF_SERVO = (b"move_group_name:", b"command_in_type:", b"command_out_type:", b"publish_period:")
 MANAGER = "moveit_simple_controller_manager"
-#: First characters of values that only launch or a template resolves.
-_OPEN = ("$", "<", "{")
 
 
 class GroupEntry(Record):
@@ -86,7 +94,7 @@ class MoveItConfig:
             sections = [
                 (key, node)
                 for key, node in _mappings(_groups(self.load(file)))
-                if not node.keys().isdisjoint(marks) and not key.startswith(_OPEN)
+                if not node.keys().isdisjoint(marks) and not key.startswith(TEMPLATE_MARKS)
             ]
             for key, node in sections:
                 yield GroupEntry(key, node, len(sections) == 1)
@@ -97,9 +105,10 @@ class MoveItConfig:
         defined = [str(key) for key in mapping(root, "planner_configs")]
         for key, group in _mappings(root):
             named = [group.get("default_planner_config"), *scalars(group.get("planner_configs"))]
-            for value in named if key != "planner_configs" else ():
-                if isinstance(value, Value) and value.text and not value.text.startswith(_OPEN):
-                    yield value, defined
+            planners = [value for value in named if isinstance(value, Value) and value.text]
+            for planner in planners if key != "planner_configs" else ():
+                if not planner.text.startswith(TEMPLATE_MARKS):
+                    yield planner, defined
 
     def planning_plugins(self) -> Iterator[Value]:
         """The plugins of the planning pipelines in the files of pipelines such as OMPL."""
@@ -126,11 +135,11 @@ class MoveItConfig:
         """Joint references in the files, each with a description of its owner."""
         for name, section in self.controllers():
             for joint in scalars(section.get("joints")):
-                if not joint.text.startswith(_OPEN):
+                if not joint.text.startswith(TEMPLATE_MARKS):
                     yield f"controller '{name}'", joint
         for _, positions in _mappings(self.load(_INITIAL)):
             for key, _ in items(positions):
-                if not key.startswith(_OPEN):
+                if not key.startswith(TEMPLATE_MARKS):
                     yield _INITIAL, key.at
 
     def controllers(self) -> Iterator[tuple[str, dict[str, Node]]]:
@@ -149,7 +158,7 @@ class MoveItConfig:
     def controller_entries(self) -> Iterator[tuple[Key, dict[str, Node]]]:
         """The settings of the controllers of MoveIt 2, by name with location."""
         for key, entry in _mappings(_manager(self.load(CONTROLLERS))):
-            if not key.startswith(_OPEN):
+            if not key.startswith(TEMPLATE_MARKS):
                 yield key, entry
 
     def controller_manager(self) -> Value | None:
@@ -174,7 +183,7 @@ class MoveItConfig:
         manager = _manager(root)
         configured = [str(key) for key, _ in _mappings(manager)]
         for name in scalars(manager.get("controller_names")):
-            if name.text not in configured and not name.text.startswith(_OPEN):
+            if name.text not in configured and not name.text.startswith(TEMPLATE_MARKS):
                 yield name, configured, name.text in root
 
     def servo_values(self) -> Iterator[tuple[Source, dict[str, Value]]]:
@@ -190,7 +199,7 @@ class MoveItConfig:
             values = {
                 str(key): node
                 for key, node in entries(load(source))
-                if isinstance(node, Value) and not node.text.startswith(_OPEN)
+                if isinstance(node, Value) and not node.text.startswith(TEMPLATE_MARKS)
             }
             yield source, values
 
