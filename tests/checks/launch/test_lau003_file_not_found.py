@@ -27,6 +27,15 @@ def test_directories_and_other_suffixes_are_not_suggested(tmp_path):
     assert finding.help.startswith("create the file")
 
 
+def test_a_slash_that_is_missing_after_a_package(tmp_path: Path) -> None:
+    (tmp_path / ".git").mkdir()
+    text = '<rosparam file="$(find arm)config/a.yaml"/>'
+    (found,) = reported(tmp_path / "arm", "LAU003", "a.launch", text, {"config/a.yaml": "a: 1"})
+    assert found.help == "write a slash after arm"
+    (found,) = reported(tmp_path / "arm", "LAU003", "a.launch", text.replace("/a", "/b"))
+    assert found.help == "create the file, or fix its name"
+
+
 def test_existing_file_is_accepted(tmp_path):
     (tmp_path / "robot.yaml").write_text("a: 1")
     text = b'<launch><rosparam file="$(dirname)/robot.yaml"/></launch>'

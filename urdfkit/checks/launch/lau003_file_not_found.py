@@ -169,7 +169,21 @@ def _not_found(what: str, path: str, span: Span) -> Finding:
     suggested = nearest_file(path)
     is_own = suggested == os.path.basename(span.source.path)  # a file that includes itself
     help = f"did you mean '{suggested}'?" if suggested and not is_own else ""
+    if directory := _before_missing_slash(path):
+        help = f"write a slash after {directory}"
     return Finding(span, f"{what} not found: {path}", help)
+
+
+def _before_missing_slash(path: str) -> str:
+    """The directory behind which a slash is missing, as in ``$(find arm)worlds/a.world``."""
+    parent = os.path.dirname(path)
+    while parent != os.path.dirname(parent) and not disk.is_directory(parent):
+        parent = os.path.dirname(parent)
+    rest = path[len(parent) :].lstrip("/")
+    for name in disk.names_or_empty(parent):
+        if rest.startswith(name) and disk.is_file(f"{parent}/{name}/{rest[len(name) :]}"):
+            return name
+    return ""
 
 
 def _outside_workspace(subject: str, span: Span) -> Finding:
