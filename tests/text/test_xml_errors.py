@@ -225,6 +225,12 @@ class TestTheWholeFile:
         (mistake,) = syntax_mistakes(f"<{root}/><link/>".encode())
         assert mistake.help == "put all elements into one <robot>"
 
+    def test_the_rest_of_a_comment_behind_the_end(self) -> None:
+        text = "<robot></robot><!-- <a> <!-- b --> <c/></a> -->"
+        assert [message for *_, message in mistakes(text)] == [
+            "'<!--' inside a comment: comments do not nest"
+        ]
+
     def test_text_behind_the_end(self) -> None:
         (mistake,) = syntax_mistakes(b"<robot></robot>\n  bye <b>\n")
         assert mistake.trailing

@@ -26,6 +26,7 @@ class SyntaxMistake(Record):
     #: Other locations that explain it, as (start, end, message).
     notes: tuple[tuple[int, int, str], ...] = ()
     trailing: bool = False  # True for content after the end of the root element
+    nested: bool = False  # True for a comment inside a comment, which may continue behind it
     help: str = ""  # how to fix it; empty if the message says it
     #: Edits that fix it, as (start, end, text); empty if unknown.
     fix: tuple[tuple[int, int, str], ...] = ()

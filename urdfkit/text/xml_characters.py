@@ -37,6 +37,7 @@ def hyphen_mistake(data: bytes, start: int, end: int) -> SyntaxMistake | None:
             "'<!--' inside a comment: comments do not nest",
             notes=((start - 4, start, "this comment is not closed before it"),),
             help="write '-->' at the end of the first comment, or remove the inner one",
+            nested=True,
         )
     fix: list[tuple[int, int, str]] = []
     for match in _HYPHENS.finditer(data[start:end]):

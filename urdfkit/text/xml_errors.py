@@ -55,7 +55,10 @@ def syntax_mistakes(data: bytes) -> list[SyntaxMistake]:
     first: dict[int, SyntaxMistake] = {}
     for mistake in scanner.mistakes:
         first.setdefault(mistake.start, mistake)  # others at the same offset follow from it
-    return [first[start] for start in sorted(first)][:MAX_ERRORS]
+    comment = min((one.start for one in first.values() if one.nested), default=len(data))
+    ordered = (first[start] for start in sorted(first))
+    # What follows the root may be the rest of the outer comment.
+    return [one for one in ordered if not one.trailing or one.start < comment][:MAX_ERRORS]
 
 
 class _Scanner:

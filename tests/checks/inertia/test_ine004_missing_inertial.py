@@ -78,6 +78,9 @@ def test_what_goes_with_it_is_named() -> None:
         link("dummy") + BASE + joint("dummy", "base"),  # the usual fix for KDL
         link("world") + BASE + joint("world", "base", "floating"),
         BASE + link("arm", inertial(0, (1, 1, 1)), VISUAL) + joint("base", "arm", "revolute"),
+        BASE
+        + link("arm", '<inertial><mass value="1.1*0.3"/></inertial>', VISUAL)
+        + joint("base", "arm", "revolute"),  # no number (URD005)
     ],
 )
 def test_what_is_all_right_or_another_rule_s(robot: str) -> None:

@@ -1,5 +1,7 @@
 """LAU016: see the rule."""
 
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -112,3 +114,14 @@ def test_unknown_option(tmp_path: Path, words: str, message: str, help: str) -> 
 )
 def test_known_option_is_accepted(tmp_path: Path, node: str) -> None:
     assert reported(tmp_path, "LAU016", "a.launch.py", node) == []
+
+
+@pytest.mark.skipif(shutil.which("git") is None, reason="git is not installed")
+@pytest.mark.parametrize(("ignored", "count"), [("*.urdf", 0), ("build/", 1)])
+def test_a_file_that_git_ignores(tmp_path: Path, ignored: str, count: int) -> None:
+    """A Dockerfile expands the xacro into it."""
+    subprocess.run(["git", "init", "-q", str(tmp_path)], check=True)
+    (tmp_path / ".gitignore").write_text(f"{ignored}\n")
+    words = "-file $(find arm)/urdf/arm.urdf -urdf -model arm"
+    text = f'<node pkg="gazebo_ros" type="spawn_model" name="s" args="{words}"/>'
+    assert len(reported(tmp_path / "arm", "LAU016", "a.launch", text)) == count

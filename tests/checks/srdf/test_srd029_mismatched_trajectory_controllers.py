@@ -36,6 +36,21 @@ IncludeLaunchDescription(PythonLaunchDescriptionSource(
 ARM = SPAWNER.format("'arm'")
 
 
+@pytest.mark.parametrize(("name", "count"), [("/robot/hand", 0), ("/robot/claw", 1)])
+def test_a_controller_in_a_namespace(tmp_path: Path, name: str, count: int) -> None:
+    """One of two robots in Gazebo: MoveIt calls the action /robot/hand/follow_joint_trajectory."""
+    moveit = MOVEIT.replace(b"[arm, hand]", b"[arm, %s]" % name.encode())
+    moveit = moveit.replace(b"  hand:", b"  %s:" % name.encode())
+    control = CONTROL.format("hand") + "hand: {ros__parameters: {joints: [g]}}\n"
+    add_file(tmp_path / "package.xml", MANIFEST)
+    path = add_file(tmp_path / "r.urdf", ROBOT)
+    add_file(tmp_path / "config" / "r.srdf", SRDF)
+    add_file(tmp_path / "config" / "moveit_controllers.yaml", moveit)
+    add_file(tmp_path / "config" / "ros2_controllers.yaml", control.encode())
+    found = check(path, select=["SRD029"]).diagnostics
+    assert [one.span.text for one in found] == [name] * count
+
+
 @pytest.mark.parametrize(
     ("launch", "defined", "count"),
     [

@@ -28,6 +28,7 @@ Sources:
 
 from urdfkit.core.words import few, listed
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.robot.link import Link
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS, NO_MASS, RigidBody
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.ros.gazebo.conversion import OLD, SdfConversion
@@ -146,6 +147,8 @@ def _without_mass(context: Context) -> Findings:
     if context.masses.total < 0:
         return
     for body in context.gazebo.massless:
+        if any(_has_unread_mass(link) for link, _ in body.links):
+            continue  # URD005
         zero = body.top.inertial is not None and body.top.inertial.mass is not None
         reported = body.joint is not None and zero  # INE001
         if not reported and (body.joint or context.targets.any_of(GAZEBO)):
@@ -154,6 +157,14 @@ def _without_mass(context: Context) -> Findings:
                 yield finding._replace(help=_help_of_fixed(context, body.joint.name))
             elif finding:
                 yield finding._replace(help=_HELP_OF_ZERO) if zero else finding
+
+
+def _has_unread_mass(link: Link) -> bool:
+    """True for a mass that is not a number, such as ``1.1*0.3`` in a URDF."""
+    if link.inertial is None or link.inertial.mass is not None:
+        return False
+    mass = link.inertial.at.child("mass")
+    return mass is not None and bool((mass.get("value") or "").strip())
 
 
 def _help_of_fixed(context: Context, joint: str) -> str:

@@ -6,7 +6,7 @@
 - A required option is missing: the program stops.
 - The file does not exist, or is a xacro file, which is not expanded. A missing file outside the
   workspace is a warning: the robot may have it. A file in `/tmp` is not reported, nor one that
-  another command of the launch file names, which may write it.
+  git ignores, which a build makes, or that another command of the launch file names.
 - The topic is misspelt: the program waits for ever.
 
 Sources:
@@ -23,6 +23,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Sever
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawning import ModelSpawner, model_spawner, options
+from urdfkit.workspace.gitignore import is_ignored
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -92,7 +93,7 @@ def _file(context: Context, path: str, place: Location) -> Findings:
         yield Finding(place, message, f"publish the expanded robot on {_TOPIC} and spawn that")
     elif os.path.isabs(path) and not path.startswith(f"{UNKNOWN}/") and not disk.exists(path):
         is_inside = context.resolver.allows(path, context.source.path)
-        is_made = not is_inside and path.startswith("/tmp/")
+        is_made = is_ignored(path) if is_inside else path.startswith("/tmp/")
         if not is_made and not _is_mentioned(context, path):
             help = "create the file, or fix its name"
             severity = None if is_inside else Severity.WARNING

@@ -72,7 +72,9 @@ def check(context: Context) -> Findings:
         joint for key, entry in entries if key.strip("/") in defined for joint in _joints(entry)
     }
     for key, entry in entries:
-        same = defined.get(key.strip("/"))
+        name = key.strip("/")
+        # It may run in the namespace that the key begins with.
+        same = defined.get(name) or defined.get(name.rpartition("/")[2])
         if same is None:
             yield from _undefined(key, entry, served, defined)
             continue
