@@ -185,9 +185,9 @@ def two_columns(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
             yield f"  {text}".rstrip()
 
 
-def wrapped(text: str, indent: int = 2) -> list[str]:
+def wrapped(text: str) -> list[str]:
     """A text in lines no wider than the terminal, the second and later ones indented."""
-    return wrap(text, width(), indent=indent).split("\n")
+    return wrap(text, width(), indent=2).split("\n")
 
 
 def labelled(label: str, text: str) -> list[str]:
