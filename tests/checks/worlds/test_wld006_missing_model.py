@@ -35,6 +35,7 @@ def test_missing_models(tmp_path: Path) -> None:
         ("model://shelf/shelf.dae", 0),
         ("model://shelf/other.dae", 1),
         ("model://elsewhere/shelf.dae", 0),
+        ("model://urdf/shelf/shelf.dae", 0),  # below the path of models of another directory
         ("file:///opt/shelf.dae", 0),
         ("shelf.dae", 1),
     ],
@@ -43,5 +44,6 @@ def test_meshes_of_a_world(tmp_path: Path, uri: str, count: int) -> None:
     shape = f"<geometry><mesh><uri>{uri}</uri></mesh></geometry>"
     world = f'<model name="m"><link name="l"><visual name="v">{shape}</visual></link></model>'
     files = {"models/shelf/model.config": "<model/>", "models/shelf/shelf.dae": "x"}
+    files["urdf/arm.urdf"] = "<robot/>"
     found = messages(tmp_path, CODE, world=world, files=files)
     assert ["is not found" in one for one in found] == [True] * count

@@ -57,3 +57,19 @@ def test_lost_remappings(rule: str, topic: str) -> None:
     text = CAMERA.format(f"<ros><remapping>{rule}</remapping></ros>")
     (use,) = context(sensor("camera", text)).plugins
     assert [lost.topic for lost in lost_remappings(use)] == [topic] * bool(topic)
+
+
+@pytest.mark.parametrize(
+    ("old", "topic"),
+    [
+        ("image_raw", "front_depth/image_raw"),
+        ("image_depth", "front_depth/depth/image_raw"),
+        ("camera_info_depth", "front_depth/depth/camera_info"),
+        ("points", "front_depth/points"),
+    ],
+)
+def test_lost_remappings_of_a_depth_camera(old: str, topic: str) -> None:
+    rule = f"<ros><remapping>custom/{old}:=custom/a</remapping></ros>"
+    text = CAMERA.format(f"{rule}<camera_name>front_depth</camera_name>")
+    (use,) = context(sensor("depth", text)).plugins
+    assert [lost.topic for lost in lost_remappings(use)] == [topic]

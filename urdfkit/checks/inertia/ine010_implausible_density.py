@@ -48,7 +48,7 @@ _MAX_M3 = 1.0
 _UNIT_HELPS = {
     "g": "the masses are probably in g: divide them by 1000, and the tensors with them",
     "mm": 'the sizes are probably in mm: write them in m, and scale="0.001 0.001 0.001" for meshes',
-    "": "one mistake caused them all: masses are in kg, and sizes in m",
+    "": "write masses in kg, and sizes in m",
 }
 
 

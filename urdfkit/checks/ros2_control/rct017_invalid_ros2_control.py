@@ -4,7 +4,7 @@ The parser of ros2_control throws an exception and the controller manager does n
 
 - the block contains an unknown element: "invalid tag name";
 - a name is missing ("no attribute name in tag"), or the `role` of a joint in a transmission (an
-  empty name of the block is reported if it does not come from an argument);
+  empty name of the block is a warning if it does not come from an argument);
 - `rw_rate`, or the `size` of an interface of a GPIO, is not a positive integer;
 - the type is missing or is not `system`, `actuator` or `sensor` (case-sensitive), or an `actuator`
   has more than one joint.
@@ -103,7 +103,10 @@ def _elements(component: Component) -> Findings:
         written = element.attributes.get("name")
         # The parser accepts an empty name, and a launch file may pass the argument that it is.
         if not (written and (written.value or (element is block and not written.literal))):
-            yield Finding(element, f"<{element.tag}> has no name", "add a name")
+            # Jazzy and later call a node by that of the block.
+            severity = Severity.WARNING if written and element is block else None
+            message = f"<{element.tag}> has no name"
+            yield Finding(element, message, "add a name", severity=severity)
     stack = [child for child in reversed(block.children) if child.tag in tags]
     while stack:
         element = stack.pop()

@@ -90,7 +90,9 @@ def _is_missing(uri: str, world: str, models: Models, resolver: Resolver) -> boo
         return not _exists(f"{os.path.dirname(world)}/{uri}")
     owner, _, file = path.partition("/")
     directories = models.directories.get(owner, []) if scheme == "model" else []
-    is_own = directories or any(True for _ in resolver.packages.candidates(owner, world))
+    # A directory with the name alone may be ``urdf``.
+    packages = resolver.packages.candidates(owner, world)
+    is_own = directories or any(package.certain for package in packages)
     if scheme not in ("model", "package") or not file or not is_own:
         return False
     is_found = resolver.locate(uri, world).path is not None

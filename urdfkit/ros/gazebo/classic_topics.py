@@ -6,6 +6,7 @@ which is called like the plugin.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
@@ -77,9 +78,13 @@ def lost_remappings(use: PluginUse) -> Iterator[LostRemapping]:
         is_open = is_open or old.strip("/") in _OF_ALL
         resolved = {_resolved(old, space, use), _resolved(new, space, use)}
         if not is_open and resolved.isdisjoint(names):
-            last = old.rpartition("/")[2]
-            likely = (name for name in written if name.rpartition("/")[2] == last)
-            yield LostRemapping(item, next(likely, written[0]), new)
+            words = _words(old.rpartition("/")[2])
+            likely = max(written, key=lambda name: len(words & _words(name.partition("/")[2])))
+            yield LostRemapping(item, likely, new)
+
+
+def _words(topic: str) -> set[str]:
+    return set(re.split("[/_]", topic))
 
 
 def _with_camera(written: str, use: PluginUse) -> str:
