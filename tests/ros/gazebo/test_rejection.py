@@ -56,6 +56,16 @@ ROBOTS = {
         ["INE001"],
     ),
     "no mass": (WITHOUT_MASS, ["INE004"]),
+    "merged frames without mass": (
+        BASE
+        + child("arm", "fixed", inside=BODY.replace('value="1"', 'value="0"'))
+        + child("hand", "fixed", parent="arm", inside=BODY.replace('value="1"', 'value="0"')),
+        [""],
+    ),
+    "a merged frame without mass": (
+        BASE + child("arm", "fixed", inside=BODY.replace('value="1"', 'value="0"')),
+        [],
+    ),
     "joint of a merged link": (BASE + FIXED + sdf_joint("arm"), []),
     "joint of a link": (BASE + FIXED + sdf_joint("base"), []),
     "joint twice": (BASE + FIXED + sdf_joint("base", "hand_joint"), [""]),

@@ -12,7 +12,6 @@ from xml.etree.ElementTree import SubElement
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import IDENTITY, Rotation, Transform, from_rpy, to_rpy, transposed
-from urdfkit.errors import UrdfkitError
 from urdfkit.output.conversion.sdf_extensions import set_value
 from urdfkit.output.conversion.sdf_values import number_text, pose_text, snapped_rpy
 from urdfkit.robot.inertia import ZERO, MassProperties, combined, rotated
@@ -45,20 +44,12 @@ class Inertias:
 
         Args:
             frame: of the link, in the frame of ``into``.
-
-        Raises:
-            UrdfkitError: their total mass is 0; sdformat divides by it.
         """
         inertia = self._by_link.get(link)
         if inertia is None:
             return
         massless = _Inertia(MassProperties(0.0, (0.0, 0.0, 0.0), ZERO), IDENTITY, inertia.at)
         own = self._by_link.get(into, massless)
-        if own.properties.mass + inertia.properties.mass == 0:
-            raise UrdfkitError(
-                f"{inertia.at.span}: links '{link}' and '{into}' have a total mass of 0: Gazebo "
-                "cannot compute a centre of mass; remove <inertial>, or add a mass"
-            )
         moved = _along_link(inertia).moved(Transform(_snapped(frame.rotation), frame.position))
         total = combined((_along_link(own), moved))
         tensor = rotated(total.tensor, transposed(_snapped(own.axes)))

@@ -18,7 +18,13 @@ from urdfkit.robot.joint import Joint, Limit
 from urdfkit.robot.link import Body, Material, Shape
 from urdfkit.robot.tree import KinematicTree
 from urdfkit.robot.values import number, vector
-from urdfkit.ros.gazebo.conversion import WORLD, SdfConversion, SimulatedJoint, SimulatedLink
+from urdfkit.ros.gazebo.conversion import (
+    WORLD,
+    SdfConversion,
+    SimulatedJoint,
+    SimulatedLink,
+    children_by_name,
+)
 from urdfkit.ros.gazebo.values import is_true
 
 #: SDF version that sdformat 14 to 16 write for a URDF.
@@ -52,7 +58,7 @@ class SdfModel:
         model, conversion = self._conversion.model, self._conversion
         tag = Tag("model", {"name": model.name})
         frames = []
-        for joint in merged_joints(conversion):
+        for joint in conversion.merged_joints():
             link, into = joint.child_name, joint.parent_name
             frames += [_frame(joint.name, into, joint.origin), _frame(link, joint.name)]
             self.extensions.merge(link, into, joint.origin)
@@ -150,37 +156,14 @@ def is_hinge(joint: Joint, conversion: SdfConversion) -> bool:
     return "disableFixedJointLumping" in tags and "preserveFixedJoint" not in tags
 
 
-def _children(tree: KinematicTree, name: str) -> list[Joint]:
-    """The child joints of a link in urdfdom's order, by name."""
-    return sorted(tree.children[name], key=lambda joint: joint.name)
-
-
 def in_order(tree: KinematicTree) -> Iterator[str]:
     """The links in sdformat's order: depth first, by the names of their joints."""
     stack = [tree.roots[0].name]
     while stack:
         name = stack.pop()
         yield name
-        joints = _children(tree, name)
+        joints = children_by_name(tree, name)
         stack += [joint.child_name for joint in reversed(joints)]
-
-
-def merged_joints(conversion: SdfConversion) -> Iterator[Joint]:
-    """The joints whose links sdformat merges, deepest first."""
-    tree = conversion.tree
-    stack: list[tuple[str, Joint | None, bool]] = [(tree.roots[0].name, None, False)]
-    while stack:
-        name, joint, is_done = stack.pop()
-        children = [
-            (child.child_name, child, False)
-            for child in reversed(_children(tree, name))
-            if conversion.merges(child) != is_done
-        ]
-        if not is_done:
-            stack.append((name, joint, True))
-        elif joint is not None and conversion.merges(joint):
-            yield joint
-        stack += children
 
 
 def _frame(name: str, attached_to: str, at: Transform | None = None) -> Tag:

@@ -49,6 +49,11 @@ OLD = Converter("sdformat before 9.10.1 and 12.7.2", NO_MASS, True, False)
 NEW = Converter("sdformat from 9.10.1 and 12.7.2", 0.0, False, True)
 
 
+def children_by_name(tree: KinematicTree, link: str) -> list[Joint]:
+    """The child joints of a link in urdfdom's order, by name."""
+    return sorted(tree.children[link], key=lambda joint: joint.name)
+
+
 class SimulatedLink:
     """A link in Gazebo."""
 
@@ -170,6 +175,22 @@ class SdfConversion:
     def merged(self) -> dict[str, str]:
         """The link that each merged link is merged into."""
         return {name: into for name, into in self.survivor.items() if name != into}
+
+    def merged_joints(self) -> Iterator[Joint]:
+        """The joints whose links sdformat merges, deepest first; of a robot that is one tree."""
+        stack: list[tuple[str, Joint | None, bool]] = [(self.tree.roots[0].name, None, False)]
+        while stack:
+            name, joint, is_done = stack.pop()
+            children = [
+                (child.child_name, child, False)
+                for child in reversed(children_by_name(self.tree, name))
+                if self.merges(child) != is_done
+            ]
+            if not is_done:
+                stack.append((name, joint, True))
+            elif joint is not None and self.merges(joint):
+                yield joint
+            stack += children
 
     def merges(self, joint: Joint) -> bool:
         """True if the child of a joint is merged into its parent, or dropped with it."""

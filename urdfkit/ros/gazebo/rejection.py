@@ -58,6 +58,7 @@ def rejections(diagnostics: Iterable[Diagnostic], conversion: SdfConversion) -> 
     reasons += _of_frames(conversion)
     reasons += _of_joints(conversion)
     reasons += _of_inertia(conversion)
+    reasons += _of_masses(conversion)
     return reasons
 
 
@@ -215,3 +216,23 @@ def _of_inertia(conversion: SdfConversion) -> Iterator[Rejection]:
             message = f"link '{link.name}' cannot have principal moments {moments}"
             place = link.body.top.inertial or link.body.top
             yield Rejection("gz", "INE003", message, place.at.span)
+
+
+def _of_masses(conversion: SdfConversion) -> Iterator[Rejection]:
+    """Merged links with a total mass of 0, by which sdformat divides: SoftBank's Pepper has many.
+
+    Source: ``dMassAdd`` in its parser_urdf.cc, in all versions; the SDF parser rejects the pose.
+    """
+    masses = {link.name: link.mass for link in conversion.model.links if link.inertial}
+    for joint in conversion.merged_joints() if conversion.tree.is_sound else ():
+        link, into = joint.child_name, joint.parent_name
+        if link not in masses or link not in conversion.survivor:
+            continue
+        masses[into] = masses.get(into, 0.0) + masses[link]
+        if masses[into] == 0:
+            message = (
+                f"links '{link}' and '{into}' have a total mass of 0: Gazebo cannot compute a "
+                "centre of mass; remove <inertial>, or add a mass"
+            )
+            place = conversion.model.links_by_name[link].inertial or joint
+            yield Rejection("libsdformat", "", message, place.at.span)
