@@ -91,7 +91,7 @@ def mistyped_navigation(context: Context, started: tuple[StartedProgram, ...]) -
                 f"{reader.message} is read",
                 f"write {_STAMPED}: {str(reader.message == 'TwistStamped').lower()}, in all nodes "
                 "of Nav2",
-                related=(Related(reader.at, "the reader"),),
+                related=(reader.related,),
             )
 
 

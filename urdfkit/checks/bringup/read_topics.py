@@ -111,10 +111,10 @@ def _read_by_programs(context: Context) -> Iterator[ReadTopic]:
                 yield ReadTopic(name, at, message, program.title, remedy=remedy, switch=switch)
         if program.executable == FILTER_SERVER:
             mask = topic_parameter(program, _MASK_TOPIC, context)
+            remedy = f"set {_MASK_TOPIC}: "
             if mask:
-                yield ReadTopic(
-                    mask, program.at, GRID, program.title, (), f"set {_MASK_TOPIC}: ", True
-                )
+                read_mask = ReadTopic(mask, program.at, GRID, program.title, remedy=remedy)
+                yield read_mask._replace(is_of_workspace=True)
 
 
 def _read_by_cartographer(context: Context) -> Iterator[ReadTopic]:

@@ -70,6 +70,10 @@ class Reader(Record):
     at: Span
     is_mux: bool = False  # True for an input of twist_mux
 
+    @property
+    def related(self) -> Related:
+        return Related(self.at, "the reader")
+
 
 def unread_commands(context: Context) -> Findings:
     """Nodes whose velocity commands nothing reads, and outputs of Nav2."""
@@ -81,8 +85,8 @@ def unread_commands(context: Context) -> Findings:
     if not all(map(_is_whole, launches)) or _may_have_other_readers(programs, context):
         return
     all_readers = list(command_readers(context, programs))
-    readers = {reader.topic: reader.at for reader in all_readers}
-    drives = {reader.topic: reader.at for reader in all_readers if not reader.is_mux}
+    readers = {reader.topic: reader.related for reader in all_readers}
+    drives = {reader.topic: reader.related for reader in all_readers if not reader.is_mux}
     read = {topic.removesuffix(_PLAIN) for topic in readers}
     if drives:
         yield from _unread_outputs(context, launches, drives, read)
@@ -91,14 +95,8 @@ def unread_commands(context: Context) -> Findings:
     for node, topic in sources if readers else ():
         if topic.removesuffix(_PLAIN) not in read and not _is_named(topic, launches, context):
             known = drives if node.package == _MUX and drives else readers
-            other = nearest(topic, known, 0) or next(iter(known))
-            yield Finding(
-                node.at,
-                f"'{node.executable}' publishes '{topic}', which nothing reads; velocity commands "
-                f"are read on '{other}'",
-                f"remap {topic} to {other}",
-                related=(Related(readers[other], "the reader"),),
-            )
+            other, message = _unread(node.executable, topic, known)
+            yield Finding(node.at, message, f"remap {topic} to {other}", related=(known[other],))
 
 
 def _may_have_other_readers(programs: list[StartedProgram], context: Context) -> bool:
@@ -113,7 +111,7 @@ def _may_have_other_readers(programs: list[StartedProgram], context: Context) ->
 
 
 def _unread_outputs(
-    context: Context, launches: Iterable[Launch], readers: dict[str, Span], read: set[str]
+    context: Context, launches: Iterable[Launch], readers: dict[str, Related], read: set[str]
 ) -> Findings:
     """Outputs of the collision monitor of Nav2 that nothing reads."""
     programs = programs_of(launches)
@@ -126,14 +124,18 @@ def _unread_outputs(
             continue
         topic = resolve_name(value.text, "")
         if topic not in {*read, *_SMOOTHED} and not _is_named(topic, launches, context, 1):
-            other = nearest(topic, readers, 0) or next(iter(readers))
-            yield Finding(
-                value.span,
-                f"'{_MONITOR}' publishes '{topic}', which nothing reads; velocity commands "
-                f"are read on '{other}'",
-                f"write {other.strip('/')}",
-                related=(Related(readers[other], "the reader"),),
-            )
+            other, message = _unread(_MONITOR, topic, readers)
+            help = f"write {other.strip('/')}"
+            yield Finding(value.span, message, help, related=(readers[other],))
+
+
+def _unread(publisher: str, topic: str, readers: Iterable[str]) -> tuple[str, str]:
+    """The topic that is read in place of one that nothing reads, and the message."""
+    other = nearest(topic, readers, 0) or next(iter(readers))
+    return other, (
+        f"'{publisher}' publishes '{topic}', which nothing reads; velocity commands are read on "
+        f"'{other}'"
+    )
 
 
 def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
@@ -162,7 +164,7 @@ def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) ->
                 node.at,
                 f"{who}, where {expected[0]} is read",
                 set_parameter if reader.topic == topic else f"remap {topic} to {reader.topic}",
-                related=(Related(reader.at, "the reader"),),
+                related=(reader.related,),
             )
 
 

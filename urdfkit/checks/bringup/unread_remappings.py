@@ -139,9 +139,8 @@ def _renamed(context: Context) -> list[tuple[str, Location | Element]]:
 
 def reversed_remappings(context: Context) -> Findings:
     """Remappings that rename another topic to the one that the node has."""
-    topics: dict[str, str] = data("nodes")["topics"]
     for node in context.launch.started:
-        own = {resolve_name(name, "") for name in _topics(node, topics)}
+        own = {resolve_name(name, "") for name in _topics(node)}
         pairs = {resolve_name(old, ""): new for old, new in (node.remappings or {}).items()}
         for old, new in pairs.items() if node.is_ros_2 and node.namespace == "" else ():
             name = resolve_name(new, "")
@@ -209,6 +208,8 @@ def _inputs(section: NodeParameters) -> Iterator[tuple[str, Value]]:
             yield f"topic of '{name}'", topic
 
 
-def _topics(program: StartedProgram, topics: dict[str, str]) -> list[str]:
-    key = program.key
-    return (topics.get(key) or data("nodes")["all_topics"].get(key, "")).split()
+def _topics(program: StartedProgram) -> list[str]:
+    """The topics that a program has by default; empty for an unknown one."""
+    nodes = data("nodes")
+    topics: str = nodes["topics"].get(program.key) or nodes["all_topics"].get(program.key, "")
+    return topics.split()
