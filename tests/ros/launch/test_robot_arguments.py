@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import CORPUS, needs_corpus
+from tests.jointed import joint
 from urdfkit import check
 from urdfkit.cli import main
 from urdfkit.lint.config_reader import load
@@ -206,3 +207,50 @@ def test_every_arm_of_universal_robots_is_checked(tmp_path: Path) -> None:
         (name, model) for name in ("ur.urdf.xacro", "ur_mocked.urdf.xacro") for model in models
     }
     assert not any("needs arguments" in skip.reason for skip in report.skipped)
+
+
+DEMO = """\
+from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launches import generate_{}_launch
+def generate_launch_description():
+    config = MoveItConfigsBuilder("arm", package_name="arm_moveit"){}.to_moveit_configs()
+    return generate_{}_launch(config)
+"""
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    arm_controller:
+      type: joint_trajectory_controller/JointTrajectoryController
+arm_controller:
+  ros__parameters:
+    joints: [shoulder, elbwo]
+    command_interfaces: [position]
+    state_interfaces: [position]
+"""
+
+
+@pytest.mark.parametrize(
+    ("launch", "method", "found"),
+    [
+        ("demo", "", 1),
+        ("rsp", "", 0),  # starts no controller
+        ("demo", '.robot_description(mappings={"size": "big"})', 0),
+    ],
+)
+def test_the_controllers_of_a_moveit_demo(
+    tmp_path: Path, launch: str, method: str, found: int
+) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>arm_moveit</name></package>")
+    for name in ("config", "launch"):
+        (tmp_path / name).mkdir()
+    joints = "".join(f'<joint name="{name}"/>' for name in ("shoulder", "elbow"))
+    hardware = "<hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
+    text = f'<ros2_control name="c" type="system">{hardware}{joints}</ros2_control>'
+    text += "".join(joint(name, "continuous") for name in ("shoulder", "elbow"))
+    (tmp_path / "config/arm.urdf.xacro").write_text(
+        f'<robot name="arm"><link name="base"/>{text}</robot>'
+    )
+    (tmp_path / "config/ros2_controllers.yaml").write_text(CONTROLLERS)
+    (tmp_path / "launch/demo.launch.py").write_text(DEMO.format(launch, method, launch))
+    report = check(tmp_path, select=["RCT001"])
+    assert [one.span.text for one in report.diagnostics] == ["elbwo"] * found

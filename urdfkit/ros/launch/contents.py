@@ -237,6 +237,8 @@ class Launch(Record):
     includes: tuple[IncludedFile, ...] = ()  # its includes, and those of its included files
     #: Robots that MoveItConfigsBuilder reads, with arguments.
     configured: tuple[LaunchedDescription, ...] = ()
+    #: Robots of the demos of moveit_configs_utils, each with the file of its controllers.
+    demos: tuple[tuple[LaunchedDescription, FileUse], ...] = ()
 
     @property
     def programs(self) -> tuple[StartedProgram, ...]:

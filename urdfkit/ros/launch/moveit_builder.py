@@ -13,7 +13,7 @@ from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.collect import UNKNOWN, Collector, frame_at
-from urdfkit.ros.launch.contents import MOVEIT, LaunchedDescription
+from urdfkit.ros.launch.contents import MOVEIT, PARAMETERS, FileUse, LaunchedDescription
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Tag
@@ -43,6 +43,8 @@ _NO_PLANNER = re.compile(
 _PLANNER = re.compile(
     rb"\bgenerate_(demo|move_group)_launch\(|\.(to_dict\(|planning_pipelines\b(?!\s*\())"
 )
+#: Starts ros2_control with config/ros2_controllers.yaml.
+_DEMO = re.compile(rb"\bgenerate_demo_launch\(")
 
 
 def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
@@ -64,6 +66,7 @@ def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
     elif called(call) == "to_moveit_configs" and directory:
         _default_files(call, directory, values, collector)
         _required_files(call, builder, directory, values, collector)
+        _demo(call, robot, directory, values, collector)
     elif called(call) == "planning_pipelines" and directory:
         _default(call, values, collector)
         _named_pipelines(call, directory, values, collector)
@@ -250,6 +253,21 @@ def _describe(call: ast.Call, directory: str, values: Values, collector: Collect
         span = values.span(call)
         frame = frame_at(values.source, Tag(values.source, span.start, span.start), None)
         collector.configured.append(LaunchedDescription(path, known, frame, unknown))
+
+
+def _demo(
+    call: ast.Call, robot: str | None, directory: str, values: Values, collector: Collector
+) -> None:
+    """Record the robot and the controllers of a demo, which have names that are fixed."""
+    config, span = os.path.join(directory, "config"), values.span(call)
+    path = os.path.join(config, f"{robot}.urdf.xacro")
+    controllers = os.path.join(config, "ros2_controllers.yaml")
+    is_default = robot and "robot_description" not in _methods(call)
+    is_demo = is_default and _DEMO.search(values.source.data)
+    if is_demo and disk.is_file(path) and disk.is_file(controllers):
+        frame = frame_at(values.source, Tag(values.source, span.start, span.start), None)
+        file = FileUse(controllers, True, span, PARAMETERS)
+        collector.demos.append((LaunchedDescription(path, {}, frame), file))
 
 
 def _methods(call: ast.Call) -> dict[str, ast.Call]:

@@ -54,6 +54,8 @@ def started_robots(launch: Launch, path: str) -> Iterator[tuple[str, RobotArgume
     for robot in launch.descriptions:
         arguments = RobotArguments(robot.arguments, path, robot.frame, robot.unknown, parameters)
         yield robot.path, arguments
+    for robot, file in launch.demos:
+        yield robot.path, RobotArguments({}, path, robot.frame, parameters=(file,))
 
 
 def passed_arguments(
