@@ -197,3 +197,18 @@ def test_what_older_gazebo_keeps(robot: str) -> None:
 def test_the_severity_of_each_case(robot: str, target: str, severity: Severity) -> None:
     (found,) = reported(robot, target)
     assert found.severity is severity
+
+
+def test_merged_frames_whose_masses_are_zero() -> None:
+    """The frames of the cameras of SoftBank's Pepper and Romeo; libsdformat 12.3 rejects both."""
+    zero = inertial(0, (0, 0, 0))
+    robot = BASE + link("camera", zero) + joint("base", "camera")
+    assert reported(robot, "classic-ros1") == []
+    robot += link("optical", zero) + joint("camera", "optical")
+    (found,) = reported(robot, "classic-ros1")
+    assert found.severity is Severity.ERROR
+    assert found.message == naming("optical", "camera", "optical_joint", "0", "Gazebo")
+    assert found.span.text.startswith("<inertial>")
+    (found,) = reported(robot)
+    assert found.severity is Severity.INFO
+    assert reported(robot.replace(link("optical", zero), link("optical")), "classic-ros1") == []

@@ -60,7 +60,7 @@ ROBOTS = {
         BASE
         + child("arm", "fixed", inside=BODY.replace('value="1"', 'value="0"'))
         + child("hand", "fixed", parent="arm", inside=BODY.replace('value="1"', 'value="0"')),
-        [""],
+        ["INE004"],
     ),
     "a merged frame without mass": (
         BASE + child("arm", "fixed", inside=BODY.replace('value="1"', 'value="0"')),

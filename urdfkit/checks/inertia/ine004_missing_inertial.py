@@ -12,6 +12,8 @@ without `<inertial>` 1 kg, a frame at the tip of an arm as well. Gazebo drops li
 - In the same versions, a link without mass that is fixed to another link loses the children that
   moving joints connect to it: the wheel on a bracket, the arm on a mounting plate. Make the joint a
   child of the parent, with both origins combined, or give the link a mass of a gram.
+- Of two links with a fixed joint whose `<inertial>` have a total mass of 0, Gazebo cannot compute
+  a centre of mass, and rejects the robot. Remove the `<inertial>` of the frame.
 - If no link has a mass, Gazebo rejects the robot. Many arms are published without masses, for RViz
   and MoveIt.
 
@@ -78,6 +80,7 @@ def _in_gazebo(context: Context) -> Findings:
         yield from _without_mass(context)
     yield from _of_tiny_mass(context)
     yield from _on_massless_frames(context)
+    yield from _without_center(context)
 
 
 def _in_target(context: Context, target: TargetFacts) -> Findings:
@@ -222,4 +225,16 @@ def _on_massless_frames(context: Context) -> Findings:
             "make the joint a child of the parent, or give the link a mass of a gram",
             severity=Severity.WARNING if old else Severity.INFO,
             targets=old,
+        )
+
+
+def _without_center(context: Context) -> Findings:
+    for joint in context.gazebo.undefined_centers():
+        link = context.model.links_by_name[joint.child_name]
+        yield Finding(
+            (link.inertial or link).at,
+            f"links '{link.name}' and '{joint.parent_name}' with the fixed joint '{joint.name}' "
+            "have a total mass of 0: Gazebo rejects the robot",
+            "remove <inertial>, or add a mass",
+            group_key="total mass of 0",
         )

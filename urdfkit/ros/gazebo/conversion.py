@@ -192,6 +192,19 @@ class SdfConversion:
                 yield joint
             stack += children
 
+    def undefined_centers(self) -> Iterator[Joint]:
+        """The merged joints of two links with a total mass of 0, by which sdformat divides.
+
+        Source: ``dMassAdd`` in its parser_urdf.cc, in all versions.
+        """
+        masses = {link.name: link.mass for link in self.model.links if link.inertial}
+        for joint in self.merged_joints() if self.tree.is_sound else ():
+            link, into = joint.child_name, joint.parent_name
+            if link in masses and link in self.survivor:
+                masses[into] = masses.get(into, 0.0) + masses[link]
+                if masses[into] == 0:
+                    yield joint
+
     def merges(self, joint: Joint) -> bool:
         """True if the child of a joint is merged into its parent, or dropped with it."""
         return (

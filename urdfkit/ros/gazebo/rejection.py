@@ -219,20 +219,12 @@ def _of_inertia(conversion: SdfConversion) -> Iterator[Rejection]:
 
 
 def _of_masses(conversion: SdfConversion) -> Iterator[Rejection]:
-    """Merged links with a total mass of 0, by which sdformat divides: SoftBank's Pepper has many.
-
-    Source: ``dMassAdd`` in its parser_urdf.cc, in all versions; the SDF parser rejects the pose.
-    """
-    masses = {link.name: link.mass for link in conversion.model.links if link.inertial}
-    for joint in conversion.merged_joints() if conversion.tree.is_sound else ():
+    """Merged links whose centre of mass is not a number: the SDF parser rejects its pose."""
+    for joint in conversion.undefined_centers():
         link, into = joint.child_name, joint.parent_name
-        if link not in masses or link not in conversion.survivor:
-            continue
-        masses[into] = masses.get(into, 0.0) + masses[link]
-        if masses[into] == 0:
-            message = (
-                f"links '{link}' and '{into}' have a total mass of 0: Gazebo cannot compute a "
-                "centre of mass; remove <inertial>, or add a mass"
-            )
-            place = conversion.model.links_by_name[link].inertial or joint
-            yield Rejection("libsdformat", "", message, place.at.span)
+        message = (
+            f"links '{link}' and '{into}' have a total mass of 0: Gazebo cannot compute a centre "
+            "of mass; remove <inertial>, or add a mass"
+        )
+        place = conversion.model.links_by_name[link].inertial or joint
+        yield Rejection("libsdformat", "INE004", message, place.at.span)
