@@ -69,6 +69,36 @@ def test_a_macro_that_adds_the_prefix_itself(tmp_path: Path) -> None:
     assert reported(tmp_path, "", f"{P}base", extra) == []
 
 
+@pytest.mark.parametrize(
+    ("parent", "params", "count"),
+    [
+        ("lidar_mount", "name", 1),
+        ("${name}_mount", "name", 0),
+        ("base", "name", 0),
+        ("lidar_mount", "parent:=base", 0),  # the name is a property of the file
+    ],
+)
+def test_a_name_that_a_macro_defines_with_its_parameter(
+    tmp_path: Path, parent: str, params: str, count: int
+) -> None:
+    text = xacro_xml(
+        '<xacro:property name="name" value="lidar"/><link name="base"/>',
+        f'<xacro:macro name="sensor" params="{params}">',
+        '<link name="${name}_mount"/><link name="${name}_link"/>',
+        '<joint name="${name}_a" type="fixed">',
+        '<parent link="base"/><child link="${name}_mount"/></joint>',
+        '<joint name="${name}_b" type="fixed">',
+        f'<parent link="{parent}"/><child link="${{name}}_link"/></joint></xacro:macro>',
+        f'<xacro:sensor {"name" if params == "name" else "parent"}="lidar"/>',
+    )
+    path = tmp_path / "r.urdf.xacro"
+    path.write_text(text)
+    found = check(path, select=["XAC024"]).diagnostics
+    assert [one.span.text for one in found] == [parent] * count
+    assert all(one.help == "write ${name}_mount" for one in found)
+    assert all(one.message == naming("lidar_mount", "${name}_mount", "<parent>") for one in found)
+
+
 def renamed(
     directory: Path, name: str, default: str, given: dict[str, str], prefix: str = ""
 ) -> list[str]:

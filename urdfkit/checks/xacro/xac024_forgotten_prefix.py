@@ -5,6 +5,9 @@ The robot is right while the prefix is empty, and breaks with any other prefix: 
 expands the robot once more with a value for each empty argument, independent of its name. Write
 `${prefix}` or `$(arg prefix)` in the reference, too.
 
+A macro that calls a link `${name}_link` and its parent joint's child `lidar_link` is right for one
+value of its parameter only: a second call, or another name, breaks it.
+
 The same is true for a link that `<xacro:if value="${with_camera}">` adds: if it is the parent of a
 joint outside of the condition, the robot breaks with `with_camera:=false`. A `<gazebo>` block
 outside of the condition is an info: Gazebo ignores the block. A reference in another package than
@@ -45,6 +48,7 @@ _NAMING = ("frame", "link", "joint", "body")
 
 @rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL))
 def check(context: Context) -> Findings:
+    yield from _names_without_parameter(context.document.root)
     if context.is_part or not context.xacro.defaults:
         return
     from urdfkit.checks.xacro.forgotten_condition import forgotten_conditions  # needs arguments
@@ -81,6 +85,35 @@ def _forgotten_prefixes(context: Context) -> Findings:
                 related=tuple(_defined(root, name)),
             )
         suspects -= lost
+
+
+def _names_without_parameter(root: Element) -> Findings:
+    """Names that a macro writes out, but defines with one of its parameters."""
+    defined: dict[CallFrame, dict[str, Attribute]] = {}
+    for name, attribute in _definitions(root):
+        frame = attribute.element.frame
+        if frame and not attribute.literal and _has_parameter(attribute.span.text, frame):
+            defined.setdefault(frame, {})[name] = attribute
+    names = {name for of_call in defined.values() for name in of_call}
+    for name, span, element in _references(root, names) if names else ():
+        attribute_of = defined.get(element.frame, {}) if element.frame else {}
+        if name in attribute_of and span.text.strip() == name:
+            written = attribute_of[name].span
+            yield Finding(
+                Location(span, element.frame),
+                f"'{name}' is defined as '{written.text}' in this macro; <{element.tag}> names it "
+                "without the parameter",
+                f"write {written.text}",
+                related=(Related(written, "it is defined here"),),
+            )
+
+
+def _has_parameter(written: str, frame: CallFrame) -> bool:
+    """True if an expression contains a parameter of the macro of a call."""
+    spans = frame.definition.attribute_spans() if frame.definition else {}
+    parameters = re.findall(r"[A-Za-z_]\w*", spans["params"].text) if "params" in spans else ()
+    used = re.findall(r"[A-Za-z_]\w*", " ".join(re.findall(r"\$\{[^{}]*\}", written)))
+    return not set(used).isdisjoint(parameters)
 
 
 def _expression(argument: str, source: Source) -> str:
