@@ -57,6 +57,41 @@ def test_location_and_help(tmp_path: Path) -> None:
     assert one.severity is Severity.INFO
 
 
+SLAB = """<model name="m"><static>STATIC</static><pose>POSE</pose><link name="l">
+<collision name="c"><geometry><box><size>SIZE</size></box></geometry></collision></link></model>"""
+
+
+@pytest.mark.parametrize(
+    ("size", "pose", "static", "count"),
+    [
+        ("36 28 0.3", "0 0 -0.15 0 0 0", "true", 1),  # its top is the ground
+        ("36 28 0.3", "0 0 -0.4 0 0 0", "true", 0),  # 0.25 m lower
+        ("36 28 0.3", "0 0 -0.15 0 0 0", "false", 0),
+        ("36 28 0.3", "0 0 -0.15 0 0.1 0", "true", 0),
+        ("36 28 0.3", "20 0 -0.15 0 0 0", "true", 0),  # beside the origin
+        ("36 28 3", "0 0 -1.5 0 0 0", "true", 0),  # a wall or a building
+        ("2 2 0.3", "0 0 -0.15 0 0 0", "true", 0),  # a table
+        ("36 28", "0 0 -0.15 0 0 0", "true", 0),
+    ],
+)
+def test_a_floor_that_is_a_box(
+    size: str, pose: str, static: str, count: int, tmp_path: Path
+) -> None:
+    launch = INCLUDE + SPAWN.format(TOPIC + ', "-z", "0.1"')
+    world = SLAB.replace("SIZE", size).replace("POSE", pose).replace("STATIC", static)
+    found = messages(tmp_path, CODE, robot=wheeled(), launch=launch, world=world)
+    assert sum("below the ground" in one for one in found) == count
+
+
+def test_two_floors_that_are_boxes(tmp_path: Path) -> None:
+    launch = INCLUDE + SPAWN.format(TOPIC + ', "-z", "0.1"')
+    slab = SLAB.replace("SIZE", "9 9 0.1").replace("STATIC", "true")
+    low, lower = (slab.replace("POSE", f"0 0 {z} 0 0 0") for z in ("-0.05", "-3"))
+    for world, count in ((low, 1), (lower, 0), (low + lower, 0)):
+        found = messages(tmp_path, CODE, robot=wheeled(), launch=launch, world=world)
+        assert len(found) == count
+
+
 @pytest.mark.parametrize("z", ["0.3", "0.295", "1"])
 def test_spawned_high_enough(z: str, tmp_path: Path) -> None:
     launch = EMPTY + SPAWN.format(f'{TOPIC}, "-z", "{z}"')

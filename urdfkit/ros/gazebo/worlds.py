@@ -28,6 +28,8 @@ _FILENAME = rb"""<plugin\b[^<>]*\bfilename\s*=\s*["']([^"']+)"""
 #: URI of a model on Gazebo's resource path.
 _MODEL = re.compile(r"model://([^/]+)/?$")
 _DEFINITIONS = ("model.config", "model.sdf")
+#: A box is a floor if it is so wide, and so flat, in m.
+_WIDE, _FLAT = 5.0, 0.5
 #: Elements whose contents are not those of SDF.
 _FOREIGN = ("plugin", "gui", "state")
 
@@ -81,14 +83,14 @@ class World(Record):
 
     @property
     def ground(self) -> float | None:
-        """Height of the floor in m, if it is one level plane; None if unknown."""
+        """Height of the floor in m, if it is one level plane or slab; None if unknown."""
         if self.at.child("heightmap") or any(part.tag == "heightmap" for part in self.at.walk()):
             return None
         heights = {
             height
             for element in (*self.at.all("model"), *self.at.all("include"))
             if _is_plane(element) and (height := _level(element)) is not None
-        }
+        } or {top for model in self.at.all("model") if (top := _top_of_slab(model)) is not None}
         return heights.pop() if len(heights) == 1 else None
 
     def adds_defaults(self) -> bool | None:
@@ -210,6 +212,23 @@ def _is_plane(element: Element) -> bool:
         words = (uri.text if uri is not None else "").casefold()
         return words.strip().rstrip("/").endswith(("ground_plane", "ground plane"))
     return any(part.tag == "plane" and part.parent is not None for part in element.walk())
+
+
+def _top_of_slab(model: Element) -> float | None:
+    """Height in m of a floor that is a wide and flat box below the origin; None for others."""
+    static = model.child("static")
+    collisions = [part for part in model.walk() if part.tag == "collision"]
+    geometry = collisions[0].child("geometry") if len(collisions) == 1 else None
+    box = geometry.child("box") if geometry is not None else None
+    size = box.child("size") if box is not None else None
+    sides = numbers(size.text) if size is not None else None
+    level, pose = _level(model), model.child("pose")
+    if static is None or static.text.strip().lower() not in ("true", "1") or level is None:
+        return None
+    if sides is None or len(sides) != 3 or min(sides[:2]) < _WIDE or sides[2] > _FLAT:
+        return None
+    x, y = (numbers(pose.text) or (0.0, 0.0))[:2] if pose is not None else (0.0, 0.0)
+    return level + sides[2] / 2 if max(abs(x), abs(y)) < min(sides[:2]) / 2 else None
 
 
 def _level(element: Element) -> float | None:
