@@ -285,6 +285,42 @@ def test_another_frame_of_odometry(tmp_path: Path, frame: str, more: str, count:
     assert ["frame of odometry" in one for one in found] == [True] * count
 
 
+DRIVE = """drive:
+  ros__parameters: {odom_frame_id: odom, MOREwheel_radius: 0.1}
+controller_manager:
+  ros__parameters: {drive: {type: diff_drive_controller/DiffDriveController}}
+"""
+OF_BRIDGE = """), Node(
+    package="ros_gz_bridge", executable="parameter_bridge",
+    arguments=["/tf@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V"]"""
+DRIVEN_BY = """nodes += [
+    Node(package="controller_manager", executable="spawner", arguments=["drive"]EXTRA),
+]
+"""
+
+
+@pytest.mark.parametrize(
+    ("frame", "more", "after", "count"),
+    [
+        ("odom", "", "", 0),
+        ("odm", "", "", 1),
+        ("/drive/odom", "", "", 1),  # the topic
+        ("odm", "enable_odom_tf: false, ", "", 0),
+        ("odm", "", ', namespace="a"', 0),
+        ("odm", "", '), Node(package="gazebo_ros", executable="spawn_entity.py"', 0),
+        ("odm", "", OF_BRIDGE, 0),
+    ],
+)
+def test_another_frame_than_the_one_of_the_drive(
+    tmp_path: Path, frame: str, more: str, after: str, count: int
+) -> None:
+    yaml = AMCL[AMCL.index("amcl:") :].replace("FRAME", frame) + DRIVE.replace("MORE", more)
+    text = LOCALIZED.replace("robot_localization", "rviz2").replace("ekf_node", "rviz2")
+    text += DRIVEN_BY.replace("EXTRA", after)
+    found = messages(tmp_path, "LAU023", text, {"a.yaml": yaml})
+    assert ["the wheel controller" in one or "drive" in one for one in found] == [True] * count
+
+
 DRIVEN = """from launch_ros.actions import Node
 
 nodes = [

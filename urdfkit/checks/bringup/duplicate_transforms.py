@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from urdfkit.checks.bringup.defined_controllers import defined_controllers
 from urdfkit.checks.bringup.odometry import (
     OdometryTransform,
     of_bridges,
@@ -81,7 +82,7 @@ def _of_others(
         if filter := children.get(slam.child):
             help = f'write provide_odom_frame = false and published_frame = "{filter.parent}"'
             yield _twice(filter, slam, slam.publisher, help)
-    for drive in of_drives(programs, context) if filters else ():
+    for drive in of_drives(programs, defined_controllers(context)) if filters else ():
         if filter := filters.get(drive.parent):
             yield _twice(filter, drive, drive.publisher, "write enable_odom_tf: false")
 
@@ -163,7 +164,7 @@ def static_odometry(context: Context, programs: list[StartedProgram]) -> Finding
     static = [(node, transform) for node in programs if (transform := static_transform(node))]
     if not static or context.launch.has_scopes:
         return
-    moving = [*of_drives(programs, context), *of_filters(programs, context)]
+    moving = [*of_drives(programs, defined_controllers(context)), *of_filters(programs, context)]
     moving += _of_localization(programs, context)
     for _, robot in context.described_robots:
         moving += of_bridges(programs, context, robot)

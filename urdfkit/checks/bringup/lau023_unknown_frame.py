@@ -19,7 +19,8 @@ Checked are:
   which may publish other frames.
 - The `global_frame` of a costmap, only for typos of `map` or `odom`.
 - The frames in which drivers of lidars and cameras publish, next to the robot or to navigation.
-- The frame of odometry of AMCL and slam_toolbox, if robot_localization publishes another one.
+- The frame of odometry of AMCL and slam_toolbox, if robot_localization, or without it the wheel
+  controller, publishes another one.
 - A `world_frame` of robot_localization that is neither its `odom_frame` nor its `map_frame`, and an
   `odom_frame` that equals another frame: the filter stops ("Invalid frame configuration!").
 
@@ -40,7 +41,8 @@ Sources:
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.bringup.odometry import of_filters
+from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
+from urdfkit.checks.bringup.odometry import OdometryTransform, of_drives, of_filters
 from urdfkit.checks.bringup.published_frames import (
     WELL_KNOWN,
     links_of_robots,
@@ -52,7 +54,8 @@ from urdfkit.checks.bringup.workspace_launches import all_launches, programs_of
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
-from urdfkit.ros.launch.contents import Launch
+from urdfkit.ros.launch.bridges import bridged_topics
+from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.frames import (
     GLOBAL,
     NamedFrame,
@@ -99,6 +102,10 @@ _ODOMETRY_OF = {
     "slam_toolbox": "odom_frame",
 }
 _ODOMETRY_KEYS = ("odom_frame", "odom_frame_id", "odometry_frame")
+#: Gazebo Classic, whose plugins publish transforms themselves.
+_SPAWNERS = ("spawn_entity.py", "spawn_model")
+#: An absolute name of several parts: tf2 rejects frames with a leading slash.
+_TOPIC = re.compile(r"/\w+/")
 #: Packages whose programs publish no frames of sensors, and those that need these frames.
 _PLAIN = re.compile(
     r"controller_manager|joint_state_publisher(_gui)?|joy(_linux)?|ros_gz_\w+|rviz2|tf2_ros"
@@ -230,10 +237,10 @@ def _unknown_parents(
 
 
 def _unpublished_odometry(context: Context) -> Findings:
-    """Frames of odometry that localization or Nav2 names, but not the filters of the workspace."""
+    """Frames of odometry that localization or Nav2 names, but no publisher of the workspace."""
     launches = all_launches(context)
-    programs = programs_of(launches)
-    published = {transform.parent for transform in of_filters(programs, context)}
+    transforms = _odometry(context, programs_of(launches))
+    published = {transform.parent for transform in transforms}
     if not published or may_have_other_publishers(context):
         return
     named: list[Value] = []
@@ -249,17 +256,33 @@ def _unpublished_odometry(context: Context) -> Findings:
     for launch in launches:
         published.update(transform.child.name for transform in static_transforms(launch))
     unknown = [frame for frame in named if frame.text.strip("/") not in published]
-    elsewhere = strings_in_programs(
-        {frame.text for frame in unknown}, context.source.path, context.resolver
-    )
+    # The name of a topic, which programs name, too, is not a frame.
+    names = {frame.text for frame in unknown if not _TOPIC.match(frame.text)}
+    elsewhere = strings_in_programs(names, context.source.path, context.resolver)
+    first = min(transforms, key=lambda transform: transform.parent)
     for frame in unknown:
         if frame.text and frame.text not in elsewhere and not re.search(r"[$<{]", frame.text):
             yield Finding(
                 frame.span,
-                f"the frame of odometry '{frame.text}' is not published; robot_localization "
-                f"publishes '{min(published)}'",
-                f"write {min(published)}",
+                f"the frame of odometry '{frame.text}' is not published; {first.publisher} "
+                f"publishes '{first.parent}'",
+                f"write {first.parent}",
             )
+
+
+def _odometry(context: Context, programs: list[StartedProgram]) -> list[OdometryTransform]:
+    """The transforms of odometry of filters; without a filter, those of wheel controllers.
+
+    None if programs in namespaces, Gazebo or programs of the workspace may publish others.
+    """
+    if transforms := list(of_filters(programs, context)):
+        return transforms
+    if any(node.namespace != "" or node.executable in _SPAWNERS for node in programs):
+        return []
+    topics = (topic for node in programs for topic in bridged_topics(node, context.resolver))
+    if any(topic.ros_topic.strip("/") == "tf" for topic in topics):
+        return []
+    return list(of_drives(programs, controllers_of_workspace(context)))
 
 
 def _wrong_filter_frames(context: Context) -> Findings:

@@ -5,12 +5,12 @@ Source: ``DiffDrive.cc`` and ``OdometryPublisher.cc`` of gz-sim.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
-from urdfkit.checks.bringup.defined_controllers import defined_controllers
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Location
 from urdfkit.ros.catalog import data
+from urdfkit.ros.controllers import Controller
 from urdfkit.ros.gazebo.topics import of_plugin
 from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.cartographer import configurations
@@ -114,9 +114,14 @@ def of_cartographer(
             yield OdometryTransform(parent, values["published_frame"], publisher, at)
 
 
-def of_drives(programs: Iterable[StartedProgram], context: Context) -> Iterator[OdometryTransform]:
-    """The transforms of active wheel controllers of ros2_control."""
-    defined = defined_controllers(context)
+def of_drives(
+    programs: Iterable[StartedProgram], defined: Mapping[str, Controller]
+) -> Iterator[OdometryTransform]:
+    """The transforms of active wheel controllers of ros2_control.
+
+    Args:
+        defined: the controllers in parameter files, by name.
+    """
     for spawned in spawned_controllers(programs):
         controller = defined.get(spawned.name) if spawned.is_activated else None
         if controller is None or controller.ros != 2 or controller.type != _DRIVE:
