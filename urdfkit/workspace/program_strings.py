@@ -21,6 +21,18 @@ _SUFFIXES = (".cpp", ".cc", ".cxx", ".h", ".hpp", ".py")
 _READS_XML = rb"tinyxml|firstchildelement|elementtree|minidom|lxml|pugi"
 #: Words in programs that publish messages of types that they learn at run time.
 _OF_ANY_TYPE = rb"get_message|[Gg]eneric|rosbag|importlib|ShapeShifter"
+#: Where a program in Python names a type of messages without publishing or reading them: imports
+#: without a new name, signatures, and comments.
+_NAMES = (
+    rb"(?m)^[ \t]*from[ \t]+\w+\.msg[ \t]+import[ \t]+(?![^()\n]*\bas\b)[\w, \t]*$"
+    rb"|^[ \t]*from[ \t]+\w+\.msg[ \t]+import[ \t]*\((?![^()]*\bas\b)[\w\s,]*\)"
+    rb"|\bdef[ \t]+\w+\([^()]*\)"
+    rb"|^[ \t]*#.*$"
+)
+_TYPE = rb"\(\s*(?:self,\s*)?(?:[\w.]+\.)?\w+,"
+#: The same, and where a program reads them, or where it makes and publishes them.
+_READS = re.compile(_NAMES + rb"|\b(?:create_subscription|Subscriber|Subscription)" + _TYPE)
+_PUBLISHES = re.compile(_NAMES + rb"|\b(?:create_publisher|Publisher)" + _TYPE + rb"|\b[A-Z]\w*\(")
 
 
 def xml_readers(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, str]:
@@ -55,22 +67,39 @@ def strings_in_programs(words: Collection[str], near: str, resolver: Resolver) -
 
 
 def may_publish(package: str, message: str, near: str, resolver: Resolver) -> bool:
-    """False if no program of a package in the workspace of a file names a type of messages.
+    """False if no program of a package in the workspace of a file publishes a type of messages.
 
     The programs of the packages that it depends on count, too: it may consist of their classes.
     """
+    directories = _of_package(package, near, resolver)
+    return not directories or _may_name(message, directories, _READS, resolver)
+
+
+def may_read(package: str, message: str, near: str, resolver: Resolver) -> bool:
+    """False if no program of a package, as above, reads a type of messages."""
+    directories = _of_package(package, near, resolver)
+    return not directories or _may_name(message, directories, _PUBLISHES, resolver)
+
+
+def _of_package(package: str, near: str, resolver: Resolver) -> tuple[str, ...]:
+    """The directories of a package in the workspace of a file, and of its dependencies there."""
     known = resolver.packages.known(near)
     if package not in known:
-        return True
+        return ()
     manifest = manifest_of(resolver, os.path.join(known[package], "package.xml"))
     names = {package, *(manifest.dependencies if manifest else ())}
-    directories = tuple(sorted(known[name] for name in names if name in known))
-    return _may_name(message, directories, resolver)
+    return tuple(sorted(known[name] for name in names if name in known))
 
 
 @lru_cache(maxsize=16)  # the messages of one launch file are asked in turn
-def _may_name(message: str, directories: tuple[str, ...], resolver: Resolver) -> bool:
-    """True if programs below directories name a type of messages; also if not all can be read."""
+def _may_name(
+    message: str, directories: tuple[str, ...], without: re.Pattern[bytes], resolver: Resolver
+) -> bool:
+    """True if programs below directories name a type of messages; also if not all can be read.
+
+    Args:
+        without: parts of a program in Python that do not count.
+    """
     files = (path for top in directories for path in resolver.directories.walk(top))
     programs = (path for path in files if path.endswith(_SUFFIXES) and not is_launch(path))
     named = re.compile(re.escape(message.encode()) + b"|" + _OF_ANY_TYPE)
@@ -79,6 +108,8 @@ def _may_name(message: str, directories: tuple[str, ...], resolver: Resolver) ->
         data = read_head(path, MAX_BYTES)
         size += max(len(data), 1)
         is_long = len(data) >= MAX_BYTES or size > _MOST_OF_PROGRAMS
+        if path.endswith(".py"):
+            data = without.sub(b"", data)
         if is_long or named.search(data):
             return True
     return size == 0

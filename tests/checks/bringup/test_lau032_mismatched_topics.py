@@ -319,6 +319,28 @@ PARTS = {
         "LaserScan']", "LaserScan'], remappings=[('/lidar', '/scan')]"
     ),
 }
+PROCESS = "ExecuteProcess(cmd={})\n"
+PARTS |= {
+    "sleep": PROCESS.format(["/bin/sleep", "3"]),
+    "controllers": PROCESS.format(["ros2", "control", "load_controller", "arm"]),
+    "command": PROCESS.format(["ros2", "topic", "pub", "/scan", "sensor_msgs/msg/LaserScan"]),
+    "shell": PROCESS.format(["sleep 3; ./driver"]),
+    "unknown": "ExecuteProcess(cmd=[name])\n",
+}
+READING = """
+# It never publishes a LaserScan.
+from sensor_msgs.msg import (
+    Imu,
+    LaserScan,
+)
+
+class Monitor(Node):
+    def start(self):
+        self.create_subscription(LaserScan, "/scan", self.read, 10)
+
+    def read(self, message: LaserScan):
+        pass
+"""
 OWN = {
     "src/mine/package.xml": "<package><name>mine</name><depend>base</depend></package>",
     "src/mine/monitor.py": "from sensor_msgs.msg import JointState",
@@ -340,6 +362,14 @@ BASE = {
         ("own", OWN, 1),
         ("own", {**OWN, **BASE}, 0),
         ("own", {**OWN, "src/mine/monitor.py": "publisher = create_generic_publisher"}, 0),
+        ("own", {**OWN, "src/mine/monitor.py": READING}, 1),
+        ("own", {**OWN, "src/mine/monitor.py": READING + "kind = LaserScan"}, 0),
+        ("own", {**OWN, "src/mine/monitor.py": READING.replace("Imu", "Imu as I")}, 0),
+        ("sleep", {}, 1),
+        ("controllers", {}, 1),
+        ("command", {}, 0),
+        ("shell", {}, 0),
+        ("unknown", {}, 0),
         ("own", {**OWN, "src/mine/monitor.py": "#" * 200_000}, 0),
     ],
 )
@@ -371,3 +401,21 @@ def test_the_scope_of_the_time(tmp_path: Path, scope: str, count: int) -> None:
     )
     found = reported(tmp_path, "LAU032", "a.launch.xml", scope + nodes)
     assert len([one for one in found if "waits for '/scan'" in one.message]) == count
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "count"),
+    [
+        ("launch/all.launch.py", "path = 'a.launch.py'", 0),
+        ("test/all.launch.py", "path = 'a.launch.py'", 1),
+        ("launch/all.launch.py", "# see a.launch.py", 1),
+        ("launch/all.launch.py", '"""After\na.launch.py."""', 1),
+        ("launch/all.launch.xml", "<launch><!-- a.launch.py --></launch>", 1),
+    ],
+)
+def test_a_launch_file_that_another_one_may_include(
+    tmp_path: Path, path: str, text: str, count: int
+) -> None:
+    nodes = IMU.format("/imu/data", "") + FILTER.format("")
+    found = reported(tmp_path, "LAU032", "a.launch.py", nodes, {path: text, "ekf.yaml": EKF})
+    assert ["waits for" in one.message for one in found] == [True] * count

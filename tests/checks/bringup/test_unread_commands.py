@@ -9,6 +9,7 @@ from tests.launched import reported
 from tests.naming import naming
 
 MUX = NODE.format("twist_mux", "twist_mux", "{}")
+NAV2 = NODE.format("nav2_controller", "controller_server", "{}")
 TELEOP = NODE.format("teleop_twist_joy", "teleop_node", "{}")
 COMMANDS = NODE.format(
     "ros_gz_bridge",
@@ -29,6 +30,10 @@ COMMANDS = NODE.format(
         (TELEOP.format("namespace='drive'") + COMMANDS, ""),
         (TELEOP.format("") + COMMANDS + NODE.format("nav2_velocity_smoother", "x", ""), ""),
         (TELEOP.format("parameters=['{}/mux.yaml']") + COMMANDS, ""),
+        (NAV2.format("") + COMMANDS, "/cmd_vel"),
+        (NAV2.format("remappings=[('cmd_vel', '/drive/cmd_vel')]") + COMMANDS, ""),
+        (NAV2.format("") + COMMANDS + "ExecuteProcess(cmd=['sleep', '3'])\n", "/cmd_vel"),
+        (NAV2.format("") + COMMANDS + "ExecuteProcess(cmd=['./driver'])\n", ""),
     ],
 )
 def test_velocity_commands(tmp_path: Path, text: str, topic: str) -> None:
@@ -37,6 +42,33 @@ def test_velocity_commands(tmp_path: Path, text: str, topic: str) -> None:
     found = [one.message for one in reported(tmp_path, "LAU032", "a.launch.py", text, files)]
     assert [one.split("'")[3] for one in found] == [topic] * bool(topic)
     assert all("read on '/drive/cmd_vel'" in one for one in found)
+
+
+HOLD = """
+from geometry_msgs.msg import Twist
+
+class Hold(Node):
+    def start(self):
+        self.publisher = self.create_publisher(Twist, "/drive/cmd_vel", 10)
+        self.publisher.publish(Twist())
+"""
+
+
+@pytest.mark.parametrize(
+    ("program", "count"),
+    [
+        (HOLD, 1),
+        ("", 0),
+        (f"{HOLD}\nkind = Twist", 0),
+        (HOLD.replace("publisher(", "subscription("), 0),
+    ],
+)
+def test_a_program_of_the_workspace(tmp_path: Path, program: str, count: int) -> None:
+    files = {"src/mine/package.xml": "<package><name>mine</name></package>"}
+    files |= {"src/mine/hold.py": program} if program else {}
+    text = NAV2.format("") + COMMANDS + NODE.format("mine", "hold", "")
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    assert ["which nothing reads" in one.message for one in found] == [True] * count
 
 
 @pytest.mark.parametrize(

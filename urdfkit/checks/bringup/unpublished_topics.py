@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
+from urdfkit.checks.bringup.processes import is_silent_process
 from urdfkit.checks.bringup.read_topics import (
     FILTER_INFO,
     FILTER_SERVER,
@@ -216,7 +217,7 @@ def _is_known(program: StartedProgram, message: str) -> bool:
         names = [name for name, messages in published.items() if message in messages.split()]
         is_named = program.remappings is not None and program.namespace is not None
         return not names or ("*" not in names and is_named and program.is_sure)
-    if is_other or _SILENT.fullmatch(package):
+    if is_other or _SILENT.fullmatch(package) or is_silent_process(program):
         return True
     renamed = program.remappings
     if package in _BRIDGES:

@@ -17,6 +17,7 @@ from urdfkit.checks.bringup.defined_controllers import (
     controllers_of_workspace,
     robots_of_workspace,
 )
+from urdfkit.checks.bringup.processes import is_silent_process
 from urdfkit.checks.bringup.unread_remappings import renamed_topics
 from urdfkit.checks.bringup.workspace_launches import (
     all_launches,
@@ -42,6 +43,7 @@ from urdfkit.ros.launch.spawned_controllers import (
 from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Value, mapping, scalar
 from urdfkit.text.source import Span
+from urdfkit.workspace.program_strings import may_read
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: Packages whose nodes read no velocity commands, except on topics in their parameters.
@@ -104,7 +106,7 @@ def _may_have_other_readers(programs: list[StartedProgram], context: Context) ->
     defined = controllers_of_workspace(context)
     controllers = [defined.get(spawned.name) for spawned in spawned_controllers(programs)]
     return (
-        not all(map(is_known_reader, programs))
+        not all(is_known_reader(node) or not _may_read(node, context) for node in programs)
         or not all(controller and controller.kind for controller in controllers)
         or not all(are_all_known(robot.model) for robot in robots_of_workspace(context))
     )
@@ -203,7 +205,14 @@ def is_known_reader(program: StartedProgram) -> bool:
             (*program.remappings, *(word.text or "cmd_vel" for word in program.words))
         )
         return _COMMAND.search(renamed) is None
-    return program.package in _SMOOTHERS or bool(_OTHERS.fullmatch(program.package))
+    if program.package in _SMOOTHERS or is_silent_process(program):
+        return True
+    return bool(_OTHERS.fullmatch(program.package))
+
+
+def _may_read(program: StartedProgram, context: Context) -> bool:
+    """False for a program of the workspace whose source names no velocity commands."""
+    return may_read(program.package, _TWIST, context.source.path, context.resolver)
 
 
 def command_readers(context: Context, programs: Iterable[StartedProgram]) -> Iterator[Reader]:

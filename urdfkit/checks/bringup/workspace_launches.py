@@ -38,5 +38,5 @@ def distinct_descriptions(launches: Iterable[Launch]) -> list[LaunchedDescriptio
 
 
 def is_included(context: Context) -> bool:
-    """True if another launch file includes this one."""
-    return argument_checks.is_included(context.source.path, context.resolver)
+    """True if another launch file includes this one, except for a test, which adds no robot."""
+    return argument_checks.is_included(context.source.path, context.resolver, by_tests=False)

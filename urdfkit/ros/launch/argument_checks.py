@@ -10,7 +10,7 @@ from urdfkit.core.suggest import Suggester, did_you_mean, hint_for
 from urdfkit.core.suggest import is_typo as is_one_letter_off
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.signature import USE, Signature
-from urdfkit.text.comments import blank_comments
+from urdfkit.text.comments import blank_comments, without_comments
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.file_kinds import is_launch
@@ -23,6 +23,8 @@ _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
 #: The name in a declaration of an argument.
 _DECLARED = re.compile(rb"""<arg\s[^<>]*?\bname\s*=\s*["']([^"'<>]*)["']""")
 _WORD = re.compile(rb"\w+")
+#: Comments and docstrings of Python, on lines of their own.
+_PROSE = re.compile(rb"""(?m)^[ \t]*(?:#.*$|[rR]?(?:\"{3}(?s:.*?)\"{3}|'{3}(?s:.*?)'{3}))""")
 #: Most files that are searched for includes, and most directories.
 MAX_FILES, MAX_DIRECTORIES = 500, 2000
 
@@ -181,33 +183,43 @@ def declares_others(path: str) -> bool:
     return not comes_with_ros(package)
 
 
-def is_included(path: str, resolver: Resolver) -> bool:
+def is_included(path: str, resolver: Resolver, *, by_tests: bool = True) -> bool:
     """True if another launch file references this file, and so may pass arguments.
 
     A launch file of another package of the workspace must also contain the package name.
+
+    Args:
+        by_tests: whether launch files below a directory of tests count.
     """
     home = resolver.packages.enclosing(path)
     if home is None:
-        return _is_named(path, os.path.dirname(os.path.abspath(path)), "", resolver)
+        return _is_named(path, os.path.dirname(os.path.abspath(path)), "", resolver, by_tests)
     package, directory = home
-    return _is_named(path, directory, "", resolver) or _is_named(
-        path, resolver.packages.workspace(path), package, resolver
+    return _is_named(path, directory, "", resolver, by_tests) or _is_named(
+        path, resolver.packages.workspace(path), package, resolver, by_tests
     )
 
 
-def _is_named(path: str, directory: str, package: str, resolver: Resolver) -> bool:
+def _is_named(path: str, directory: str, package: str, resolver: Resolver, by_tests: bool) -> bool:
     """True if another launch file of a directory references this file, and its package."""
     name = os.path.basename(path)
     files = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
     siblings = [file for file in files if os.path.basename(file) != name]
+    if not by_tests:
+        siblings = [file for file in siblings if not _is_in_tests(os.path.relpath(file, directory))]
     return len(siblings) > MAX_FILES or any(
         _references(file, name.encode(), package.encode(), resolver) for file in siblings
     )
 
 
+def _is_in_tests(relative: str) -> bool:
+    return not {"test", "tests"}.isdisjoint(relative.split(os.sep))
+
+
 def _references(path: str, name: bytes, package: bytes, resolver: Resolver) -> bool:
     """True if a launch file contains a file name, or computes a path with this end."""
     source = resolver.readable(path)
-    text = source.data if source else b""
+    data = source.data if source else b""
+    text = _PROSE.sub(b"", data) if path.endswith(".py") else without_comments(data)
     is_named = name in text or any(map(name.endswith, _COMPUTED.findall(text)))
     return is_named and package in text
