@@ -167,6 +167,24 @@ def test_a_launch_file_in_a_directory_of_the_model(
     assert len(found) == count
 
 
+@pytest.mark.parametrize(
+    ("installed", "count"),
+    [
+        ("headers/ DESTINATION include", 1),
+        ("headers/ DESTINATION include FILES_MATCHING PATTERN *.h", 0),
+        ("headers/ DESTINATION include)\ninstall(DIRECTORY launch DESTINATION x FILES_MATCHING", 1),
+    ],
+)
+def test_a_directory_of_which_some_files_are_installed(
+    tmp_path: Path, installed: str, count: int
+) -> None:
+    """The driver of Xsens: CMake installs nothing, and does not stop."""
+    text = "project(arm)\nfind_package(ament_cmake REQUIRED)\n"
+    text += f"install(DIRECTORY {installed})\nament_package()\n"
+    found = reported(tmp_path / "arm", "PKG005", "a.launch", "", {"CMakeLists.txt": text})
+    assert ["'headers' is installed" in one.message for one in found] == [True] * count
+
+
 @pytest.mark.parametrize(("mark", "count"), [("COLCON_IGNORE", 0), ("README", 1)])
 def test_a_package_that_the_build_skips(tmp_path: Path, mark: str, count: int) -> None:
     """dm_imu_python in a biped's workspace lacks the file of its name in resource/."""

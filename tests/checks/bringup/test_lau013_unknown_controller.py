@@ -174,6 +174,14 @@ def test_controllers_in_a_chain(tmp_path: Path, prefix: str, words: str, message
     assert [one.message.endswith(message) for one in found] == [True] * bool(message)
 
 
+def test_a_joint_with_a_slash_in_its_name(tmp_path: Path) -> None:
+    """A robot of Plankton: fish_hpurv/fin1_joint is a joint, and no interface of a controller."""
+    robot = ROBOT.replace('"swing"', '"pid/left"') + control(driven("pid/left"))
+    files = {"r.urdf": whole_robot(robot), "config/c.yaml": CHAINED % "pid"}
+    text = DESCRIBED + HEAD_2 + LOAD_2 + SPAWN_2.format("'drive'")
+    assert reported(tmp_path / "arm", "LAU013", "a.launch.py", text, files) == []
+
+
 BROADCASTER = """controller_manager:
   ros__parameters:
     imu: {type: imu_sensor_broadcaster/IMUSensorBroadcaster}

@@ -154,6 +154,11 @@ def test_wheels_above_the_ground_without_a_footprint(
     assert found == ([naming("left", "right", gap, "caster")] if gap else [])
 
 
+def test_thrusters_are_no_wheels() -> None:
+    """The RexROV of UUV Simulator, whose thrusters turn without limits."""
+    assert messages("TRE008", car(0.4, 0.05).replace("_joint", "_thruster_joint")) == []
+
+
 def test_the_fingers_of_a_robot_on_other_wheels() -> None:
     """Seed Noid: its wheels are revolute, and the fingers of both hands turn without limits."""
     text = car(0.4, 0.05)

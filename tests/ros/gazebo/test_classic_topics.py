@@ -51,6 +51,7 @@ def test_of_a_drive() -> None:
         ("image_raw:=image_raw", ""),  # asks for nothing
         ("image_raw:=$(arg topic)", ""),
         ("/tf:=tf", ""),
+        ("~/depth/camera_info:=info", "s/camera_info"),
     ],
 )
 def test_lost_remappings(rule: str, topic: str) -> None:
@@ -73,3 +74,10 @@ def test_lost_remappings_of_a_depth_camera(old: str, topic: str) -> None:
     text = CAMERA.format(f"{rule}<camera_name>front_depth</camera_name>")
     (use,) = context(sensor("depth", text)).plugins
     assert [lost.topic for lost in lost_remappings(use)] == [topic]
+
+
+def test_a_lost_remapping_of_a_topic_of_another_plugin() -> None:
+    """simulation_agrobot_ws: ~/depth/disparity is not s/image_raw."""
+    text = CAMERA.format("<ros><remapping>~/depth/disparity:=disparity</remapping></ros>")
+    (use,) = context(sensor("camera", text)).plugins
+    assert [lost.topic for lost in lost_remappings(use)] == [""]

@@ -55,6 +55,14 @@ def test_wrong_names(tmp_path: Path, text: str, line: int, message: str, help: s
     assert found.severity is Severity.ERROR
 
 
+def test_the_first_use_of_a_name(tmp_path: Path) -> None:
+    """omni_mobile_robot: a variable that nothing defines, on two lines."""
+    text = HEAD + END.format("return LaunchDescription([f(a=size),\n        {1: size}])")
+    text = text.replace("def gen", "f = LaunchDescription\ndef gen")
+    (found,) = reported(tmp_path, "LAU035", "a.launch.py", text)
+    assert (found.span.line, found.span.text) == (4, "size")
+
+
 def test_a_function_that_a_called_function_calls(tmp_path: Path) -> None:
     functions = "def load():\n    return yaml\ndef use():\n    return load()\n"
     text = HEAD + functions + END.format("return LaunchDescription([OpaqueFunction(function=use)])")

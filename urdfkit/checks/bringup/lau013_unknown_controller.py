@@ -105,6 +105,8 @@ def _chained(
     for user in filter(None, map(defined.get, names if is_known else ())):
         joints = user.values(user.kind.joints) if user.kind else []
         chained = [joint for joint in joints if "/" in joint.text and "$" not in joint.text]
+        # Some robots have a slash in the names of their joints.
+        chained = [joint for joint in chained if joint.text not in parts]
         for joint in {one.text.partition("/")[0]: one for one in chained}.values():
             other = joint.text.partition("/")[0]
             who = f"controller '{user.name}' commands '{joint.text}'"

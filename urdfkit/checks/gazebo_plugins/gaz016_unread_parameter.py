@@ -70,7 +70,7 @@ def check(context: Context) -> Findings:
                 lost.item.at,
                 f"{use.title} has no topic '{lost.item.text.partition(':=')[0].strip()}': the "
                 "remapping has no effect",
-                f"write {lost.topic}:={lost.new}",
+                f"write {lost.topic}:={lost.new}" if lost.topic else "",
                 group_key=f"{use.filename} {lost.item.text}",
                 severity=Severity.WARNING,
             )

@@ -17,6 +17,7 @@ from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate, vector
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.link import Body
+from urdfkit.robot.rotors import is_carried_by_rotors
 from urdfkit.robot.samples import collision_xml, joint_xml, link_xml, robot_xml
 from urdfkit.robot.shapes import primitive
 from urdfkit.robot.tree import KinematicTree
@@ -60,7 +61,7 @@ def check(context: Context) -> Findings:
     if not footprints:
         root = tree.roots[0].name
         hanging = _hanging_wheels(tree, root, list(tree.frames), _MIN_HANGING)
-        if hanging:
+        if hanging and not is_carried_by_rotors(tree.model):
             yield _hanging(tree, *hanging)
     for name in footprints[:MAX_FOOTPRINTS]:
         # Some make the footprint a child of the base; the robot is then everything else.

@@ -58,7 +58,7 @@ class LostRemapping(Record):
     """A remapping of a topic that a plugin does not have."""
 
     item: PluginParameter
-    topic: str  # that it has instead, as in the plugin
+    topic: str  # that it has instead, as in the plugin; empty if none is like it
     new: str
 
 
@@ -80,7 +80,8 @@ def lost_remappings(use: PluginUse) -> Iterator[LostRemapping]:
         if not is_open and resolved.isdisjoint(names):
             words = _words(old.rpartition("/")[2])
             likely = max(written, key=lambda name: len(words & _words(name.partition("/")[2])))
-            yield LostRemapping(item, likely, new)
+            is_likely = len(written) == 1 or words & _words(likely.partition("/")[2])
+            yield LostRemapping(item, likely if is_likely else "", new)
 
 
 def _words(topic: str) -> set[str]:

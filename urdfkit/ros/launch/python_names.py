@@ -122,11 +122,12 @@ def _executed_nodes(tree: ast.Module) -> Iterator[tuple[ast.AST, bool]]:
             continue
         yield node, is_sure
         is_sure = is_sure and not isinstance(node, _CONDITIONAL)
+        inside: list[ast.AST] = []
         for field, value in ast.iter_fields(node):
-            if field in ("annotation", "returns"):
-                continue
-            children = value if isinstance(value, list) else [value]
-            stack += [(child, is_sure) for child in children if isinstance(child, ast.AST)]
+            if field not in ("annotation", "returns"):
+                children = value if isinstance(value, list) else [value]
+                inside += [child for child in children if isinstance(child, ast.AST)]
+        stack += [(child, is_sure) for child in reversed(inside)]  # the first one is the next
 
 
 def _reachable_names(tree: ast.Module) -> set[str]:
