@@ -164,18 +164,29 @@ def test_a_fix_is_a_diff_until_writing_is_allowed(workspace: Path) -> None:
     assert file.read_bytes() != before
 
 
-def test_files_outside_the_workspace_are_rejected(workspace: Path) -> None:
+@pytest.mark.parametrize(
+    ("name", "included"),
+    [
+        ("shared.xacro", "../shared.xacro"),
+        ("a b.xacro", "../a b.xacro"),
+        ("a b.xacro", "a b.xacro"),
+    ],
+)
+def test_files_outside_the_workspace_are_rejected(
+    workspace: Path, name: str, included: str
+) -> None:
     # A repository that is larger than the directory that was given.
     (workspace.parent / ".git").mkdir()
-    (workspace.parent / "shared.xacro").write_text(
+    (workspace / "a b.xacro").symlink_to(workspace.parent / "a b.xacro")
+    (workspace.parent / name).write_text(
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
         '<xacro:property name="PI" value="3.1415926"/>\n<link name="a${PI}"/>\n</robot>\n'
     )
     (workspace / "r.xacro").write_text(
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
-        '<xacro:include filename="../shared.xacro"/>\n</robot>\n'
+        f'<xacro:include filename="{included}"/>\n</robot>\n'
     )
-    shared = (workspace.parent / "shared.xacro").read_bytes()
+    shared = (workspace.parent / name).read_bytes()
 
     async def conversation(client: Client) -> None:
         for path in ("../outside.urdf", str(workspace.parent / "outside.urdf"), "link.urdf", "a\0"):
@@ -188,12 +199,12 @@ def test_files_outside_the_workspace_are_rejected(workspace: Path) -> None:
         await failure(client, "trace", path=MODEL, element="--trust")
         await failure(client, "render", path=MODEL, view="--trust")
         words = {"path": "r.xacro", "unsafe": True, "select": ["XAC007"]}
-        assert "shared.xacro" in await ask(client, "fix", **words)
+        assert name in await ask(client, "fix", **words)
         reason = await failure(client, "fix", write=True, **words)
         assert "outside of the workspace" in reason
 
     talk(workspace, conversation, may_write=True)
-    assert (workspace.parent / "shared.xacro").read_bytes() == shared
+    assert (workspace.parent / name).read_bytes() == shared
 
 
 def test_modules_of_the_workspace_are_not_imported(workspace: Path) -> None:

@@ -126,7 +126,7 @@ class Tools:
         if not text:  # show the remaining findings and the reasons
             return _page(self._run("fix", *words, "--check"), start)
         if write:
-            for file in re.findall(r"^\+\+\+ (.+)$", text, re.MULTILINE):
+            for file in re.findall(r"^\+\+\+ (.+?)\t?$", text, re.MULTILINE):
                 self._inside(file)  # the repository may be larger than the directory
             text = self._run("fix", *words)
         return _page(text, start)
