@@ -15,6 +15,7 @@ from tests.render.scenes import alone, colour_at, link, robot
 from urdfkit.lint.loading import read
 from urdfkit.render import build, place_camera
 from urdfkit.render.scene import PLACEHOLDER_SIZE
+from urdfkit.render.textures import texture
 from urdfkit.ros.surface_materials import PLACEHOLDER, PLAIN
 from urdfkit.text.source import Source
 
@@ -64,6 +65,16 @@ MESH = '<geometry><mesh filename="quad.obj"{}/></geometry>'
 def test_a_texture_is_the_right_way_up_and_not_mirrored(quad: Path) -> None:
     upper_left, upper_right, lower_left, _ = seen(quad, MESH.format(""))
     assert (upper_left, upper_right, lower_left) == ("red", "green", "blue")
+
+
+def test_a_changed_image_is_read_again(tmp_path: Path) -> None:
+    file = tmp_path / "paint.png"
+    shown = []
+    for colour in ("red", "blue"):
+        Image.new("RGB", (1, 1), colour).save(file)
+        image = texture(str(file))
+        shown.append(image and image.png())
+    assert shown[0] != shown[1]
 
 
 def test_a_mirrored_mesh_has_a_mirrored_texture(quad: Path) -> None:

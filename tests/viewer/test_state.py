@@ -51,16 +51,15 @@ def test_a_change_of_any_file_is_seen(directory: Path, mesh: str, changed: str) 
     robot = directory / "robot.urdf"
     robot.write_text(ROBOT.format(mesh))
     state = read(str(robot), Options())
-    assert not state.is_stale
+    assert not state.files.have_changed
     with (directory / changed).open("a") as file:
         file.write("\n")
-    assert state.is_stale
+    assert state.files.have_changed
 
 
 def test_so_is_one_while_it_is_read(directory: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     robot = directory / "robot.urdf"
     robot.write_text(ROBOT.format("a.obj"))
-    known = read(str(robot), Options()).versions
 
     def described(*words: Any, **more: Any) -> ReportInput:
         reported = describe(*words, **more)
@@ -68,6 +67,25 @@ def test_so_is_one_while_it_is_read(directory: Path, monkeypatch: pytest.MonkeyP
         return reported
 
     monkeypatch.setattr(module, "describe", described)
-    state = read(str(robot), Options(), [*known, str(directory / "of_an_older_state.stl")])
-    assert state.is_stale
-    assert str(directory / "of_an_older_state.stl") not in state.versions
+    assert read(str(robot), Options()).files.have_changed
+
+
+HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+
+
+@pytest.mark.parametrize(
+    ("text", "missing"),
+    [
+        ('<xacro:include filename="more.xacro"/>', "more.xacro"),
+        ("<link name=\"${xacro.load_yaml('more.yaml')[0]}\"/>", "more.yaml"),
+    ],
+)
+def test_a_missing_file_that_comes_is_seen(tmp_path: Path, text: str, missing: str) -> None:
+    robot = tmp_path / "robot.xacro"
+    robot.write_text(f"{HEAD}{text}</robot>")
+    state = read(str(robot), Options())
+    assert not state.files.have_changed
+    (tmp_path / "of_another_program").write_text("")
+    assert not state.files.have_changed
+    (tmp_path / missing).write_text(f"{HEAD}</robot>")
+    assert state.files.have_changed

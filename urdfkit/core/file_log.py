@@ -8,6 +8,7 @@ content. Otherwise the hash of the content is compared.
 from __future__ import annotations
 
 import os
+import time
 from stat import S_ISLNK, S_ISREG
 
 from urdfkit.core.regular_file import opened
@@ -94,6 +95,35 @@ class FileLog:
         if len(self.answers) > MAX_ANSWERS:
             self.is_complete = False
             self.answers.clear()
+
+
+class WatchedFiles:
+    """The queries of a run, asked again and again.
+
+    Args:
+        log: of the run.
+        since: start of the run, in nanoseconds since the epoch.
+        listings: also watch which files a directory has, which any program may change.
+    """
+
+    def __init__(self, log: FileLog, since: int, *, listings: bool = True) -> None:
+        self._answers = [
+            (kind, path, answer)
+            for (kind, path), answer in log.answers.items()
+            if listings or kind != "d"
+        ]
+        self._since = since
+        contents = (each for each in self._answers if each[0][0] in "rt" and each[2] != NOTHING)
+        self.count = len({path for _, path, _ in contents})  # of the files that were read
+
+    @property
+    def have_changed(self) -> bool:
+        """True if an answer has changed since the run."""
+        now = time.time_ns()
+        unchanged = present_answers(self._answers, self._since)
+        if unchanged is not None:
+            self._answers, self._since = unchanged, now
+        return unchanged is None
 
 
 def present_answers(

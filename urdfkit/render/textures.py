@@ -54,7 +54,6 @@ def srgb_to_linear(values: Floats) -> Floats:
     return np.asarray(np.where(values <= 0.04045, low, high).astype(np.float32))
 
 
-@lru_cache(maxsize=64)
 def texture(source: str | bytes) -> Texture | None:
     """An image; None if Pillow cannot read it, or it is too large.
 
@@ -63,8 +62,13 @@ def texture(source: str | bytes) -> Texture | None:
     """
     if source == STRIPES:
         source = stripes()
+    data = source if isinstance(source, bytes) else disk.contents(source)
+    return _decoded(data) if data is not None else None
+
+
+@lru_cache(maxsize=64)
+def _decoded(data: bytes) -> Texture | None:
     try:
-        data = source if isinstance(source, bytes) else disk.read(source)
         with opened(data) as image:
             image.draft("RGB", (MAX_EDGE, MAX_EDGE))  # much faster for JPEG
             image.thumbnail((MAX_EDGE, MAX_EDGE), Image.Resampling.BOX)

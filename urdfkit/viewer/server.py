@@ -81,13 +81,14 @@ class Viewer:
         self._completing = asyncio.create_task(self._complete(self.state))
         while True:
             await asyncio.sleep(POLL_SECONDS)
-            if await asyncio.to_thread(lambda: self.state.is_stale):
+            have_changed = await asyncio.to_thread(lambda: self.state.files.have_changed)
+            if self.error or have_changed:
                 await self.refresh()
 
     async def refresh(self) -> None:
         """Read the robot again, and notify the pages."""
         try:
-            self.state = await asyncio.to_thread(read, self.file, self.options, self.state.versions)
+            self.state = await asyncio.to_thread(read, self.file, self.options)
             self.error = ""
             self.shape += 1
             self._completing = asyncio.create_task(self._complete(self.state))
