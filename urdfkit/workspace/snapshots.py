@@ -49,11 +49,18 @@ def check_out_snapshot(
 def _packages(path: str, explicit: Mapping[str, str], top: str, directory: str) -> dict[str, str]:
     """The packages that the file may need; in the checkout if they are in the repository."""
     known = Resolver().packages.known(path)
-    outside = {name: at for name, at in known.items() if not is_within(os.path.realpath(at), top)}
+    outside = {name: at for name, at in known.items() if not _is_in(os.path.realpath(at), top)}
     old = {name: _moved(os.path.realpath(at), top, directory) for name, at in explicit.items()}
     return outside | {name: at for name, at in old.items() if os.path.isdir(at)}
 
 
 def _moved(path: str, top: str, directory: str) -> str:
     """The path in the checkout, if it is in the repository."""
-    return os.path.join(directory, os.path.relpath(path, top)) if is_within(path, top) else path
+    return os.path.join(directory, os.path.relpath(path, top)) if _is_in(path, top) else path
+
+
+def _is_in(path: str, top: str) -> bool:
+    """True for a path in a repository, but not in another one below it, such as a submodule."""
+    while is_within(path, top) and path != top and not os.path.lexists(os.path.join(path, ".git")):
+        path = os.path.dirname(path)
+    return path == top

@@ -235,6 +235,19 @@ def test_a_package_that_a_revision_did_not_have(repository: Path) -> None:
     assert found.kinds == {"limits", "findings"}
 
 
+def test_a_package_in_a_repository_below(repository: Path) -> None:
+    (repository / "below" / "hand").mkdir(parents=True)
+    (repository / "below" / "hand" / "package.xml").write_text(
+        "<package><name>hand</name></package>"
+    )
+    (repository / "below" / "hand" / "base.obj").write_text(TRIANGLE)
+    git(repository / "below", "init")
+    robot = repository / "urdf" / "arm.urdf"
+    robot.write_text(robot.read_text().replace('"base.obj"', '"package://hand/base.obj"'))
+    git(repository, "commit", "-am", "three")
+    assert compare("HEAD:urdf/arm.urdf", "urdf/arm.urdf").kinds == set()
+
+
 def test_findings_of_a_revision_name_its_file(repository: Path) -> None:
     found = compare("HEAD:urdf/arm.urdf", "HEAD~1:urdf/arm.urdf")
     assert [one.span.source.path for one in found.fixed_findings] == ["HEAD:urdf/arm.urdf"]
