@@ -90,6 +90,7 @@ READERS = {
     "checks/gazebo/gaz007_unknown_material.py": "Resolver.allows",
     "checks/mesh_contents/msh007_unsupported_format.py": ADMITTED,
     "checks/package/build_files.py": IN_PACKAGE,
+    "checks/package/component_names.py": ADMITTED,
     "checks/package/pkg005_invalid_package.py": IN_PACKAGE,
     "cli/collisions/__init__.py": NAMED,
     "cli/expand.py": NAMED,

@@ -201,6 +201,27 @@ def test_odometry_of_gazebo(tmp_path: Path, base: str, topic: str, filter: str, 
 
 
 @pytest.mark.parametrize(
+    ("world", "published", "localizer", "count"),
+    [
+        ("map", "true", LOCALIZER.format(""), 1),
+        ("odom", "true", LOCALIZER.format(""), 0),
+        ("map", "false", LOCALIZER.format(""), 0),
+        ("map", "true", LOCALIZER.format("{'odom_frame_id': 'other'}"), 0),
+        ("map", "true", LOCALIZER.format("{'tf_broadcast': False}"), 0),
+        ("map", "true", "", 0),
+    ],
+)
+def test_a_filter_that_localizes(
+    tmp_path: Path, world: str, published: str, localizer: str, count: int
+) -> None:
+    """From MonashNovaRover/nova#788."""
+    yaml = FILTER.format(published).replace("world_frame: odom", f"world_frame: {world}")
+    text = EKF.format(tmp_path) + localizer
+    found = reported(tmp_path, "LAU021", "a.launch.py", text, {"ekf.yaml": yaml})
+    assert ["from map to odom" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
     ("topic", "remapping", "count"),
     [
         ("/joint_states@sensor_msgs/msg/JointState[gz.msgs.Model", "", 1),

@@ -95,6 +95,27 @@ def test_misspelt_names(tmp_path: Path, values: str, suggested: str) -> None:
     assert [f"did you mean '{suggested}" in one for one in found] == [True] * bool(suggested)
 
 
+@pytest.mark.parametrize(
+    ("launched", "in_file", "names"),
+    [
+        ("use_sim_time", "use_sim_time", []),
+        ("use_tim_time", "use_sim_time", ["use_tim_time"]),
+        ("rate", "use_simtime", ["use_simtime"]),
+        ("use_sim", "use_sim_time2", []),
+    ],
+)
+def test_a_misspelt_clock_of_any_node(
+    tmp_path: Path, launched: str, in_file: str, names: list[str]
+) -> None:
+    """From ros/urdf_launch#3."""
+    text = "Node(package='own', executable='own', name='own', "
+    text += f"parameters=['{tmp_path}/a.yaml', {{'{launched}': True}}])\n"
+    files = {"a.yaml": f"own: {{ros__parameters: {{{in_file}: true}}}}\n"}
+    found = reported(tmp_path, "LAU024", "a.launch.py", text, files)
+    assert [one.message.split("'")[3] for one in found] == names
+    assert [one.help for one in found] == ["write use_sim_time"] * len(names)
+
+
 @pytest.mark.parametrize(("name", "count"), [("slam_toolbox", 0), ("async_slam_toolbox_node", 1)])
 def test_file_passed_to_a_launch_file_of_ros(tmp_path: Path, name: str, count: int) -> None:
     text = (

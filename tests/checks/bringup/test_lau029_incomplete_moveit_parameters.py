@@ -26,6 +26,30 @@ def test_the_default_pipeline(tmp_path: Path, default: str, loaded: str, count: 
     assert ["is not in planning_pipelines" in one for one in found] == [True] * count
 
 
+MOVE_GROUP = 'Node(package="moveit_ros_move_group", executable="move_group")\n'
+SERVO = 'Node(package="moveit_servo", executable="servo_node", parameters=[{}])\n'
+LOADED = '{"moveit_servo": ParameterBuilder("arm").yaml("config/servo.yaml").to_dict()}'
+
+
+@pytest.mark.parametrize(
+    ("nodes", "primary", "count"),
+    [
+        (MOVE_GROUP + SERVO.format('"../config/servo.yaml"'), "true", 1),
+        (MOVE_GROUP + SERVO.format(LOADED), "true", 1),
+        (MOVE_GROUP + SERVO.format(LOADED), "false", 0),
+        (SERVO.format(LOADED), "true", 0),
+    ],
+)
+def test_the_planning_scene_of_servo(tmp_path: Path, nodes: str, primary: str, count: int) -> None:
+    """From husarion/rosbot_ros#193."""
+    files = {
+        "config/servo.yaml": "servo: {ros__parameters: {move_group_name: arm, "
+        f"is_primary_planning_scene_monitor: {primary}}}}}\n",
+    }
+    found = reported(tmp_path / "arm", "LAU029", "a.launch.py", nodes, files)
+    assert [one.span.text for one in found] == ["true"] * count
+
+
 BUILDER = """from moveit_configs_utils import MoveItConfigsBuilder
 
 config = MoveItConfigsBuilder("arm", package_name="arm").to_moveit_configs()

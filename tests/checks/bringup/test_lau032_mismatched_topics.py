@@ -273,6 +273,9 @@ def test_filters_of_a_costmap(tmp_path: Path, info: str, mask: str, words: str) 
     [
         ("false", "false", "", 1),
         ("true", "false", "", 0),
+        ("true, world_frame: map", "false", "", 1),
+        ("true, world_frame: map, odom_frame: map", "false", "", 0),
+        ("true, world_frame: map", "true", "", 0),
         ("false", "true", "", 0),
         ("false", "false", NODE.format("rf2o_laser_odometry", "rf2o", ""), 0),
         (
@@ -301,9 +304,8 @@ def test_nothing_publishes_odometry(
         + more
     )
     found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
-    assert [one.help for one in found if "odometry" in one.message] == [
-        "write publish_tf: true"
-    ] * count
+    help = f"write {'world_frame: odom' if 'world' in of_filter else 'publish_tf: true'}"
+    assert [one.help for one in found if "odometry" in one.message] == [help] * count
 
 
 PARTS = {

@@ -310,6 +310,9 @@ def load_yaml(package, path):
         ("load_yaml('arm', name)", ""),
         ("load_yaml('arm', path='config/b.yaml')", ""),
         ("load_other('arm', 'config/b.yaml')", ""),
+        ("ParameterBuilder('arm').parameter('a', 1).yaml('config/b.yaml')", "config/b.yaml"),
+        ("ParameterBuilder('arm').yaml(file_path='config/a.yaml').to_dict()", ""),
+        ("other('arm').yaml('config/b.yaml')", ""),
     ],
 )
 def test_a_file_that_a_function_reads(tmp_path: Path, call: str, message: str) -> None:

@@ -212,6 +212,34 @@ def test_ament_package_is_called(tmp_path: Path, last: str, count: int) -> None:
     assert len(reported(tmp_path, MANIFEST)) == count
 
 
+REGISTERED = "RCLCPP_COMPONENTS_REGISTER_NODE({})\n"
+
+
+@pytest.mark.parametrize(
+    ("named", "source", "meant"),
+    [
+        ("arm::WatchDog", REGISTERED.format("arm::Watchdog"), ["arm::Watchdog"]),
+        ("arm::Watchdog", REGISTERED.format("Watchdog"), ["Watchdog"]),
+        ("arm::Watchdog", REGISTERED.format("arm::dog::Watchdog"), ["arm::dog::Watchdog"]),
+        ("arm::Watchdog", REGISTERED.format("arm::Watchdog"), []),
+        ("arm::Watchdog", "// " + REGISTERED.format("arm::WatchDog"), []),
+        ("arm::Watchdog", "#define A(X) " + REGISTERED.format("arm::X") + "A(Watchdog)", []),
+        ("${PROJECT_NAME}::WatchDog", REGISTERED.format("arm::Watchdog"), []),
+        ("arm::Reader", REGISTERED.format("arm::Watchdog"), []),  # of a generated source
+    ],
+)
+def test_components(tmp_path: Path, named: str, source: str, meant: list[str]) -> None:
+    """From basler/pylon-ros-camera#190."""
+    calls = f'rclcpp_components_register_node(dog PLUGIN "{named}" EXECUTABLE dog)\n'
+    (tmp_path / "CMakeLists.txt").write_text(f"find_package(a)\n{calls}ament_package()\n")
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src/dog.cpp").write_text(source)
+    found = reported(tmp_path, MANIFEST)
+    assert [(one.span.text, one.message.split("'")[3]) for one in found] == [
+        (named, name) for name in meant
+    ]
+
+
 @pytest.mark.parametrize(
     ("first", "count"),
     [("", 1), ("# find_package(ament_cmake)", 1), ("include(a.cmake)", 0), ("find_package(a)", 0)],

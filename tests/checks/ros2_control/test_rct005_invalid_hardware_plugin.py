@@ -79,6 +79,7 @@ def test_plugin_that_depends_on_arguments(hardware: str, number: int) -> None:
         ("mock_component/GenericSystem", MOCK),
         ("gz_ros2_control/GazeboSimSytem", GZ),
         ("GazeboSimSystem", GZ),
+        ("gz_ros2_control/GzSystem", GZ),
     ],
 )
 def test_a_misspelt_class(name: str, suggested: str) -> None:

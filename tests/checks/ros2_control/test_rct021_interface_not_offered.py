@@ -53,7 +53,7 @@ def test_a_follower_is_not_commanded(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("interface", "count"),
-    [("swing/velocity", 0), ("swing/effort", 1), ("knuckle/effort", 1), ("effort", 0)],
+    [("swing/velocity", 0), ("swing/effort", 1), ("knuckle/effort", 1), ("effort", 1)],
 )
 def test_a_further_interface_of_a_gripper(tmp_path: Path, interface: str, count: int) -> None:
     kind = "parallel_gripper_action_controller/GripperActionController"

@@ -11,6 +11,7 @@ from urdfkit.checks.bringup.odometry import (
     of_drives,
     of_estimators,
     of_filters,
+    of_global_filters,
 )
 from urdfkit.checks.bringup.published_robots import published_robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
@@ -211,6 +212,23 @@ def second_map(context: Context, programs: list[StartedProgram]) -> Findings:
             "start one of the two: SLAM to map, or localization in a map",
             related=(Related(first.span, f"'{first.executable}' is started here"),),
         )
+
+
+def second_global_filter(context: Context, programs: list[StartedProgram]) -> Findings:
+    """A transform from map to odom by robot_localization, and by AMCL or slam_toolbox."""
+    filters = list(of_global_filters(programs, context))
+    if not filters or not _share_transforms(context, programs):
+        return
+    localizing = {other.child: other for other in _of_localization(programs, context)}
+    for filter in filters:
+        if other := localizing.get(filter.child):
+            yield Finding(
+                filter.at,
+                f"the transform from {filter.parent} to {filter.child} is published twice: by "
+                f"{filter.publisher} and by {other.publisher}",
+                f"write world_frame: {filter.child}, or publish_tf: false next to another filter",
+                related=(Related(other.at.span, f"{other.publisher} is started here"),),
+            )
 
 
 def _localizes(program: StartedProgram, context: Context) -> bool:

@@ -15,7 +15,8 @@
   the IMU, which has a joint.
 - Two filters of robot_localization publish on the same topic: remap `odometry/filtered`. Or both
   publish the transform from odom: the `world_frame` of the global one is map.
-- AMCL and slam_toolbox both publish the transform from map to odom.
+- AMCL, slam_toolbox or a filter of robot_localization whose `world_frame` is the map publish the
+  transform from map to odom, and another one of them does, too.
 - There are two robot_state_publishers of one robot.
 
 The robot of a launch file for navigation is that of the other launch files of the workspace.
@@ -71,6 +72,7 @@ def check(context: Context) -> Findings:
     yield from duplicate_transforms.second_parent(context, programs)
     yield from duplicate_transforms.static_odometry(context, programs)
     yield from duplicate_transforms.second_map(context, programs)
+    yield from duplicate_transforms.second_global_filter(context, programs)
 
 
 def _transforms(context: Context, programs: list[StartedProgram]) -> Findings:

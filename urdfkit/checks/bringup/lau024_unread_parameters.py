@@ -9,7 +9,8 @@
   (error).
 - A parameter of a node of Nav2 is in the section of its plugin, or that of a plugin is not in it.
 - A parameter of a node or plugin of Nav2, of slam_toolbox or of a driver is misspelt, or has the
-  name of an earlier release: `dev` of joy_node, `enable_pointcloud` of realsense2_camera.
+  name of an earlier release: `dev` of joy_node, `enable_pointcloud` of realsense2_camera. Or
+  `use_sim_time` of any node is misspelt.
 - A name is that of an earlier release, while other files are for Jazzy: `recoveries_server`,
   `progress_checker_plugin`, Nav2's own libraries in `plugin_lib_names`, a twist_mux without
   `use_stamped`.
@@ -45,6 +46,7 @@ from urdfkit.ros.launch.known_parameters import (
 )
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Value, entries, items, load, mapping
+from urdfkit.text.source import Span
 
 NAME = "launch/filter.launch.py"
 BAD = """\
@@ -70,7 +72,8 @@ _BELOW_NODE = "write the parameters below the name of the node and ros__paramete
 _INPUT = re.compile(r"(odom|imu|pose|twist)\d+")
 _FILTERS = ("ekf_node", "ukf_node")
 #: Parameters that all nodes have, and many plugins.
-_OF_ALL = ("use_sim_time", "plugin", "enabled")
+_SIM_TIME = "use_sim_time"
+_OF_ALL = (_SIM_TIME, "plugin", "enabled")
 #: Letters of words that are not typos of each other.
 _SHORT = 3
 
@@ -83,6 +86,7 @@ def check(context: Context) -> Findings:
     for section in (*sections, *started):
         yield from _misspelt(section)
         yield from _with_commas(section)
+    yield from _misspelt_clock(context, sections)
     for section in whole_sections(sections):
         yield from parameter_sections.unread_plugins(section)
         yield from parameter_sections.misplaced(section)
@@ -118,12 +122,31 @@ def _lists(context: Context) -> Findings:
 def _misspelt(node: NodeParameters) -> Findings:
     """Parameters that the node ignores, and that are one letter away from one that it reads."""
     for given in given_values(node):
-        if suggested := _meant(given):
-            yield Finding(
-                given.at.span,
-                f"'{node.name}': unknown parameter '{given.at}'; did you mean '{suggested}'?",
-                f"write {suggested}",
-            )
+        suggested = _meant(given)
+        if suggested and suggested != _SIM_TIME:
+            yield _unknown(node.name, given.at, suggested, given.at.span)
+
+
+def _unknown(node: str, name: str, suggested: str, at: Span) -> Finding:
+    message = f"'{node}': unknown parameter '{name}'; did you mean '{suggested}'?"
+    return Finding(at, message, f"write {suggested}")
+
+
+def _is_clock(name: str) -> bool:
+    """True for a typo of use_sim_time."""
+    return name != _SIM_TIME and is_typo(name, _SIM_TIME)
+
+
+def _misspelt_clock(context: Context, sections: list[NodeParameters]) -> Findings:
+    """A misspelt use_sim_time, which every node reads."""
+    for section in sections:
+        for key, _ in items(section.values):
+            if _is_clock(key) and _SIM_TIME not in section.values:
+                yield _unknown(section.name, key, _SIM_TIME, key.span)
+    for program in context.launch.started:
+        for name, at in program.parameters.at.items() if program.is_ros_2 else ():
+            if _is_clock(name):
+                yield _unknown(program.title, name, _SIM_TIME, at)
 
 
 def _of_other_level(node: NodeParameters) -> Findings:

@@ -6,7 +6,7 @@
 - Such a topic is published in Gazebo by a sensor of the robot, but no bridge forwards it.
 - The mask of a filter, or its `filter_info_topic`, is on another topic than its server says.
 - robot_localization and the controller of the wheels both leave the transform from odometry to the
-  robot to the other one.
+  robot to the other one, as a filter does whose `world_frame` is the map.
 - Nothing reads the velocity commands of twist_mux, Nav2 or a teleoperation node, while a drive
   reads them on another topic. Reported only if all programs of the workspace are known.
 - A teleoperation node, or Nav2, publishes `Twist` on the topic of a drive that reads
@@ -28,6 +28,7 @@ from __future__ import annotations
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
 from urdfkit.checks.bringup.known_programs import are_topics_known
 from urdfkit.checks.bringup.navigation_commands import mistyped_navigation, unpublished_commands
+from urdfkit.checks.bringup.odometry import of_global_filters
 from urdfkit.checks.bringup.unpublished_topics import unpublished_inputs
 from urdfkit.checks.bringup.unread_commands import (
     DRIVE,
@@ -55,6 +56,7 @@ BAD = """\
 GOOD = BAD.replace("/drive/cmd_vel", "/cmd_vel")
 
 _FILTER, _SWITCH, _OF_DRIVE = "robot_localization", "publish_tf", "enable_odom_tf"
+_WORLD = "world_frame"
 _FILTERS = ("ekf_node", "ukf_node")
 _TRANSFORMS = "TFMessage"
 
@@ -80,21 +82,26 @@ def _unpublished_odometry(context: Context) -> Findings:
     if not all(is_known_reader(node) and node.package != "tf2_ros" for node in programs):
         return
     others = [node for node in programs if node.executable in _FILTERS]
-    given = [given_parameter(node, _SWITCH, context.resolver) or "" for node in others]
-    if not all(text.lower() == "false" for text in given):
+    silent = [given_parameter(node, _SWITCH, context.resolver) or "" for node in others]
+    maps = [transform.parent for transform in of_global_filters(others, context)]
+    are_global = len(maps) == len(others)
+    if not are_global and not all(text.lower() == "false" for text in silent):
         return
     switches = [] if _is_bridged(programs, context) else _switches_of_drives(programs, context)
     if not switches or any(switch.boolean is not False for _, switch in switches):
         return
     drive, of_drive = switches[0]
     for node in nodes_in_files(filters[0].parameters.files, context.resolver):
-        value = scalar(node.values, _SWITCH)
-        if value and value.boolean is False:
+        value = scalar(node.values, _WORLD if are_global else _SWITCH)
+        own = f"{_SWITCH} of '{node.name}' is false"
+        if are_global:
+            own = f"{_WORLD} of '{node.name}' is the map"
+        if value and (value.text in maps if are_global else value.boolean is False):
             yield Finding(
                 value.span,
-                f"nothing publishes the transform from odometry to the robot: {_SWITCH} of "
-                f"'{node.name}' and {_OF_DRIVE} of '{drive}' are false",
-                f"write {_SWITCH}: true",
+                "nothing publishes the transform from odometry to the robot: "
+                f"{own}, and {_OF_DRIVE} of '{drive}' is false",
+                f"write {_WORLD}: odom" if are_global else f"write {_SWITCH}: true",
                 related=(Related(of_drive.span, "the other one"),),
             )
 

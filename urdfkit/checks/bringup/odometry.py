@@ -27,6 +27,7 @@ _FILTERS = {"ekf_node": "ekf_filter_node", "ukf_node": "ukf_filter_node"}
 #: Parameters of a filter, with their defaults.
 _PARAMETERS = {
     "publish_tf": "true",
+    "map_frame": "map",
     "odom_frame": "odom",
     "world_frame": "odom",
     "base_link_frame": "",  # base_link by default, but a section that is not found may set it
@@ -58,6 +59,19 @@ def of_filters(programs: Iterable[StartedProgram], context: Context) -> Iterator
             publisher = f"'{program.title}'"
             parent, child = frames["odom_frame"], frames["base_link_frame"]
             yield OdometryTransform(parent, child, publisher, program.at)
+
+
+def of_global_filters(
+    programs: Iterable[StartedProgram], context: Context
+) -> Iterator[OdometryTransform]:
+    """The transforms of robot_localization from the map to odometry."""
+    for program in programs:
+        frames = _frames_of_filter(program, context)
+        if frames and frames["world_frame"] == frames["map_frame"] != frames["odom_frame"]:
+            publisher = f"'{program.title}'"
+            yield OdometryTransform(
+                frames["map_frame"], frames["odom_frame"], publisher, program.at
+            )
 
 
 def _frames_of_filter(program: StartedProgram, context: Context) -> dict[str, str]:

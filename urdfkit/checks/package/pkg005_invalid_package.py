@@ -19,6 +19,8 @@ resolve.
   rosidl_interface_packages`, or a package of DEPENDENCIES is not found.
 - CMakeLists.txt finds a package of the workspace that package.xml does not declare, so that colcon
   may build it later (warning).
+- CMakeLists.txt registers a component under another name than the source, and no container finds
+  it: "Failed to find class with the requested plugin name".
 - The `<build_type>` needs another build file than the package has: colcon does not build it.
 - A package of ROS 2 depends on one that only ROS 1 has, such as rospy, or writes hyphens in the
   name of a ROS package (warning).
@@ -61,6 +63,7 @@ from urdfkit.checks.package.build_files import (
     other_name,
     undeclared_packages,
 )
+from urdfkit.checks.package.component_names import unregistered_components
 from urdfkit.checks.package.interfaces import not_generated, packages_with_interfaces
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
@@ -138,6 +141,7 @@ def _of_package(name: str, directory: str, resolver: Resolver) -> Findings:
 
         yield from not_runnable(name, directory)
     yield from undeclared_packages(name, directory, resolver)
+    yield from unregistered_components(directory, resolver)
     yield from not_generated(directory)
 
 

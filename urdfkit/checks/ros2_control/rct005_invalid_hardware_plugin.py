@@ -4,8 +4,9 @@
   the hardware class, or `mock_components/GenericSystem` for tests without hardware. A block whose
   plugin depends on xacro arguments is not reported.
 - A misspelt class, or one with white space around it, is not found, and the controller manager
-  starts without hardware. So is a class of a package in the workspace whose CMakeLists.txt exports
-  others, or no plugin description. Classes that urdfkit does not know are assumed to exist.
+  starts without hardware. So is a class that the control plugin of a simulator does not have, or of
+  a package in the workspace whose CMakeLists.txt exports others, or no plugin description. Classes
+  of other packages are assumed to exist.
 - `fake_components/GenericSystem` was removed after Humble (info; a warning if a parameter file is
   for Jazzy or later).
 - A control plugin of a simulator loads only its own hardware and ignores any other, so that no
@@ -58,7 +59,7 @@ def check(context: Context) -> Findings:
         if component.plugin is None and _is_left_to_arguments(component.at):
             continue
         yield from _missing(component)
-        yield from _misspelt(component)
+        yield from _misspelt(component, context)
         yield from _padded(component)
         yield from _removed(component, context)
         yield from _not_exported(component, context)
@@ -97,13 +98,17 @@ def _is_left_to_arguments(component: Element) -> bool:
     return bool(_CONDITIONAL.search(component.tag_at.whole_span.text))
 
 
-def _misspelt(component: Component) -> Findings:
-    """A misspelt class, or a known class without its package."""
+def _misspelt(component: Component, context: Context) -> Findings:
+    """A misspelt class, a known class without its package, or one that its package lacks."""
     name, known = component.hardware, (*_COMMON, *simulated_hardware())
     if component.plugin is None or not name or name in known or name.startswith("fake_"):
         return
     full = next((hardware for hardware in known if hardware.endswith(f"/{name}")), None)
-    if suggested := full or nearest(name, known, CLOSE_TYPO):
+    package = name.partition("/")[0]
+    own = next((hardware for hardware in known if hardware.startswith(f"{package}/")), None)
+    if own and package in context.resolver.packages.known(component.plugin.span.source.path):
+        own = None  # it may have further classes
+    if suggested := full or nearest(name, known, CLOSE_TYPO) or own:
         fix = fix_value(component.plugin, suggested)
         message = f"{component.called}: unknown hardware '{name}'; did you mean '{suggested}'?"
         yield Finding(component.plugin, message, f"write {suggested}", fix)

@@ -100,6 +100,14 @@ def _claimed_by_name(context: Context, free: Collection[str]) -> Findings:
         for value in controller.values(_CLAIMED) if is_gripper else ():
             joint, _, interface = value.text.rpartition("/")
             available = offered.get(joint, set())
+            if not joint and interface and own:
+                yield Finding(
+                    value.span,
+                    f"{controller.title} requires command interface {interface}, which has no "
+                    "joint: no interface has such a name",
+                    f"write {own[0]}/{interface}",
+                    related=(file.note,),
+                )
             if not joint or interface in available:
                 continue
             others = ", ".join(sorted(available)) or "none"

@@ -24,7 +24,7 @@ from urdfkit.ros.launch.python_descriptions import (
 )
 from urdfkit.ros.launch.python_expressions import wrong_expressions
 from urdfkit.ros.launch.python_file import PythonLaunchFile
-from urdfkit.ros.launch.python_loads import loading_functions, record_loaded
+from urdfkit.ros.launch.python_loads import loading_functions, record_loaded, record_parameters
 from urdfkit.ros.launch.python_names import wrong_names
 from urdfkit.ros.launch.python_nodes import start_components, start_node
 from urdfkit.ros.launch.python_order import declared_late
@@ -88,6 +88,7 @@ class _PythonReader(PythonLaunchFile):
             "open": partial(open_file, self),
             "parse": partial(parse, self),
             "process_file": partial(process_file, self),
+            "yaml": partial(record_parameters, self),
             **dict.fromkeys(_PROCESSES, partial(run_process, self)),
         }
         loading = dict.fromkeys(loading_functions(self.tree), partial(record_loaded, self))

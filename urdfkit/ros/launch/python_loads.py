@@ -1,11 +1,14 @@
-"""Files that a function of a launch file reads from a package, as ``load_yaml`` of MoveIt does."""
+"""Files of a package that a function of a launch file reads, as ``load_yaml`` of MoveIt does.
+
+Source: ``launch_param_builder.py`` of PickNikRobotics/launch_param_builder.
+"""
 
 import ast
 import os
 from collections.abc import Iterator
 
 from urdfkit.ros.launch.python_file import PythonLaunchFile
-from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, called
+from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, argument, called
 
 #: The parameters of such a function: a package, and a path in it.
 _PACKAGE_AND_PATH = 2
@@ -35,13 +38,27 @@ def _last(call: ast.Call) -> str:
 
 def record_loaded(file: PythonLaunchFile, call: ast.Call) -> None:
     """Record the file that such a function reads."""
-    texts = [file.values.text(argument) for argument in call.args]
-    if len(texts) != _PACKAGE_AND_PATH or call.keywords:
-        return
-    package, path = texts
-    if package and path and not os.path.isabs(path):
-        place = file.values.span(call.args[0])
-        directory = file.collector.package(package, file.source, place)
+    if len(call.args) == _PACKAGE_AND_PATH and not call.keywords:
+        _record(file, *call.args)
+
+
+def record_parameters(file: PythonLaunchFile, call: ast.Call) -> None:
+    """Record the file that ``ParameterBuilder(package).yaml(path)`` reads."""
+    builder: ast.expr | None = call
+    while isinstance(builder, ast.Call) and isinstance(builder.func, ast.Attribute):
+        builder = file.values.resolved(builder.func.value)
+    path = argument(call, 0, "file_path")
+    if isinstance(builder, ast.Call) and called(builder) == "ParameterBuilder" and path:
+        package = argument(builder, 0, "package_name")
+        if package is not None:
+            _record(file, package, path)
+
+
+def _record(file: PythonLaunchFile, package: ast.expr, path: ast.expr) -> None:
+    """Record a file of a package that is read when the launch file runs."""
+    name, inside = file.values.text(package), file.values.text(path)
+    if name and inside and not os.path.isabs(inside):
+        directory = file.collector.package(name, file.source, file.values.span(package))
         if directory is not None:
-            span = file.values.span(call.args[1])
-            file.collector.file(os.path.join(directory, path), span, "file")
+            whole = os.path.join(directory, inside)
+            file.collector.file(whole, file.values.span(path), "file")
