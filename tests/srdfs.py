@@ -31,3 +31,34 @@ def message_of(directory: Path, body: str, code: str) -> str:
     (found,) = findings(directory, body, code)
     assert (found.span.source.path, found.span.line) == (str(directory / "r.srdf"), 2)
     return found.message
+
+
+#: A planning group of the robot.
+GROUP = '<group name="g"><chain base_link="base" tip_link="hand"/></group>'
+
+
+def findings_in(
+    directory: Path, file: str, text: str, code: str
+) -> list[tuple[int, str, str, str]]:
+    """Line, severity, message and help of what a rule says about a file next to the SRDF."""
+    (directory / file).write_text(text)
+    return [
+        (found.span.line, found.severity.name, found.message, found.help)
+        for found in findings(directory, GROUP, code)
+        if found.span.source.path == str(directory / file)
+    ]
+
+
+#: Controllers of MoveIt.
+TRAJECTORY_CONTROLLERS = """\
+moveit_simple_controller_manager:
+  controller_names: [arm_controller]
+  arm_controller:
+    type: FollowJointTrajectory
+    joints: [shoulder, wrist, knuckle]
+"""
+#: Launch files of their own pass the whole file as the settings of the manager.
+WITHOUT_MANAGER = """\
+controller_names: [arm_controller]
+arm_controller: {type: FollowJointTrajectory, joints: [shoulder, wrist, knuckle]}
+"""

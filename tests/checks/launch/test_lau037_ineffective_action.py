@@ -4,25 +4,18 @@ from pathlib import Path
 
 import pytest
 
+from tests.checks.launch.actions import HANDLED, LASTING, SPAWNER, described
 from tests.launched import reported
 from tests.naming import naming
 
 ROS_2 = '<let name="x" value="$(var x)"/>\n'
 
 
-@pytest.mark.parametrize(
-    ("text", "message", "help"),
-    [
-        (
-            ROS_2 + '<node pkg="a" exec="b"/><push_ros_namespace namespace="n"/>',
-            naming("<push_ros_namespace>", "after"),
-            naming("above"),
-        ),
-    ],
-)
-def test_tags_behind_the_last_node(tmp_path: Path, text: str, message: str, help: str) -> None:
-    found = reported(tmp_path, "LAU037", "a.launch", text)
-    assert [(one.message, one.help) for one in found] == [(message, help)]
+def test_tags_behind_the_last_node(tmp_path: Path) -> None:
+    text = ROS_2 + '<node pkg="a" exec="b"/><push_ros_namespace namespace="n"/>'
+    (found,) = reported(tmp_path, "LAU037", "a.launch", text)
+    assert found.message == naming("<push_ros_namespace>", "after")
+    assert found.help == naming("above")
 
 
 @pytest.mark.parametrize(
@@ -34,17 +27,6 @@ def test_tags_behind_the_last_node(tmp_path: Path, text: str, message: str, help
 )
 def test_tags_with_an_effect(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, "LAU037", "a.launch", text) == []
-
-
-SPAWNER = "Node(package='controller_manager', executable='spawner')"
-LASTING = "Node(package='robot_state_publisher', executable='robot_state_publisher')"
-PROGRAM = "def generate_launch_description():\n    {}\n"
-HANDLED = "LaunchDescription([{}RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[b]))])"
-
-
-def described(first: str, entities: str) -> str:
-    """A launch file with the actions ``a`` and ``b``."""
-    return f"a = {first}\nb = {SPAWNER}\n" + PROGRAM.format(f"return {entities}")
 
 
 @pytest.mark.parametrize(

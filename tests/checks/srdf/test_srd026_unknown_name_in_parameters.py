@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.naming import naming
-from tests.srdfs import ROBOT, findings
+from tests.srdfs import ROBOT, TRAJECTORY_CONTROLLERS, WITHOUT_MANAGER, findings
 from urdfkit import Diagnostic, Severity, check
 
 
@@ -117,28 +117,16 @@ def test_groups_in_parameters(tmp_path: Path, around: str) -> None:
         assert [one.span.text for one in found] == ["manipulator"] * count
 
 
-TWO = """\
-moveit_simple_controller_manager:
-  controller_names: [arm_controller]
-  arm_controller:
-    type: FollowJointTrajectory
-    joints: [shoulder, wrist, knuckle]
-"""
-#: Launch files of their own pass the whole file as the settings of the manager.
-FLAT = """\
-controller_names: [arm_controller]
-arm_controller: {type: FollowJointTrajectory, joints: [shoulder, wrist, knuckle]}
-"""
 ONE = "controller_list:\n  - name: arm_controller\n    joints: [shoulder, wrist, knuckle]\n"
 
 
 @pytest.mark.parametrize(
     ("file", "text", "old", "new", "line"),
     [
-        ("moveit_controllers.yaml", TWO, "wrist", "wrsit", 5),
+        ("moveit_controllers.yaml", TRAJECTORY_CONTROLLERS, "wrist", "wrsit", 5),
         ("simple_moveit_controllers.yaml", ONE, "wrist", "wrsit", 3),
         ("controllers.yaml", ONE, "wrist", "wrsit", 3),
-        ("moveit_controllers.yaml", FLAT, "wrist", "wrsit", 2),
+        ("moveit_controllers.yaml", WITHOUT_MANAGER, "wrist", "wrsit", 2),
         ("initial_positions.yaml", "initial_positions:\n  shoulder: 0\n", "should", "shuold", 2),
     ],
 )
@@ -153,7 +141,7 @@ def test_unknown_names(tmp_path: Path, file: str, text: str, old: str, new: str,
 
 def test_a_list_of_fake_controllers_next_to_the_section(tmp_path: Path) -> None:
     """Only a manager that MoveIt 2 does not have would read it."""
-    text = TWO + FLAT.replace("arm_controller", "fake_arm_controller")
+    text = TRAJECTORY_CONTROLLERS + WITHOUT_MANAGER.replace("arm_controller", "fake_arm_controller")
     (tmp_path / "moveit_controllers.yaml").write_text(text)
     assert findings(tmp_path, "", "SRD026") == []
     (tmp_path / "moveit_controllers.yaml").write_text(text.replace("wrist", "wrsit", 1))
@@ -166,7 +154,7 @@ def test_a_list_of_fake_controllers_next_to_the_section(tmp_path: Path) -> None:
     [("shoulder, wrist", "a, b"), ("wrist", "$(arg wrist)"), ("joints: [", "joints: 3 # ")],
 )
 def test_other_or_unresolved_names_are_accepted(tmp_path: Path, old: str, new: str) -> None:
-    (tmp_path / "moveit_controllers.yaml").write_text(TWO.replace(old, new))
+    (tmp_path / "moveit_controllers.yaml").write_text(TRAJECTORY_CONTROLLERS.replace(old, new))
     assert findings(tmp_path, "", "SRD026") == []
 
 

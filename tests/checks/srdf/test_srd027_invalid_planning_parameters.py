@@ -5,10 +5,9 @@ from pathlib import Path
 import pytest
 
 from tests.naming import naming
-from tests.srdfs import findings
+from tests.srdfs import findings_in
 from urdfkit import Severity
 
-GROUP = '<group name="g"><chain base_link="base" tip_link="hand"/></group>'
 CLOUD = (
     "s:\n  sensor_plugin: occupancy_map_monitor/PointCloudOctomapUpdater\n  point_cloud_topic: /p\n"
     "  max_range: 5.0\n  padding_offset: 0.1\n  padding_scale: 1.0\n  point_subsample: 1\n"
@@ -19,16 +18,6 @@ LIMITS = "cartesian_limits:\n  max_trans_vel: 1.0\n  max_trans_acc: 1.0\n  max_t
 ADAPTER = "default_planning_request_adapters/CheckStartStateBounds"
 OLD = "planning_plugin: ompl_interface/OMPLPlanner\n"
 NEW = "planning_plugins: [ompl_interface/OMPLPlanner]\n"
-
-
-def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str, str]]:
-    """Line, severity, message and help of each finding in a file next to the SRDF."""
-    (directory / file).write_text(text)
-    return [
-        (found.span.line, found.severity.name, found.message, found.help)
-        for found in findings(directory, GROUP, "SRD027")
-        if found.span.source.path == str(directory / file)
-    ]
 
 
 @pytest.mark.parametrize(
@@ -82,7 +71,9 @@ def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str,
 def test_settings_without_effect(
     tmp_path: Path, file: str, text: str, line: int, message: str, help: str
 ) -> None:
-    assert (line, Severity.WARNING.name, message, help) in reported(tmp_path, file, text)
+    assert (line, Severity.WARNING.name, message, help) in findings_in(
+        tmp_path, file, text, "SRD027"
+    )
 
 
 @pytest.mark.parametrize(
@@ -102,7 +93,9 @@ def test_settings_without_effect(
 def test_settings_at_which_move_group_stops(
     tmp_path: Path, file: str, text: str, line: int, message: str, help: str
 ) -> None:
-    assert reported(tmp_path, file, text) == [(line, Severity.ERROR.name, message, help)]
+    assert findings_in(tmp_path, file, text, "SRD027") == [
+        (line, Severity.ERROR.name, message, help)
+    ]
 
 
 @pytest.mark.parametrize(
@@ -119,7 +112,7 @@ def test_settings_at_which_move_group_stops(
     ],
 )
 def test_settings_that_are_read(tmp_path: Path, file: str, text: str) -> None:
-    assert reported(tmp_path, file, text) == []
+    assert findings_in(tmp_path, file, text, "SRD027") == []
 
 
 @pytest.mark.parametrize(
@@ -139,7 +132,7 @@ def test_settings_in_the_list_of_sensors(
     (tmp_path / "package.xml").write_text(manifest)
     text = CLOUD.replace("s:\n  sensor", "sensors:\n  - sensor").replace("\n  ", "\n    ")
     text = text.replace("    - ", "  - ")
-    found = reported(tmp_path, "sensors_3d.yaml", text)
+    found = findings_in(tmp_path, "sensors_3d.yaml", text, "SRD027")
     assert [("sensors contains settings" in message) for _, _, message, _ in found] == [
         True
     ] * count

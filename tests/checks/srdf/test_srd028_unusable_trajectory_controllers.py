@@ -5,24 +5,13 @@ from pathlib import Path
 import pytest
 
 from tests.naming import naming, values
-from tests.srdfs import findings
+from tests.srdfs import TRAJECTORY_CONTROLLERS, WITHOUT_MANAGER, findings, findings_in
 from urdfkit import Severity
 
-GROUP = '<group name="g"><chain base_link="base" tip_link="hand"/></group>'
 MANAGER = "moveit_simple_controller_manager:\n  controller_names: [c]\n  c:\n    type: a\n"
 PLUGIN = (
     "moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager\n"
 )
-
-
-def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str, str]]:
-    """Line, severity, message and help of each finding in a file next to the SRDF."""
-    (directory / file).write_text(text)
-    return [
-        (found.span.line, found.severity.name, found.message, found.help)
-        for found in findings(directory, GROUP, "SRD028")
-        if found.span.source.path == str(directory / file)
-    ]
 
 
 @pytest.mark.parametrize(
@@ -61,7 +50,9 @@ def reported(directory: Path, file: str, text: str) -> list[tuple[int, str, str,
 def test_settings_without_effect(
     tmp_path: Path, file: str, text: str, line: int, message: str, help: str
 ) -> None:
-    assert (line, Severity.WARNING.name, message, help) in reported(tmp_path, file, text)
+    assert (line, Severity.WARNING.name, message, help) in findings_in(
+        tmp_path, file, text, "SRD028"
+    )
 
 
 @pytest.mark.parametrize(
@@ -76,7 +67,7 @@ def test_settings_without_effect(
     ],
 )
 def test_settings_that_are_read(tmp_path: Path, file: str, text: str) -> None:
-    assert reported(tmp_path, file, text) == []
+    assert findings_in(tmp_path, file, text, "SRD028") == []
 
 
 @pytest.mark.parametrize("package", [True, False])
@@ -85,26 +76,12 @@ def test_settings_of_a_controller_manager_that_move_group_does_not_load(
 ) -> None:
     if package:
         (tmp_path / "package.xml").write_text('<package format="3"><name>p</name></package>')
-    found = reported(tmp_path, "moveit_controllers.yaml", MANAGER)
+    found = findings_in(tmp_path, "moveit_controllers.yaml", MANAGER, "SRD028")
     names = ["moveit_controller_manager", "move_group", "moveit_simple_controller_manager"]
     assert (names in [values(text) for _, _, text, _ in found]) == package
 
 
-TWO = """\
-moveit_simple_controller_manager:
-  controller_names: [arm_controller]
-  arm_controller:
-    type: FollowJointTrajectory
-    joints: [shoulder, wrist, knuckle]
-"""
-#: Launch files of their own pass the whole file as the settings of the manager.
-FLAT = """\
-controller_names: [arm_controller]
-arm_controller: {type: FollowJointTrajectory, joints: [shoulder, wrist, knuckle]}
-"""
-
-
-@pytest.mark.parametrize(("text", "line"), [(TWO, 2), (FLAT, 1)])
+@pytest.mark.parametrize(("text", "line"), [(TRAJECTORY_CONTROLLERS, 2), (WITHOUT_MANAGER, 1)])
 def test_names_without_settings(tmp_path: Path, text: str, line: int) -> None:
     path = tmp_path / "moveit_controllers.yaml"
     path.write_text(text)
@@ -117,7 +94,8 @@ def test_names_without_settings(tmp_path: Path, text: str, line: int) -> None:
 
 def test_settings_one_level_too_high(tmp_path: Path) -> None:
     text = (
-        TWO.replace("[arm_controller]", "[arm_controller, hand]") + "hand:\n  joints: [knuckle]\n"
+        TRAJECTORY_CONTROLLERS.replace("[arm_controller]", "[arm_controller, hand]")
+        + "hand:\n  joints: [knuckle]\n"
     )
     (tmp_path / "moveit_controllers.yaml").write_text(text)
     (found,) = findings(tmp_path, "", "SRD028")
