@@ -261,6 +261,8 @@ def test_a_texture_that_is_missing(tmp_path: Path) -> None:
         ('<transparent opaque="A_ONE"><color>0 0 0 0.5</color></transparent>', 0.5),
         (("<transparent><color>0 0 0 0.5</color></transparent>"
          "<transparency><float>0.5</float></transparency>"), 0.25),
+        (("<transparent><color>0 0 0 1</color></transparent>"
+         "<transparency><float>0</float></transparency>"), 1),
         ('<transparent opaque="RGB_ZERO"><color>0 0 0 1</color></transparent>', 1),
         (('<transparent opaque="RGB_ZERO"><color>1 1 1 1</color></transparent>'
          "<transparency><float>0.25</float></transparency>"), 0.75),

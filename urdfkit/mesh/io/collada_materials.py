@@ -96,6 +96,10 @@ class ColladaMaterials:
         else:
             part = colour[3]
         opacity = part * factor
+        if mode == "A_ONE" and opacity == 0:
+            # Assimp before 4, MeshLab, SketchUp 7 and Blender 2.49 write the transparency here: the
+            # shapes of all 39 such files of public robots are opaque (assimp/assimp#1080).
+            return alpha
         return min(max(1 - opacity if mode.endswith("ZERO") else opacity, 0.0), 1.0)
 
     def _image(self, sampler: str, effect: Element | None) -> str:
