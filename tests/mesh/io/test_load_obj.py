@@ -102,6 +102,12 @@ def test_materials(tmp_path: Path) -> None:
     assert mesh.losses == ()
 
 
+def test_meshlab_writes_a_transparency_of_1_for_opaque(tmp_path: Path) -> None:
+    text = f"mtllib my.mtl\n{SQUARE}usemtl a\nf 1 2 3\n"
+    (part,) = read(tmp_path, text, my_mtl="newmtl a\nKd 1 0 0\nTr 1.000000\n").parts
+    assert part.material == MeshMaterial("a", (1, 0, 0, 1))
+
+
 def test_materials_that_are_missing(tmp_path: Path) -> None:
     mesh = read(tmp_path, f"mtllib my.mtl\nmtllib none.mtl\n{SQUARE}f 1 2 3", my_mtl=MTL)
     assert mesh.missing == ("a picture.png", "none.mtl")

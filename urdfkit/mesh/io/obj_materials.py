@@ -58,8 +58,10 @@ class MaterialLibrary:
         values = [min(max(float(value), 0.0), 1.0) for value in numbers]
         if word == b"Kd":
             red, green, blue = (values * 3)[:3] if len(values) < 3 else values[:3]
-        else:
-            alpha = values[0] if word == b"d" else 1 - values[0]
+        elif word == b"d":
+            alpha = values[0]
+        elif values[0] < 1:  # MeshLab writes Tr 1 for opaque materials
+            alpha = 1 - values[0]
         return material._replace(rgba=(red, green, blue, alpha))
 
     def _textured(self, material: MeshMaterial, rest: bytes) -> MeshMaterial:
