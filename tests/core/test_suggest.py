@@ -139,6 +139,8 @@ def test_the_hint_of_a_speller() -> None:
         ("updateRate", "updateRateHZ", "updateRateHZ"),
         ("robotBaseFrme", "robotBaseFrame", "robotBaseFrame"),
         ("imageTopic", "imageTopicName", "imageTopicName"),
+        ("max_linear_acceleration", "min_acceleration", ""),
+        ("max_aceleration", "max_acceleration", "max_acceleration"),
     ],
 )
 def test_a_word_in_front_changes_the_meaning(word: str, known: str, suggested: str) -> None:

@@ -288,3 +288,13 @@ def test_the_mesh_of_the_other_side_is_not_offered(tmp_path: Path, wanted: str, 
     package(tmp_path, "arm", "meshes/hip_R_Link.stl")
     (found,) = robot(tmp_path / "r.urdf", f"package://arm/meshes/{wanted}.stl")
     assert found.help.count("hip_R_Link") == count
+
+
+def test_a_path_below_the_working_directory_of_xacro(tmp_path: Path) -> None:
+    """simplefetch: its README calls xacro in the directory of the file."""
+    add_file(tmp_path / "r" / "meshes" / "table.stl", SOUND)
+    (found,) = robot(tmp_path / "r" / "r.xacro", "file://$(cwd)/meshes/table.stl")
+    assert found.severity is Severity.INFO
+    assert "$(dirname)" in found.help
+    (found,) = robot(tmp_path / "r" / "r.xacro", "file://$(cwd)/meshes/tables.stl")
+    assert found.severity is Severity.ERROR

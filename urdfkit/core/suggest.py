@@ -31,6 +31,9 @@ _SIDES = frozenset("left right front rear back upper lower inner outer fl fr rl 
 #: Words for the kind of the named thing, which people omit.
 _KINDS = frozenset(("link", "joint", "frame", "name"))
 
+#: Beginnings of names that say the opposite: ``max_linear_speed`` is not ``min_speed``.
+_OPPOSITES = {"min": "max", "max": "min"}
+
 #: A word in a name, as in base_link or hackBaseline.
 _WORD = r"[^\W_]?[^\W_A-Z]+|[A-Z]+"
 
@@ -205,6 +208,8 @@ class Suggester:
         space, slash, name = word.rpartition("/")
         space += slash
         inside = [known.removeprefix(space) for known in self._known if known.startswith(space)]
+        if opposite := _OPPOSITES.get(name[:3].casefold()):
+            inside = [known for known in inside if known[:3].casefold() != opposite]
         suggestion = nearest(name, inside, self._cutoff)
         return space + suggestion if suggestion and not _are_siblings(name, suggestion) else ""
 

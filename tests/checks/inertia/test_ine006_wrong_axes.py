@@ -48,6 +48,14 @@ def test_moments_that_are_not_those_of_the_shape_are_not_edited() -> None:
     assert found.fix is None
 
 
+def test_swapped_values_of_twice_the_size_need_more_than_a_swap() -> None:
+    """The macro of arm_base_link is called with twice the length of each edge."""
+    (found,) = reported(
+        "INE006", link("wheel", LYING, inertial(0.5, (ACROSS * 4, ACROSS * 4, ALONG * 4)))
+    )
+    assert "swap" not in found.help
+
+
 def test_a_small_part_of_a_large_body_does_not_matter() -> None:
     imu = link("imu", LYING, inertial(0.5, (ACROSS, ACROSS, ALONG)))
     robot = part("base", 60, (0.5, 0.25, 0.65), BOX) + imu + joint("base", "imu")

@@ -98,6 +98,14 @@ def test_a_plausible_travel(lower: str, upper: str, size: str) -> None:
     assert messages("JNT012", gripper(lower, upper, size)) == []
 
 
+def test_an_object_that_moves_in_the_world() -> None:
+    """A block of 6 cm on three prismatic joints, for PyBullet: links without bodies."""
+    block = '<visual><geometry><box size="0.06 0.06 0.06"/></geometry></visual>'
+    text = f'<link name="base"/><link name="block">{block}</link>'
+    assert messages("JNT012", text + joint("x", "prismatic", limit("-50", "50"))) == []
+    assert len(messages("JNT012", text + joint("x", "prismatic", limit("0", "50")))) == 1
+
+
 _VISUAL = f"<visual><geometry>{MESH.format(1)}</geometry></visual>"
 
 

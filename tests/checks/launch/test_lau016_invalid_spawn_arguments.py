@@ -58,6 +58,7 @@ def test_ros_1(tmp_path: Path, args: str, message: str) -> None:
         CREATE.format("*more"),
         CREATE.format("") + "\n" + CREATE.format("'-file', x, '--ros-args', '-q'"),
         CREATE.format("'-topic', 'robot_description_sim'"),
+        CREATE.format("'-topic', 'robot_descriptions'") + "  # publishes robot_descriptions",
         CREATE.format("").replace("]", "], parameters=[{'topic': 'x'}]"),
         ENTITY.format("'-entity', 'r', '-file', find(), '-J', 'x'").replace("'-J', 'x'", "'-b'"),
         "Node(package='a', executable='create', arguments=['-q'])",
@@ -73,6 +74,7 @@ def test_complete_or_unknown_arguments_are_accepted(tmp_path: Path, node: str) -
         "-urdf -param robot_description -model r -J a 1 -J b 2 -unpause",
         "-sdf -file $(env MODEL) -model r",
         "-urdf -param /r/robot_description -model $(arg m)",
+        "-urdf -param robot_description2 -model r",
         "",
     ],
 )

@@ -65,6 +65,9 @@ _SMALL_PRODUCT = 0.05
 
 _TURN = "swap the values, or give the <inertial> the rpy of the shape"
 
+#: Ratio of the largest moments from which swapped values are not the only mistake.
+_WRONG_SIZE = 2.0
+
 #: Cosine of the angle to an axis of the frame up to which two of them were exchanged.
 _ALONG = 0.95
 
@@ -171,7 +174,8 @@ def _turned(inertia: LinkInertia) -> Finding:
     """A tensor of a rod or a wheel that points another way than the shape."""
     tensor = inertia.tensor
     if max(map(abs, (tensor.ixy, tensor.ixz, tensor.iyz))) < _SMALL_PRODUCT * inertia.moments[2]:
-        return Finding(inertia.at, _moments(inertia), _TURN, confidence=Confidence.INFERRED)
+        help = _TURN if _is_of_size(inertia) else ""
+        return Finding(inertia.at, _moments(inertia), help, confidence=Confidence.INFERRED)
     assert inertia.turned_axis is not None
     axes = [axis if max(axis, key=abs) > 0 else times(axis, -1) for axis in inertia.turned_axis]
     own, other = (rounded(axis, 2) for axis in axes)
@@ -186,6 +190,14 @@ def _turned(inertia: LinkInertia) -> Finding:
         help,
         confidence=Confidence.INFERRED,
     )
+
+
+def _is_of_size(inertia: LinkInertia) -> bool:
+    """True if the largest moment is about that of the shape."""
+    if (tensor := inertia.expected) is None:
+        return True
+    low, high = sorted((max(inertia.diagonal), max(tensor.ixx, tensor.iyy, tensor.izz)))
+    return high < _WRONG_SIZE * low
 
 
 def _moments(inertia: LinkInertia) -> str:

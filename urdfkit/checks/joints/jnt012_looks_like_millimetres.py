@@ -118,7 +118,7 @@ def _limits(model: RobotModel) -> Findings:
     if not is_measured:
         known = f"no origin is further away than {longest:.3g} m"
     for joint, (lower, upper) in suspects:
-        is_part = is_measured or _is_of_a_part(joint, (lower, upper), model)
+        is_part = _is_of_a_part(joint, (lower, upper), model, is_measured)
         if longest and max(-lower, upper) > ratio * longest and is_part and joint.limit:
             yield Finding(
                 joint.limit.at,
@@ -128,10 +128,13 @@ def _limits(model: RobotModel) -> Findings:
             )
 
 
-def _is_of_a_part(joint: Joint, ends: tuple[float, float], model: RobotModel) -> bool:
-    """False for a joint that lets a robot move in the plane of the world."""
+def _is_of_a_part(
+    joint: Joint, ends: tuple[float, float], model: RobotModel, is_measured: bool
+) -> bool:
+    """False for a joint that lets a robot, or an object, move in the plane of the world."""
     parent = model.links_by_name.get(joint.parent_name)
-    return ends[0] != -ends[1] and bool(parent and parent.bodies)
+    has_body = bool(parent and parent.bodies)
+    return has_body or is_measured if ends[0] != -ends[1] else has_body and is_measured
 
 
 def _shapes(model: RobotModel) -> Findings:

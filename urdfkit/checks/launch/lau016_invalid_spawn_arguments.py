@@ -7,7 +7,8 @@
 - The file does not exist, or is a xacro file, which is not expanded. A missing file outside the
   workspace is a warning: the robot may have it. A file in `/tmp` is not reported, nor one that
   git ignores, which a build makes, or that another command of the launch file names.
-- The topic is misspelt: the program waits for ever.
+- The topic is misspelt: the program waits for ever. A name with a digit, or that the launch file
+  has more than once, is the name of another robot.
 
 Sources:
     ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
@@ -16,6 +17,7 @@ Sources:
 """
 
 import os
+import re
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
@@ -82,9 +84,16 @@ def _value(context: Context, option: str, word: Word, place: Location) -> Findin
     elif option in ("topic", "param"):
         name = text.rpartition("/")[2]
         is_as_long = abs(len(name) - len(_TOPIC)) < 3
-        if name != _TOPIC and is_as_long and nearest(name, [_TOPIC], CLOSE_TYPO):
+        is_similar = is_as_long and nearest(name, [_TOPIC], CLOSE_TYPO)
+        if name != _TOPIC and is_similar and not _is_meant(name, place):
             message = f"unknown {option} '{name}'; did you mean '{_TOPIC}'?"
             yield Finding(place, message, f"write {_TOPIC}")
+
+
+def _is_meant(name: str, place: Location) -> bool:
+    """True for the name of another robot: with a digit, or more than once in the launch file."""
+    text = place.span.source.data.decode(errors="replace")
+    return any(map(str.isdigit, name)) or len(re.findall(rf"\b{re.escape(name)}\b", text)) > 1
 
 
 def _file(context: Context, path: str, place: Location) -> Findings:

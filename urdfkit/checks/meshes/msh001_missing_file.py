@@ -229,7 +229,7 @@ def _missing(context: Context, mesh: MeshReference, suggestions: MeshSuggestions
         message = f"{mesh.who} is found by MuJoCo alone, which looks in {shown(directory)}"
         help = "for other programs, write a path relative to the URDF, or package://PACKAGE/..."
         return Finding(mesh.at, message, help, group_key=directory, severity=Severity.INFO)
-    if finding := _without_slash(context, mesh):
+    if finding := _of_working_directory(context, mesh) or _without_slash(context, mesh):
         return finding
     where = f" in package '{located.package}'" if located.package else ""
     # An absolute path in the message is the path that was tried.
@@ -278,6 +278,20 @@ def _without_slash(context: Context, mesh: MeshReference) -> Finding | None:
         severity = Severity.WARNING
     fix = _fix(mesh, relative, help)
     return Finding(mesh.at, message, help, fix, group_key=help, severity=severity)
+
+
+def _of_working_directory(context: Context, mesh: MeshReference) -> Finding | None:
+    """Finding about a path that begins with ``$(cwd)``, next to the xacro; else None."""
+    current, located = os.path.join(os.getcwd(), ""), mesh.located
+    if located.scheme != "absolute" or not is_xacro(context.source):
+        return None
+    directory = os.path.dirname(os.path.abspath(context.files.top))
+    of_current = [path for path in located.tried if path.startswith(current)]
+    if not any(disk.is_file(directory + os.sep + path[len(current) :]) for path in of_current):
+        return None
+    message = f"{mesh.who} is found if xacro runs in {shown(directory)}"
+    help = "write $(dirname) instead of $(cwd), or package://PACKAGE/..."
+    return Finding(mesh.at, message, help, group_key=directory, severity=Severity.INFO)
 
 
 def _directory_above(context: Context, located: ResolvedReference) -> str:
