@@ -1,5 +1,6 @@
 """Files of git revisions; nothing that the repository's own configuration names is run."""
 
+import hashlib
 import os
 import shutil
 import subprocess
@@ -68,6 +69,25 @@ def test_no_program_fetches_a_missing_object(repository: Path, tmp_path: Path) -
     with pytest.raises(UrdfkitError, match=r"robot\.urdf"):
         old_files(repository)
     assert not (tmp_path / "runs").exists()
+
+
+def test_files_of_git_lfs_are_those_that_have_been_fetched(repository: Path) -> None:
+    oid, lines = (
+        hashlib.sha256(b"solid").hexdigest(),
+        "version https://git-lfs.github.com/spec/v1\n",
+    )
+    for name, known in (("fetched.stl", oid), ("other.stl", "0" * 64)):
+        (repository / name).write_text(f"{lines}oid sha256:{known}\nsize 5\n")
+    (repository / "link.stl").symlink_to(repository / "other.stl")
+    git(repository, "add", ".")
+    git(repository, "commit", "-qm", "meshes")
+    store = repository / ".git" / "lfs" / "objects" / oid[:2] / oid[2:4]
+    store.mkdir(parents=True)
+    (store / oid).write_text("solid")
+    old = old_files(repository)
+    assert (old / "fetched.stl").read_text() == "solid"
+    assert (old / "other.stl").read_text() == (repository / "other.stl").read_text()
+    assert (old / "link.stl").is_symlink()
 
 
 def test_a_pipe_in_place_of_a_file_of_git_ends_the_question(

@@ -3,14 +3,25 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 from collections.abc import Mapping
+from contextlib import suppress
 
 from urdfkit.core import disk
+from urdfkit.core.regular_file import opened
 from urdfkit.errors import UrdfkitError
 
 #: Larger files are meshes, images and recordings, which are not needed to compare models.
 MAX_BYTES = 8 * 1024 * 1024
+
+#: A Git LFS pointer, with the parts of the path of its object.
+_POINTER = re.compile(
+    rb"version https://git-lfs\.github\.com/spec/v1\n"
+    rb"oid sha256:(([0-9a-f]{2})([0-9a-f]{2})[0-9a-f]{60})\nsize \d+\n"
+)
+#: Size in bytes above which no file is a pointer.
+_MAX_POINTER = 200
 
 #: Seconds until git is terminated: a pipe in place of one of its files blocks it forever.
 MAX_SECONDS = 60.0
@@ -20,7 +31,7 @@ _HOOK_VARIABLES = frozenset(("GIT_DIR", "GIT_INDEX_FILE", "GIT_PREFIX", "GIT_WOR
 
 
 def check_out(path: str, revision: str, directory: str, largest: int = MAX_BYTES) -> str:
-    """Write the files of a revision into a directory.
+    """Write the files of a revision into a directory, those of Git LFS if they have been fetched.
 
     Neither the working tree nor the index of the repository is changed.
 
@@ -40,7 +51,7 @@ def check_out(path: str, revision: str, directory: str, largest: int = MAX_BYTES
     commit = _commit(top, revision)
     tree = _git(top, "ls-tree", "-r", "-l", "-z", commit)
     entries = (entry for entry in tree.split(b"\0") if _is_included(entry, largest))
-    names = b"\0".join(entry.partition(b"\t")[2] for entry in entries)
+    names = [entry.partition(b"\t")[2] for entry in entries]
     from urdfkit.core.temporary import scratch  # not needed to list ignored files
 
     objects = _git(top, "rev-parse", "--git-path", "objects")
@@ -55,8 +66,28 @@ def check_out(path: str, revision: str, directory: str, largest: int = MAX_BYTES
         _git(empty, "read-tree", commit, variables=own)
         prefix = f"--prefix={os.path.join(directory, '')}"
         words = ("checkout-index", "-z", "--stdin", prefix)
-        _git(empty, *words, variables=own, stdin=names)
+        _git(empty, *words, variables=own, stdin=b"\0".join(names))
+    common = os.fsdecode(_git(top, "rev-parse", "--git-common-dir").rstrip(b"\n"))
+    store = os.path.join(top, common, "lfs", "objects")
+    for name in names if os.path.isdir(store) else ():
+        _replace_pointer(os.path.join(directory, os.fsdecode(name)), store, largest)
     return top
+
+
+def _replace_pointer(path: str, store: str, largest: int) -> None:
+    """Replace a Git LFS pointer by its object, if that is in the store."""
+    if os.path.islink(path) or not os.path.isfile(path) or os.path.getsize(path) > _MAX_POINTER:
+        return
+    with open(path, "rb") as file:
+        pointer = _POINTER.fullmatch(file.read())
+    if pointer is None:
+        return
+    oid, *directories = map(bytes.decode, pointer.groups())
+    with suppress(OSError), opened(os.path.join(store, *directories, oid)) as stored:
+        data = stored.read(largest + 1)
+        if len(data) <= largest:
+            with open(path, "wb") as file:
+                file.write(data)
 
 
 def locate(path: str, revision: str) -> str:
