@@ -59,12 +59,32 @@ description = Command(['xacro ', path, ' side:=left'])
 name = 'arm'
 description = Command(f"xacro {get_package_share_directory(name)}/urdf/{name}.xacro side:=left")
 """,
+        """
+path = get_package_share_directory('arm')
+path = os.path.join(path, 'urdf', 'arm.xacro')
+description = Command(['xacro ', path, ' side:=left'])
+path = 'elsewhere'
+""",
     ],
 )
 def test_the_robot_and_its_arguments(package, body):
     (description,) = read(package, body).descriptions
     assert Path(description.path) == package / "urdf" / "arm.xacro"
     assert description.arguments == {"side": "left"}
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "path = 'a.xacro'\nif unknown():\n    path = ARM\nCommand(['xacro ', path])",
+        "path = 'a.xacro'\nfor path in (ARM,):\n    pass\nCommand(['xacro ', path])",
+        "path = ARM\nload = lambda: Command(['xacro ', path])\npath = 'a.xacro'",
+        "Command(['xacro ', path])\npath = ARM\npath = 'a.xacro'",
+    ],
+)
+def test_names_whose_last_value_is_unknown(package, body):
+    arm = "get_package_share_directory('arm') + '/urdf/arm.xacro'"
+    assert read(package, body.replace("ARM", arm)).descriptions == ()
 
 
 @pytest.mark.parametrize(

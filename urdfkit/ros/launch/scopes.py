@@ -12,50 +12,81 @@ from urdfkit.ros.launch.bound_parameters import bound_parameters
 from urdfkit.text.python_source import CACHE_SIZE, nodes
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+#: Values of a name from which on it is unknown.
+_MAX_BINDINGS = 10
+
+
+class _Binding(Record):
+    """A value of a name; None is known only at run time."""
+
+    value: ast.expr | None
+    #: End of the assignment, line and column, in the body of the function itself; None inside a
+    #: loop or a condition.
+    end: tuple[int, int] | None
 
 
 class _Scope(Record):
-    """The values of names in a function or module; None is known only at run time."""
+    """The bindings of the names in a function or module."""
 
-    values: dict[str, ast.expr | None]
+    bindings: dict[str, list[_Binding]]
     outer: _Scope | None
 
-    def bind(self, name: str, value: ast.expr | None) -> None:
-        first = self.values.setdefault(name, value)
-        if first is not value and not _are_equal(first, value):
-            self.values[name] = None
+    def bind(self, name: str, value: ast.expr | None, end: tuple[int, int] | None = None) -> None:
+        bindings = self.bindings.setdefault(name, [])
+        if len(bindings) < _MAX_BINDINGS:
+            bindings.append(_Binding(value, end))
+
+    def value(self, name: ast.Name, *, is_own: bool) -> ast.expr | None:
+        """The value of a name; of several that follow one another, the last before its use."""
+        bindings = self.bindings[name.id]
+        first = bindings[0].value
+        if len(bindings) == _MAX_BINDINGS:
+            return None
+        if all(other.value is first or _are_equal(first, other.value) for other in bindings[1:]):
+            return first
+        place = name.lineno, name.col_offset
+        ends = [binding.end for binding in bindings]
+        if not is_own or None in ends:
+            return None
+        before = [
+            (end, binding.value) for binding in bindings if (end := binding.end) and end <= place
+        ]
+        return max(before, key=lambda pair: pair[0])[1] if before else None
 
 
 class Scopes:
     """The names of a program, each in its function.
 
-    A name with two different values has none here, as its value is known only at run time.
+    A name with two different values has the last one before its use, if neither depends on a
+    condition and no other function uses it; otherwise its value is known only at run time.
     """
 
     def __init__(self, tree: ast.Module) -> None:
         self._scope_of: dict[int, _Scope] = {}
         self._passed = bound_parameters(tree)
-        stack: list[tuple[ast.AST, _Scope]] = [(tree, _Scope({}, None))]
+        stack: list[tuple[ast.AST, _Scope, bool]] = [(tree, _Scope({}, None), False)]
         while stack:
-            node, scope = stack.pop()
+            node, scope, is_straight = stack.pop()
             if isinstance(node, ast.Name):
                 self._scope_of[id(node)] = scope
-            inner = self._bound(node, scope)
-            stack += [(child, inner) for child in ast.iter_child_nodes(node)]
+            inner = self._bound(node, scope, is_straight=is_straight)
+            is_body = isinstance(node, (ast.Module, *_FUNCTIONS))
+            stack += [(child, inner, is_body) for child in ast.iter_child_nodes(node)]
 
     def value(self, name: ast.Name) -> ast.expr | None:
         """The value of a name where it is used; None if it is ambiguous."""
-        scope = self._scope_of.get(id(name))
-        while scope is not None and name.id not in scope.values:
+        scope = own = self._scope_of.get(id(name))
+        while scope is not None and name.id not in scope.bindings:
             scope = scope.outer
-        return scope.values[name.id] if scope else None
+        return scope.value(name, is_own=scope is own) if scope else None
 
-    def _bound(self, node: ast.AST, scope: _Scope) -> _Scope:
+    def _bound(self, node: ast.AST, scope: _Scope, *, is_straight: bool) -> _Scope:
         """Record the names that a node binds; returns the scope of its contents."""
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             target = node.targets[0]
             if isinstance(target, ast.Name):
-                scope.bind(target.id, node.value)
+                end = node.end_lineno or node.lineno, node.end_col_offset or 0
+                scope.bind(target.id, node.value, end if is_straight else None)
                 return scope
         if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
             scope.bind(node.target.id, node.value)
