@@ -468,15 +468,15 @@ def test_both_soles_on_one_foot(sole: str, other: str, found: list[str]) -> None
     assert same == found
 
 
-def feet(parent: str, inside: str = '<axis xyz="1 0 0"/>') -> str:
-    """Two legs with a foot each; the right one is a child of ``parent``."""
+def feet(parent: str, inside: str = '<axis xyz="1 0 0"/>', side: str = "right") -> str:
+    """Two legs with a foot each; that of a side is a child of ``parent``."""
     text = '<link name="base"/>'
-    for side, y in (("left", 1), ("right", -1)):
+    for each, y in (("left", 1), ("right", -1)):
         hip = f'<origin xyz="0 {0.1 * y} 0"/><axis xyz="0 1 0"/>{limit("-1", "1")}'
-        text += joint(f"{side}_ankle", "revolute", hip, "base")
-        owner = parent if side == "right" else "left_ankle_link"
-        foot = inside if side == "right" else '<axis xyz="1 0 0"/>'
-        text += joint(f"{side}_foot", "revolute", foot + limit("-1", "1"), owner)
+        text += joint(f"{each}_ankle", "revolute", hip, "base")
+        owner = parent if each == side else f"{each}_ankle_link"
+        foot = inside if each == side else '<axis xyz="1 0 0"/>'
+        text += joint(f"{each}_foot", "revolute", foot + limit("-1", "1"), owner)
     return text
 
 
@@ -484,6 +484,9 @@ def test_the_last_joint_hangs_on_the_other_side() -> None:
     assert messages("JNT025", feet("right_ankle_link")) == []
     assert messages("JNT025", feet("left_ankle_link")) == [
         naming("right_foot", "left_ankle_link", "left_foot", "right_ankle_link")
+    ]
+    assert messages("JNT025", feet("right_ankle_link", side="left")) == [
+        naming("left_foot", "right_ankle_link", "right_foot", "left_ankle_link")
     ]
     fingers = feet("left_ankle_link", '<origin xyz="0 0 0.1"/><axis xyz="1 0 0"/>')
     assert messages("JNT025", fingers) == []

@@ -88,13 +88,13 @@ def check(context: Context) -> Findings:
             related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
             confidence=Confidence.INFERRED,
         )
-    for left, right, parent in on_the_other_side(context):
+    for correct, wrong, parent in on_the_other_side(context):
         yield Finding(
-            right.at.child_or_self("parent"),
-            f"joint '{right.name}' has the same parent '{right.parent_name}' as its counterpart "
-            f"'{left.name}', and '{parent}' has no child",
+            wrong.at.child_or_self("parent"),
+            f"joint '{wrong.name}' has the same parent '{wrong.parent_name}' as its counterpart "
+            f"'{correct.name}', and '{parent}' has no child",
             f"name '{parent}' as its parent",
-            related=(Related(left.at.span, f"counterpart '{left.name}'"),),
+            related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
             confidence=Confidence.INFERRED,
         )
     for correct, wrong, parent in on_one_side(context):

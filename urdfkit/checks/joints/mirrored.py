@@ -60,8 +60,8 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
         reported |= {correct.name, wrong.name}
         places = f"{_at(wrong)} {reason} its counterpart '{correct.name}' {_at(correct)}"
         yield correct, wrong, places
-    for left, right, _ in on_the_other_side(context):
-        reported |= {left.name, right.name}
+    for correct, wrong, _ in on_the_other_side(context):
+        reported |= {correct.name, wrong.name}
     joints = by_key((joint.parent_name, joint) for joint in context.model.joints)
     for pair in _asymmetric(list(_pairs(context)), context, joints):
         if pair.right.name in reported:
@@ -75,20 +75,22 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
 
 
 def on_the_other_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
-    """Counterparts that are both on the left, and the link on the right, which has no child.
+    """Counterparts on one side: correct and wrong joint, and the link of the other, a leaf.
 
     Fingers of one hand are side by side, or end chains there.
     """
     counterparts = context.symmetric_joints
     right_of = {left.child_name: right.child_name for left, right in counterparts}
+    left_of = {right: left for left, right in right_of.items()}
     parents = {joint.parent_name for joint in context.model.joints}
     continued = {joint.parent_name for pair in counterparts for joint in pair}
     for left, right in counterparts:
-        link = right_of.get(left.parent_name, "")
-        is_leaf = link and link not in parents
-        is_copied = right.child_name in continued or _have_one_place(left, right)
-        if is_leaf and left.parent_name == right.parent_name and is_copied:
-            yield left, right, link
+        parent = left.parent_name
+        correct, wrong = (right, left) if parent in left_of else (left, right)
+        link = right_of.get(parent) or left_of.get(parent)
+        is_copied = wrong.child_name in continued or _have_one_place(left, right)
+        if link and link not in parents and parent == right.parent_name and is_copied:
+            yield correct, wrong, link
 
 
 def _have_one_place(left: Joint, right: Joint) -> bool:
