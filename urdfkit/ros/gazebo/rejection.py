@@ -1,7 +1,8 @@
 """Defects for which libsdformat rejects the whole robot, so that Gazebo does not load it.
 
 Source: libsdformat 12.3 on robots with one defect each. It reads URDF with urdfdom: a defect in a
-joint rejects the robot, a defect in a link loses only that part of the link.
+joint rejects the robot, a defect in a link loses only that part of the link; one in a visual loses
+the visuals after it and all collisions of the link, too.
 """
 
 from __future__ import annotations
