@@ -16,6 +16,7 @@ def generate_launch_description():
         package="nav2_controller",
         executable="controller_server",
         parameters=[parameters],
+        remappings=[("cmd_vel", "/base_controller/cmd_vel")],
     )
     planner = Node(
         package="nav2_planner",
