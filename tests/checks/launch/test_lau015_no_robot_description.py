@@ -35,6 +35,9 @@ def test_in_xml(tmp_path: Path) -> None:
     [
         NODE.format(", parameters=[{'robot_description': x, 'use_sim_time': True}]"),
         "p = {'robot_description': x}\n" + NODE.format(", parameters=[p]"),
+        "p = {}\np.update(config.robot_description)\n" + NODE.format(", parameters=[p]"),
+        "p = {}\np['robot_description'] = x\n" + NODE.format(", parameters=[p]"),
+        "p = [{'a': 1}]\np.append({'robot_description': x})\n" + NODE.format(", parameters=p"),
         NODE.format(", parameters=[unknown()]"),
         NODE.format(", parameters=[{**p}]"),
         NODE.format(", parameters=p"),

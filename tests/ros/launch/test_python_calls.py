@@ -348,6 +348,18 @@ def test_the_builder_of_moveit(
     assert all(word in one for word, one in zip(words, found, strict=True))
 
 
+@pytest.mark.parametrize(
+    "source", ["uf_ros_lib.moveit_configs_builder import ", "uf_ros_lib import (\n    a,\n    "]
+)
+def test_the_builder_of_another_package(tmp_path: Path, source: str) -> None:
+    """xarm_ros2: its planning_pipelines has the argument config_folder."""
+    text = MOVEIT.format('.planning_pipelines(config_folder="a")', "own")
+    text = text.replace("moveit_configs_utils import ", source, 1)
+    if "(" in source:
+        text = text.replace("    MoveItConfigsBuilder\n", "    MoveItConfigsBuilder)\n")
+    assert reported(tmp_path / "arm", "LAU033", "a.launch.py", text) == []
+
+
 @pytest.mark.parametrize(("kind", "count"), [("Node", 1), ("ComposableNode", 0)])
 def test_components(tmp_path: Path, kind: str, count: int) -> None:
     text = "from launch_ros.actions import ComposableNodeContainer, Node\n"

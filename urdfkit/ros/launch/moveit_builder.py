@@ -47,10 +47,18 @@ _PLANNER = re.compile(
 _DEMO = re.compile(rb"\bgenerate_demo_launch\(")
 
 
+#: Import of a builder of another package, which has methods and files of its own.
+_OTHER = re.compile(
+    rb"^[ \t]*from[ \t]+(?!moveit_configs_utils\b)\S+[ \t]+import\b[^\n(]*"
+    rb"(?:\([^()]*)?\bMoveItConfigsBuilder\b",
+    re.MULTILINE,
+)
+
+
 def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
     """Record the files that a method of the builder reads, and its package."""
     builder = _builder(call)
-    if builder is None:
+    if builder is None or _OTHER.search(values.source.data):
         return
     collector.problems += _unknown_names(call, values)
     robot = values.text(argument(builder, 0, "robot_name"))
@@ -92,7 +100,8 @@ def _unknown_names(call: ast.Call, values: Values) -> Iterator[Problem]:
 def unknown_attribute(node: ast.expr | None, values: Values) -> Iterator[Problem]:
     """An attribute that the configuration of a builder does not have."""
     known = data("moveit")["builder"][""].split()
-    if isinstance(node, ast.Attribute) and is_configuration(node, values):
+    is_other = _OTHER.search(values.source.data)
+    if isinstance(node, ast.Attribute) and is_configuration(node, values) and not is_other:
         made = values.resolved(node.value)
         if called(made) == "to_moveit_configs" and node.attr not in known:
             message = f"the configuration of MoveIt has no '{node.attr}'"

@@ -1,6 +1,7 @@
 """Nodes and their parameters in launch files of Python."""
 
 import ast
+import re
 from itertools import pairwise
 
 from urdfkit.ros.launch.components import executable_of
@@ -24,6 +25,9 @@ from urdfkit.text.source import Span
 
 _COMPONENT = "ComposableNode"
 _PARAMETER_FILES = (".yaml", ".yml")
+
+#: What follows the name of a list or a dictionary where it gets further items.
+_GROWS = r"\s*(?:\.(?:append|extend|insert|setdefault|update)\(|\[[^\]\n]*\]\s*=[^=]|[|+]=)"
 
 
 def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
@@ -144,9 +148,10 @@ def _parameters(
     files: list[str] = []
     lists: dict[str, tuple[str | None, ...]] = {}
     at: dict[str, Span] = {}
-    is_whole = is_of_moveit = ros_arguments is None
+    is_whole = is_of_moveit = ros_arguments is None and not _grows(file, node)
     for item in file.values.items(node) if node else ():
         if isinstance(file.values.resolved(item), ast.Dict):
+            is_whole = is_whole and not _grows(file, item)
             for key, value in file.values.pairs(item):
                 name = file.values.text(key)
                 is_whole = is_whole and name is not None
@@ -168,6 +173,13 @@ def _parameters(
     values.pop("", None)
     is_of_moveit = is_of_moveit and not is_whole
     return GivenParameters(values, tuple(files), is_whole, lists, is_of_moveit, at)
+
+
+def _grows(file: PythonLaunchFile, node: ast.expr | None) -> bool:
+    """True for the name of a list or a dictionary that gets further items after its definition."""
+    if not isinstance(node, ast.Name):
+        return False
+    return re.search(rf"\b{node.id}{_GROWS}".encode(), file.values.source.data) is not None
 
 
 def _listed(
