@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.growth import executed_lines
+from tests.workspaces import add_file
 from urdfkit.ros.launch import read_launch
 from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.scopes import Scopes
@@ -214,11 +215,32 @@ def test_a_name_with_a_unique_value_is_resolved(package, body, found):
     [
         "doc = xacro.parse(open(FindPackageShare('arm').find('arm') + '/urdf/arm.xacro'))",
         "xacro.process_file(FindPackageShare(package='arm').find('arm') + '/urdf/arm.xacro')",
+        "load_xacro(Path(FindPackageShare(package='arm').find('arm') + '/urdf/arm.xacro'))",
     ],
 )
 def test_other_ways_to_the_robot(package, body):
     (description,) = read(package, body).descriptions
     assert Path(description.path) == package / "urdf" / "arm.xacro"
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "open(path / 'arm.URDF').read()",
+        "(path / 'arm.URDF').read_text()",
+        "Node(package='robot_state_publisher', arguments=[path / 'arm.URDF'])",
+    ],
+)
+def test_a_plain_urdf(package, body):
+    path = add_file(package / "urdf" / "arm.URDF", b"<robot name='r'/>")
+    directory = "path = Path(FindPackageShare('arm').find('arm')) / 'urdf'"
+    (description,) = read(package, f"{directory}\n{body}").descriptions
+    assert (Path(description.path), description.is_expanded) == (path, False)
+
+
+@pytest.mark.parametrize("rest", ["", ", arguments=[]", ", arguments=['-p', x]", ", arguments=x"])
+def test_a_publisher_that_names_no_urdf(package, rest):
+    assert read(package, f"Node(package='robot_state_publisher'{rest})").descriptions == ()
 
 
 @pytest.mark.parametrize(

@@ -18,6 +18,7 @@ from urdfkit.ros.launch.python_descriptions import (
     open_file,
     parse,
     process_file,
+    read_text,
     run_command,
     run_process,
     untyped_commands,
@@ -87,7 +88,9 @@ class _PythonReader(PythonLaunchFile):
             "Node": self._node,
             "open": partial(open_file, self),
             "parse": partial(parse, self),
+            "load_xacro": partial(process_file, self),
             "process_file": partial(process_file, self),
+            "read_text": partial(read_text, self),
             "yaml": partial(record_parameters, self),
             **dict.fromkeys(_PROCESSES, partial(run_process, self)),
         }

@@ -57,7 +57,7 @@ def _word(file: PythonLaunchFile, node: ast.expr | None) -> str:
 
 
 def process_file(file: PythonLaunchFile, call: ast.Call) -> None:
-    """``xacro.process_file(path)``."""
+    """``xacro.process_file(path)``, or ``load_xacro(path)`` of launch_param_builder."""
     path, mappings = argument(call, 0, "input_file_name"), argument(call, None, "mappings")
     _describe(file, call, path, mappings)
 
@@ -82,9 +82,28 @@ def _mappings_of(file: PythonLaunchFile, parsing: ast.Call) -> ast.expr | None:
 
 
 def open_file(file: PythonLaunchFile, call: ast.Call) -> None:
-    """Record a plain URDF whose text becomes a parameter."""
-    path = argument(call, 0, "file")
-    if (file.values.text(path) or "").endswith(".urdf"):
+    """Record a plain URDF that is opened: its text becomes a parameter."""
+    _describe_plain(file, call, argument(call, 0, "file"))
+
+
+def read_text(file: PythonLaunchFile, call: ast.Call) -> None:
+    """The same for ``Path(...).read_text()``."""
+    if isinstance(call.func, ast.Attribute):
+        _describe_plain(file, call, call.func.value)
+
+
+def named_by_argument(file: PythonLaunchFile, publisher: ast.Call) -> None:
+    """Record the URDF that robot_state_publisher reads as it has no parameter with the robot.
+
+    Source: ``robot_state_publisher.cpp`` of ros/robot_state_publisher, "backwards compatibility".
+    """
+    words = file.values.items(argument(publisher, None, "arguments"))
+    if words and words[0] is not None:
+        _describe_plain(file, publisher, words[0])
+
+
+def _describe_plain(file: PythonLaunchFile, call: ast.Call, path: ast.expr | None) -> None:
+    if (file.values.text(path) or "").lower().endswith(".urdf"):
         _describe(file, call, path, None, is_expanded=False)
 
 

@@ -18,7 +18,7 @@ from urdfkit.ros.launch.moveit_parameters import (
     missing_of_rviz,
     missing_of_servo,
 )
-from urdfkit.ros.launch.python_descriptions import record_unexpanded
+from urdfkit.ros.launch.python_descriptions import named_by_argument, record_unexpanded
 from urdfkit.ros.launch.python_file import PythonLaunchFile
 from urdfkit.ros.launch.values import argument, called
 from urdfkit.text.source import Span
@@ -66,6 +66,8 @@ def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
         file.collector.problems += missing_of_servo(file, call)
     elif program.package == "rviz2":
         file.collector.problems += missing_of_rviz(file, call)
+    elif program.package == "robot_state_publisher":
+        named_by_argument(file, call)
 
 
 def start_components(file: PythonLaunchFile, container: ast.Call) -> None:
