@@ -274,6 +274,35 @@ def test_hostile_programs_are_read(text):
     read_launch(Source("a.launch.py", text.encode()), Resolver(environment={}))
 
 
+GROUPS = """\
+DeclareLaunchArgument('gui', default_value='true')
+gui = LaunchConfiguration('gui')
+inner = Node(package='inner', executable='inner')
+nodes = [inner]
+Node(package='outer', executable='outer')
+GroupAction({}, condition={})
+"""
+
+
+@pytest.mark.parametrize(
+    ("actions", "condition", "sure"),
+    [
+        ("[inner]", "IfCondition(gui)", {"inner", "outer"}),
+        ("[inner]", "IfCondition(PythonExpression(['not ', gui]))", {"outer"}),
+        ("[inner]", "UnlessCondition(gui)", {"outer"}),
+        ("nodes", "IfCondition(unknown)", {"outer"}),
+        ("[GroupAction(nodes)]", "IfCondition(unknown)", {"outer"}),
+        ("[GroupAction(nodes, condition=IfCondition(unknown))]", "IfCondition(gui)", {"outer"}),
+        ("actions=unknown()", "IfCondition(unknown)", set()),
+        ("[inner, *more]", "IfCondition(unknown)", set()),
+    ],
+)
+def test_what_certainly_runs_with_groups(package, actions, condition, sure):
+    started = read(package, GROUPS.format(actions, condition)).started
+    assert {program.package for program in started} == {"inner", "outer"}
+    assert {program.package for program in started if program.is_sure} == sure
+
+
 def include(name: str, rest: str = "") -> str:
     return (
         "IncludeLaunchDescription(PythonLaunchDescriptionSource(os.path.join(\n"

@@ -1,5 +1,7 @@
 """Launch files of which all programs are known."""
 
+from collections.abc import Iterable
+
 from urdfkit.checks.bringup.unread_commands import is_part_of_ros
 from urdfkit.lint.rules import Context
 from urdfkit.ros.catalog import data
@@ -11,15 +13,25 @@ from urdfkit.workspace.ros_packages import comes_with_ros
 def known_programs(context: Context) -> tuple[StartedProgram, ...]:
     """The programs of a launch file; none if not all of them are known."""
     programs = context.launch.programs
-    is_known = _is_whole(context.launch) and all(node.is_sure for node in programs)
-    return programs if is_known else ()
+    return programs if _is_whole(context.launch) and _are_sure(programs) else ()
 
 
 def are_topics_known(context: Context) -> bool:
     """True if a launch file starts known programs in known namespaces, and nothing else."""
     launch = context.launch
     is_whole = not launch.has_scopes and all(map(is_part_of_ros, launch.unread))
-    return is_whole and _is_whole(launch) and all(node.is_sure for node in launch.programs)
+    return is_whole and _is_whole(launch) and _are_sure(launch.programs)
+
+
+def _are_sure(programs: Iterable[StartedProgram]) -> bool:
+    """True if all programs certainly run, or run in another process (Nav2's use_composition)."""
+    programs = list(programs)
+    running = {(node.package, node.executable) for node in programs if node.is_sure}
+    return all(
+        node.is_sure
+        or (node.package.startswith("nav2_") and (node.package, node.executable) in running)
+        for node in programs
+    )
 
 
 def _is_whole(launch: Launch) -> bool:

@@ -254,9 +254,11 @@ def _without_effect(call: ast.Call, values: Values) -> Iterator[Problem]:
     scopes, actions = facts["scopes"].split(), facts["actions"].split()
     if called(call) not in ("GroupAction", "LaunchDescription"):
         return
+    items = values.items(argument(call, *_HOLDERS[called(call)]))
+    if not items or called(values.resolved(items[-1])) not in scopes:
+        return
     names: list[tuple[ast.expr, str]] = []
-    node = argument(call, *_HOLDERS[called(call)])
-    for item in values.items(node) if node is not None else ():
+    for item in items:
         action = values.resolved(item)
         if item is None or not isinstance(action, ast.Call):
             return

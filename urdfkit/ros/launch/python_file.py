@@ -2,6 +2,7 @@
 
 import ast
 import os
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from urdfkit.core import disk
@@ -111,40 +112,55 @@ class PythonLaunchFile:
 
     def is_sure(self, action: ast.Call) -> bool:
         """True if an action certainly runs."""
-        is_free = not self._has_conditional_groups and action not in self._triggered
+        is_free = not self._has_open_groups and action not in self._outer_conditions
         return is_free and self.condition(action) is True
 
     def is_off(self, action: ast.Call) -> bool:
         """True if a condition switches an action off, or the action that contains it."""
-        is_inside = action in self._in_groups_that_are_off or self._triggered.get(action) is False
-        return is_inside or self.condition(action) is False
+        return self._outer_conditions.get(action) is False or self.condition(action) is False
 
     @cached_property
     def _decided(self) -> frozenset[ast.Call]:
         return decided_calls(self.tree)
 
     @cached_property
-    def _has_conditional_groups(self) -> bool:
-        """True if actions may be in a group with a condition."""
-        return any(argument(group, None, "condition") for group in self._groups)
+    def _has_open_groups(self) -> bool:
+        """True if any action may be in a group with a condition, whose actions are unknown."""
+        groups = filter(_is_group, self._conditional)
+        lists = {self.values.resolved(argument(group, 0, "actions")) for group in groups}
+        items = (item for actions in lists for item in self.values.items(actions))
+        return not all(isinstance(self.values.resolved(item), ast.Call) for item in items)
 
     @cached_property
-    def _in_groups_that_are_off(self) -> frozenset[ast.AST]:
-        groups = (group for group in self._groups if self.condition(group) is False)
-        return frozenset(node for group in groups for node in ast.walk(group))
+    def _outer_conditions(self) -> dict[ast.AST, bool | None]:
+        """The condition, unless it is true, of what contains or triggers an action, by action."""
+        conditions: dict[ast.AST, bool | None] = {}
+        for holds in (None, False):
+            outer = [call for call, value in self._conditional.items() if value is holds]
+            conditions.update(dict.fromkeys(self._within(outer), holds))
+        return conditions
 
     @cached_property
-    def _triggered(self) -> dict[ast.AST, bool | None]:
-        """The conditions, unless they are true, of what starts actions later, by the action."""
-        triggered: dict[ast.AST, bool | None] = {}
-        for trigger in self.calls:
-            if called(trigger) in TRIGGERS and (holds := self.condition(trigger)) is not True:
-                for node in ast.walk(trigger):
-                    action = self.values.resolved(node) if isinstance(node, ast.Name) else node
-                    if isinstance(action, ast.Call) and action is not trigger:
-                        triggered[action] = holds
-        return triggered
+    def _conditional(self) -> dict[ast.Call, bool | None]:
+        """The groups, and what starts actions later, whose condition is not always true."""
+        outer = [call for call in self.calls if _is_group(call) or called(call) in TRIGGERS]
+        return {call: holds for call in outer if (holds := self.condition(call)) is not True}
 
-    @property
-    def _groups(self) -> list[ast.Call]:
-        return [call for call in self.calls if called(call) == "GroupAction"]
+    def _within(self, calls: Iterable[ast.Call]) -> Iterator[ast.Call]:
+        """The calls in other calls, also by the names in them."""
+        seen: set[ast.AST] = set()
+        stack = [child for call in calls for child in ast.iter_child_nodes(call)]
+        while stack:
+            node = stack.pop()
+            if node in seen:
+                continue
+            seen.add(node)
+            if isinstance(node, ast.Call):
+                yield node
+            if isinstance(node, ast.Name) and (value := self.values.resolved(node)):
+                stack.append(value)
+            stack += ast.iter_child_nodes(node)
+
+
+def _is_group(call: ast.Call) -> bool:
+    return called(call) == "GroupAction"

@@ -3,6 +3,7 @@
 import ast
 import builtins
 from collections.abc import Iterator
+from functools import lru_cache
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, Suggester, nearest
@@ -83,10 +84,11 @@ def _right_import(module: str, name: str) -> str:
     return f"write {suggested}" if suggested else ""
 
 
-def modules_with(name: str) -> list[str]:
+@lru_cache(1024)
+def modules_with(name: str) -> tuple[str, ...]:
     """The modules of launch that have a name."""
     modules: dict[str, str] = data("launch_python")["modules"]
-    return [module for module, names in modules.items() if name in names.split()]
+    return tuple(module for module, names in modules.items() if name in names.split())
 
 
 def bound_names(tree: ast.Module) -> Iterator[str]:
