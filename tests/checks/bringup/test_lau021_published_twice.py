@@ -118,6 +118,34 @@ def test_a_robot_of_another_launch_file(
     assert ["'lidar' is published" in one.message for one in found] == [True] * count
 
 
+SIMULATION = (
+    "Node(package='ros_gz_sim', executable='create', arguments=['-topic', 'robot_description'])\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("others", "parameters", "count"),
+    [
+        ([SIMULATION], "", 0),
+        ([SIMULATION], "{'use_sim_time': True}", 1),
+        ([SIMULATION], "{'use_sim_time': False}", 0),
+        ([SIMULATION, ""], "", 1),
+    ],
+)
+def test_a_robot_of_a_simulation_alone(
+    tmp_path: Path, others: list[str], parameters: str, count: int
+) -> None:
+    """Symovo's navigation runs on the real robot, whose driver publishes nothing of the lidar."""
+    files = {"r.urdf": ROBOT}
+    for number, other in enumerate(others):
+        text = f"robot = open('{tmp_path}/r.urdf')\n{STATE}{other}"
+        files[f"launch/robot{number}.launch.py"] = text
+    node = f"Node(package='nav2_amcl', executable='amcl', parameters=[{parameters}])\n"
+    words = "['--frame-id', 'base', '--child-frame-id', 'lidar']"
+    found = reported(tmp_path, "LAU021", "a.launch.py", node + STATIC.format(words), files)
+    assert len(found) == count
+
+
 def test_without_a_robot_state_publisher_nothing_is_published_twice(tmp_path: Path) -> None:
     words = "['0', '0', '2', '0', '0', '0', 'base', 'lidar']"
     assert messages(tmp_path, STATIC.format(words)) == []

@@ -10,7 +10,9 @@ from urdfkit.checks.bringup.workspace_launches import (
     workspace_launches,
 )
 from urdfkit.lint.rules import Context
+from urdfkit.ros.launch.collect import SIM_TIME
 from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.spawning import model_spawner
 
 PUBLISHER = "robot_state_publisher"
 #: Packages whose nodes need the transforms of a robot that is running.
@@ -36,6 +38,24 @@ def published_robots(context: Context) -> list[Context]:
         return []
     robots = [robot for _, robot in context.expanded(descriptions)]
     return robots if len(robots) == len(descriptions) else []
+
+
+def runs_in_simulation_only(context: Context) -> bool:
+    """True if only launch files of a simulation start the publisher, and this is of none.
+
+    A launch file for the real robot publishes the transforms that are joints of the simulated one.
+    """
+    own = context.launch.programs
+    if any(map(_is_publisher, own)) or any(map(_has_sim_time, own)):
+        return False
+    launches = [
+        file for file in workspace_launches(context) if any(map(_is_publisher, file.programs))
+    ]
+    return all(any(map(model_spawner, file.programs)) for file in launches)
+
+
+def _has_sim_time(started: StartedProgram) -> bool:
+    return (started.parameters.values.get(SIM_TIME) or "").lower() == "true"
 
 
 def _is_publisher(started: StartedProgram) -> bool:
