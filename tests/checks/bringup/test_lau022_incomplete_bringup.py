@@ -50,6 +50,36 @@ def test_joint_states(tmp_path: Path, text: str, count: int) -> None:
 
 
 @pytest.mark.parametrize(
+    ("listed", "kind", "count"),
+    [
+        ("joints: [swing], interfaces: [position]", "revolute", 1),
+        ("joints: [swing, slide], interfaces: [position]", "revolute", 0),
+        ("joints: [swing], extra_joints: [slide], interfaces: [position]", "revolute", 0),
+        ("joints: [swing]", "revolute", 0),  # needs both lists
+        ("joints: [swing], interfaces: [position]", "fixed", 0),
+        ("use_local_topics: true", "revolute", 0),
+    ],
+)
+def test_joints_that_the_broadcaster_leaves_out(
+    tmp_path: Path, listed: str, kind: str, count: int
+) -> None:
+    """From moveit/moveit2#3312."""
+    text = (
+        f"robot = open('{tmp_path}/r.urdf').read()\n"
+        + MANAGER.format(tmp_path, "")
+        + STATE.format(", parameters=[{'robot_description': robot}]")
+        + SPAWNER.format(["arm", "states"])
+    )
+    yaml = f"{CONTROLLERS}\narm: {{ros__parameters: {{joints: [swing, slide]}}}}\n"
+    files = {
+        "r.urdf": f"<robot name='r'>{robot(joint('swing', kind), joint('slide', kind))}</robot>",
+        "c.yaml": f"{yaml}states: {{ros__parameters: {{{listed}}}}}\n",
+    }
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    assert [one.span.text for one in found] == ["swing"] * count
+
+
+@pytest.mark.parametrize(
     ("command", "count"),
     [
         ("cmd=['ros2', 'run', 'controller_manager', 'spawner', 'states']", 0),

@@ -2,7 +2,8 @@
 
 - Controllers and robot_state_publisher are started, but no publisher of joint states: the links
   of moving joints have no transform, and RViz shows them at the origin. Spawn
-  `joint_state_broadcaster`. A robot without moving joints, such as a sensor, needs none.
+  `joint_state_broadcaster`. A robot without moving joints, such as a sensor, needs none. Or the
+  broadcaster has a list of joints without some that another controller moves.
 - `ros2_control_node` has no parameter file, so the types of the controllers are unknown.
 - No robot_state_publisher publishes on the topic of `create -topic`: "Waiting messages on topic
   [robot_description]", for ever.
@@ -37,6 +38,8 @@ from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.joint_limits import can_move
 from urdfkit.robot.model import RobotModel
+from urdfkit.ros.claims import commanded_joints
+from urdfkit.ros.controllers import Controller
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
@@ -96,21 +99,46 @@ def _missing_broadcaster(context: Context, programs: tuple[StartedProgram, ...])
         return
     spawned = list(spawned_controllers(programs))
     defined = defined_controllers(context)
-    types = {name: defined[name].type for name in defined if defined[name].ros == 2}
-    known = [types.get(controller.name, "") for controller in spawned]
+    named = [defined.get(controller.name) for controller in spawned]
+    known = [controller for controller in named if controller and controller.ros == 2]
     bridged = (topic for node in programs for topic in bridged_topics(node, context.resolver))
     if (
-        not all(known)
-        or any(kind.endswith("JointStateBroadcaster") for kind in known)
+        len(known) < len(named)
         or any(node.package in _JOINT_STATES for node in programs)
         or any(topic.ros_type.endswith("/JointState") for topic in bridged)
     ):
         return
-    if spawned and not _is_rigid(context):
+    if broadcasters := [one for one in known if one.type.endswith("JointStateBroadcaster")]:
+        if len(broadcasters) == 1:
+            yield from _unlisted_joints(context, broadcasters[0], known)
+    elif spawned and not _is_rigid(context):
         yield Finding(
             spawned[0].at,
             "nothing publishes the joint states: no joint_state_broadcaster is started",
             "spawn joint_state_broadcaster, too, and define it in the YAML file of the controllers",
+        )
+
+
+def _unlisted_joints(
+    context: Context, broadcaster: Controller, controllers: list[Controller]
+) -> Findings:
+    """Joints of the robot that another controller moves, and the only broadcaster leaves out.
+
+    It reads its list only if it has one of interfaces, too.
+    """
+    listed = broadcaster.values(["joints"])
+    if not listed or not broadcaster.values(["interfaces"]):
+        return
+    names = {value.text for value in broadcaster.values(["joints", "extra_joints"])}
+    robots = [robot.model for _, robot in context.described_robots]
+    moving = {joint.name for model in robots for joint in model.joints if can_move(joint)}
+    commanded = (value.text for one in controllers for value in commanded_joints(one))
+    if lost := [name for name in dict.fromkeys(commanded) if name in moving - names]:
+        yield Finding(
+            listed[0].span,
+            f"'{broadcaster.name}' does not publish the states of {few(lost, _MAX_NAMED)}, which a "
+            "controller moves: their links have no transform",
+            "add them to joints, or remove the list: then it publishes all",
         )
 
 
