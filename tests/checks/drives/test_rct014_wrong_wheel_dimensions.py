@@ -65,6 +65,17 @@ def test_a_length_that_is_multiplied(
     assert len(reported(tmp_path, text, robot())) == count
 
 
+@pytest.mark.parametrize(
+    ("separation", "factor", "count"), [(0.2, "1.3", 1), (0.2, "2.0", 0), (0.4, "0.5", 0)]
+)
+def test_a_separation_that_no_multiplier_explains(
+    separation: float, factor: str, count: int, tmp_path: Path
+) -> None:
+    text = drive(separation, 0.1).rstrip("\n") + f"\n    wheel_separation_multiplier: {factor}\n"
+    found = reported(tmp_path, text, robot())
+    assert ["wheel_separation is" in one.message for one in found] == [True] * count
+
+
 def test_separation(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, drive(0.3, 0.1), robot())
     assert found.message == naming("d", "wheel_separation", "0.3 m", "0.4 m")

@@ -9,11 +9,11 @@ file; use multipliers for corrections.
 An info: a separation larger than the track, if a side has several wheels. They slip in turns, and
 the value may be calibrated.
 
-Not reported: lengths with a multiplier, a separation larger than the track for a plugin of
-skid-steered robots, a separation if the collision geometry of a wheel is farther from its joint
-than its diameter, and the wheelbase of a car whose driven wheels are the steered ones. If a file
-has several controllers for the same wheels, only those with the fewest differences are reported:
-the others may be for another robot.
+Not reported: lengths with a multiplier, unless a separation is far too small with it, too; a
+separation larger than the track for a plugin of skid-steered robots, a separation if the collision
+geometry of a wheel is farther from its joint than its diameter, and the wheelbase of a car whose
+driven wheels are the steered ones. If a file has several controllers for the same wheels, only
+those with the fewest differences are reported: the others may be for another robot.
 
 Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
@@ -46,6 +46,8 @@ if TYPE_CHECKING:
 TOLERANCE = 0.05
 #: Wheels that slip in turns act as if they were further apart, up to this factor (Husky: 1.875).
 MAX_SLIP = 2.5
+#: No calibration makes a separation so much smaller.
+LEAST = 0.7
 #: In m: the positions of wheels that are closer are not yet defined.
 SAME_PLACE = 1e-3
 
@@ -123,7 +125,8 @@ def _check_controller(controller: Controller, context: Context) -> Findings:
         values = controller.values([measure.parameter])
         value = number(values[0].text) if values else None
         real = _lengths_in_model(measure, controller, context)
-        if _is_multiplied(controller, measure.parameter):
+        factors = _multipliers(controller, measure.parameter)
+        if factors and not (value and real and _is_far_too_small(measure, value, factors, real)):
             continue  # the drive is calibrated
         if value is not None and real and _differs(value, real):
             is_info = _slips(measure, controller) and _may_slip(value, real)
@@ -147,10 +150,19 @@ def _slips(measure: Measure, controller: Controller) -> bool:
     return measure.kind == "separation" and max(numbers) > 1
 
 
-def _is_multiplied(controller: Controller, parameter: str) -> bool:
-    """True if the controller multiplies a length by another number than 1."""
+def _multipliers(controller: Controller, parameter: str) -> list[float]:
+    """The numbers other than 1 by which the controller multiplies a length."""
     names = [f"{side}{parameter}_multiplier" for side in ("", "left_", "right_")]
-    return any(number(value.text) not in (None, 1.0) for value in controller.values(names))
+    factors = (number(value.text) for value in controller.values(names))
+    return [factor for factor in factors if factor not in (None, 1.0)]
+
+
+def _is_far_too_small(
+    measure: Measure, value: float, factors: list[float], real: list[float]
+) -> bool:
+    """True for a separation that is far smaller than the real one, also with its multiplier."""
+    largest = value * max(1.0, *factors)
+    return measure.kind == "separation" and largest < LEAST * min(real)
 
 
 def _help(real: float) -> str:
