@@ -1,7 +1,10 @@
 """What is said of tensors that are wrong in one way, or on purpose."""
 
+from pathlib import Path
+
 import pytest
 
+from tests import meshed
 from tests.massive import BALL, inertial, joint, link, part, shape
 from tests.naming import naming
 from tests.reported import messages, reported
@@ -279,3 +282,24 @@ def test_the_result_of_a_formula_has_no_misplaced_point(value: str, count: int) 
     )
     (found,) = reported("INE003", text.encode(), "r.xacro")
     assert found.help.count("ten times") == count
+
+
+_CORNERS = ("0 0 0", "0.1 0 0", "0 0.1 0", "0 0 0.1")
+_FACES = ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))
+
+
+@pytest.mark.parametrize(("name", "is_other"), [("right_steer", True), ("left_steer", False)])
+def test_the_mesh_of_the_other_side(tmp_path: Path, name: str, is_other: bool) -> None:
+    """yahboomcar's front_right_steer shows front_left_steer.STL: its tensor is right."""
+    facets = (" ".join(f"vertex {_CORNERS[corner]}" for corner in face) for face in _FACES)
+    solid = " ".join(f"facet normal 0 0 0 outer loop {facet} endloop endfacet" for facet in facets)
+    files = {"left_steer.stl": f"solid a {solid} endsolid a".encode()}
+    moments = (7.5e-4, -1.25e-4, -1.25e-4, 7.5e-4, 1.25e-4, 7.5e-4)
+    own = link(
+        name,
+        shape("collision", '<mesh filename="left_steer.stl"/>'),
+        inertial(1, moments, "0.025 0.025 0.025"),
+    )
+    (found,) = meshed.reported(tmp_path, "INE006", own, files)
+    assert ("left_steer.stl' is the mesh" in found.message) is is_other
+    assert (found.fix is None) is is_other

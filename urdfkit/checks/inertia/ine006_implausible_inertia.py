@@ -26,6 +26,8 @@ Sources:
     Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
 
+import os
+
 from urdfkit.checks.inertia.copies import together
 from urdfkit.core.spatial import times
 from urdfkit.core.words import rounded
@@ -39,6 +41,7 @@ from urdfkit.robot.inertials.tensor_entries import opposite
 from urdfkit.robot.inertials.tensor_fix import advice, replacement
 from urdfkit.robot.inertials.tensor_text import describe_solid, format_moments
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
+from urdfkit.robot.symmetry import pairs
 from urdfkit.text.comments import comments
 
 BAD = link_xml(
@@ -166,8 +169,18 @@ def _wrong_axes(inertia: LinkInertia) -> Finding:
     flipped = opposite(inertia.tensor, tensor)
     fix = replacement(inertia, tensor)
     message = _signs(inertia, flipped) if flipped else _moments(inertia)
+    if flipped and (other := _mesh_of_other_side(inertia)):
+        message += f"; '{other}' is the mesh of the other side"
+        help = "show the mesh of this side, which fits the tensor"
+        return Finding(inertia.at, message, help, confidence=Confidence.INFERRED)
     help = f"{fix.title}, or rotate the <inertial>" if fix else _TURN
     return Finding(inertia.at, message, help, fix, confidence=Confidence.INFERRED)
+
+
+def _mesh_of_other_side(inertia: LinkInertia) -> str:
+    """The mesh whose name differs from that of the link in its side alone; empty without one."""
+    names = [os.path.basename(body.file.value) for body in inertia.link.bodies if body.file]
+    return next((n for n in names if pairs((inertia.link.name, os.path.splitext(n)[0]))), "")
 
 
 def _turned(inertia: LinkInertia) -> Finding:
