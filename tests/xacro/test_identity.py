@@ -30,9 +30,11 @@ def packages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 
 
 #: Wanted: what stock xacro says, and what urdfkit says instead. A package that is not found is
-#: not reported as a Python error; ``name`` in ur.urdf.xacro has a default that comes after its use.
+#: not reported as a Python error; ``name`` in ur.urdf.xacro has a default that comes after its use;
+#: an attribute that is no text is reported where it is set, not when the document is written.
 WANTED = (
     (r"<class 'LookupError'>: (\w+) \w+", r"package '{0}' not found; searched: "),
+    (r"'(\w+)' object has no attribute 'replace'", r"'x' is a {0}, which xacro cannot write"),
     (r"Undefined substitution argument name", r"\[Errno 2\] No such file .*/ur5x/visual"),
 )
 

@@ -126,8 +126,18 @@ class Node(_StockElement):  # type: ignore[misc]
         if self._attrs and name in self._attrs:
             super().removeAttribute(name)
 
-    def setAttribute(self, attname: str, value: str) -> None:  # noqa: N802
-        value = str(value)  # stock xacro passes a number and fails much later
+    def setAttribute(self, attname: str, value: Any) -> None:  # noqa: N802
+        """Set an attribute to a text; ``<xacro:attribute>`` also passes the value of an expression.
+
+        Raises:
+            TypeError: the value is not a text: stock xacro fails when it writes the document, or
+                writes nothing for 0.
+        """
+        if not isinstance(value, str):
+            if value:
+                kind = type(value).__name__
+                raise TypeError(f"'{attname}' is a {kind}, which xacro cannot write: use str()")
+            value = ""
         present = self._attrs.get(attname) if self._attrs else None
         if present is not None:
             present.value = value
