@@ -57,3 +57,20 @@ def test_names_are_aligned_and_escaped(tmp_path: Path, capsys: pytest.CaptureFix
         "底盘              1  kept",
         "a\\u202eb          1  kept",
     ]
+
+
+def test_a_link_with_two_parents_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Gazebo merges such a link twice: a UR3 with two joints from the world had 4 kg for 2."""
+    inertial = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial>'
+    links = "".join(f'<link name="{name}">{inertial}</link>' for name in "abc")
+    ends = (("i", "a", "b"), ("j", "b", "c"), ("k", "a", "c"))
+    joints = "".join(
+        f'<joint name="{name}" type="fixed"><parent link="{up}"/><child link="{down}"/></joint>'
+        for name, up, down in ends
+    )
+    file = tmp_path / "r.urdf"
+    file.write_text(f'<robot name="r">{links}{joints}</robot>')
+    assert main(["gazebo", str(file)]) == 0
+    assert capsys.readouterr().out.startswith("Gazebo may load another robot:")

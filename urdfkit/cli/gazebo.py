@@ -10,6 +10,7 @@ from urdfkit.cli.robot import one_robot, robot
 from urdfkit.core.words import counted
 from urdfkit.lint.context import Context
 from urdfkit.lint.runner import run_rules
+from urdfkit.robot.tree import KinematicTree
 from urdfkit.ros.gazebo.conversion import NEW, OLD, SdfConversion, SimulatedJoint, SimulatedLink
 from urdfkit.ros.gazebo.rejection import CODES, Rejection, rejections
 from urdfkit.text.document import Element
@@ -49,12 +50,12 @@ def show(context: Context, format: str, *, old: bool) -> int:
     conversion = SdfConversion(context.tree, OLD if old else NEW)
     with working():
         rejected = rejections(run_rules(context, sorted(CODES)).diagnostics, conversion)
-    lines = (*_rejection(rejected), *render(conversion))
+    lines = (*_rejection(rejected, conversion.tree), *render(conversion))
     output.json_or_page(format, lambda: as_json(conversion, rejected), lines, COLORS)
     return 0
 
 
-def _rejection(rejected: list[Rejection]) -> Iterator[str]:
+def _rejection(rejected: list[Rejection], tree: KinematicTree) -> Iterator[str]:
     """The reasons why Gazebo rejects the robot, and the heading of the rest."""
     for reader in dict.fromkeys(rejection.reader for rejection in rejected):
         yield f"{reader} rejects this robot:"
@@ -66,6 +67,9 @@ def _rejection(rejected: list[Rejection]) -> Iterator[str]:
         yield ""
     if rejected:
         yield "Without these errors:"
+    elif not tree.is_sound:
+        yield from output.wrapped(f"Gazebo may load another robot: {tree.unsound}")
+        yield ""
 
 
 def render(conversion: SdfConversion) -> Iterator[str]:
