@@ -84,3 +84,21 @@ def test_a_path_of_another_computer_means_a_file_of_this_workspace(
     assert missing.message == naming(f"{above}/config/c.yaml")
     assert "$(find arm)/config/c.yaml" in missing.help
     assert misspelt.message == naming("c", "ros_parameters", "ros__parameters")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "severity"),
+    [({}, Severity.INFO), ({"file": "{}/gone.yaml"}, Severity.ERROR)],
+)
+def test_a_path_that_is_passed(
+    tmp_path: Path, arguments: dict[str, str], severity: Severity
+) -> None:
+    """A default may be a placeholder; what a launch file or the user passes is meant."""
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    file = tmp_path / "r.xacro"
+    argument = f'<xacro:arg name="file" default="{tmp_path}/none.yaml"/>'
+    text = argument + robot("$(arg file)")
+    file.write_text(f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{text}</robot>')
+    passed = {name: value.format(tmp_path) for name, value in arguments.items()}
+    (found,) = check(file, select=["RCT026"], arguments=passed).diagnostics
+    assert found.severity is severity

@@ -107,14 +107,18 @@ def _not_found(context: Context, file: ParameterFile, element: Element) -> Findi
     where = "" if is_here else " on this machine"
     written = element.tag_at.inner_span.text
     has_find = "$(find " in written
-    is_chosen = "$" in re.sub(r"\$\(find [^)]*\)", "", written)
+    is_passed = path in context.arguments.values()  # by a launch file, or by the user
+    is_chosen = "$" in re.sub(r"\$\(find [^)]*\)", "", written) and not is_passed
     severity = None if is_here else Severity.WARNING
     package, relative = file.meant or ("PACKAGE", "config/FILE.yaml")
     write = f"write $(find {package})/{relative} in the xacro, which works everywhere"
+    help = write if file.meant else f"correct the path; {write}"
+    if has_find or is_passed:
+        help = "correct the path"
     return Finding(
         element,
         f"parameter file not found{where}: {path}{hint}",
-        "correct the path" if has_find else write if file.meant else f"correct the path; {write}",
+        help,
         severity=Severity.INFO if is_chosen else severity,
     )
 
