@@ -17,6 +17,7 @@ from tests.controls import (
     transmission,
 )
 from tests.gazebos import WHEELS, sensor
+from tests.launched import launch
 from tests.naming import naming
 from tests.reported import reported
 from tests.workspaces import add_file, add_package
@@ -144,6 +145,30 @@ def test_a_controller_of_the_workspace(tmp_path: Path, file: str, count: int) ->
     text = driving.DRIVE.replace("wheel_radius", "wheels_radius").replace("0.3", "3")
     found = driving.reported(tmp_path, "RCT034", text)
     assert bool(found) == bool(count)
+
+
+@pytest.mark.parametrize(
+    ("more", "severity"),
+    [("", Severity.WARNING), ("    use_stamped: true\n", Severity.ERROR)],
+)
+def test_limits_whose_sign_only_later_versions_check(
+    tmp_path: Path, more: str, severity: Severity
+) -> None:
+    """A receptionist of Humble with a positive ``min_velocity`` and its limits switched off."""
+    add_package(tmp_path, "robot")
+    (tmp_path / "mux.yaml").write_text(f"twist_mux:\n  ros__parameters:\n    a: 1\n{more}")
+    (tmp_path / "launch").mkdir()
+    mux = '<param from="$(find-pkg-share robot)/mux.yaml"/>'
+    (tmp_path / "launch" / "mux.launch.xml").write_text(
+        launch(f'<node pkg="twist_mux" exec="twist_mux">{mux}</node>')
+    )
+    text = f"{driving.DRIVE}    linear.x.min_velocity: 4.0\n"
+    (found,) = driving.reported(tmp_path, "RCT034", text)
+    assert (found.severity, found.message) == (
+        severity,
+        naming("drive", "linear.x.min_velocity", "4.0", "<= 0"),
+    )
+    assert ("Jazzy" in found.message) == (severity is Severity.WARNING)
 
 
 def test_transmissions_that_a_plugin_of_the_robot_may_load() -> None:

@@ -88,6 +88,31 @@ def test_a_topic_that_a_macro_is_called_with(tmp_path: Path, tag: str, count: in
 
 
 @pytest.mark.parametrize(
+    ("package", "help"),
+    [
+        ("robot_localization", "remove it if robot_localization publishes the transform"),
+        ("own", "write /tf_raw"),
+    ],
+)
+def test_a_transform_that_is_kept_from_tf(tmp_path: Path, package: str, help: str) -> None:
+    """A car whose drive writes /tf_raw, because a filter publishes the transform."""
+    plugin = (
+        '<gazebo><plugin filename="gz-sim-diff-drive-system" '
+        'name="gz::sim::systems::DiffDrive"><tf_topic>/tf_raw</tf_topic></plugin></gazebo>'
+    )
+    files = {"r.urdf": f'<robot name="r"><link name="base"/>{plugin}</robot>'}
+    text = (
+        "nodes = [Node(package='robot_state_publisher', executable='robot_state_publisher',\n"
+        "    parameters=[{'robot_description': open('../r.urdf').read()}]),\n"
+        f"    Node(package='{package}', executable='ekf_node'),\n"
+        "    Node(package='ros_gz_bridge', executable='parameter_bridge',\n"
+        "    arguments=['/tf@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V'])]\n"
+    )
+    (found,) = reported(tmp_path / "arm", "LAU020", "a.launch.py", text, files)
+    assert found.help.startswith(help)
+
+
+@pytest.mark.parametrize(
     ("topic", "count"),
     [("/world/default/dynamic_pose/info", 0), ("/world/default/pose/info", 0), ("/pose", 1)],
 )

@@ -22,6 +22,7 @@ from urdfkit import check
 
 MODEL = "<gazebo>{}</gazebo>"
 LINK = '<gazebo reference="tool">{}</gazebo>'
+MOTOR = "gz-sim-multicopter-motor-model-system"
 
 
 @pytest.mark.parametrize(
@@ -358,3 +359,28 @@ def test_a_model_that_gz_sim_starts(tmp_path: Path, world: str) -> None:
     assert of_world(tmp_path, "WLD002", launch=launch) == []
     assert len(of_world(tmp_path, "WLD007", launch=launch)) == (world != "default")
     assert len(of_world(tmp_path, "WLD002", launch=CLASSIC)) == 1
+
+
+@pytest.mark.parametrize(
+    ("tags", "count"),
+    [("<actuator_number>0</actuator_number>", 0), ("<motorNumber>0</motorNumber>", 0), ("", 1)],
+)
+def test_the_number_of_a_motor_under_its_first_name(tags: str, count: int) -> None:
+    """A drone of Humble: Fortress reads <motorNumber> alone, and later versions either of them."""
+    tags += "<jointName>tool_joint</jointName><linkName>tool</linkName>"
+    tags += "<turningDirection>ccw</turningDirection>"
+    found = messages("GAZ017", BASE + child("tool") + plugin(MOTOR, tags))
+    wanted = naming("p", MOTOR, "<actuator_number>", "<motorNumber>")
+    assert found == [wanted] * count
+
+
+def test_a_remapped_topic_that_resembles_none_of_the_node(tmp_path: Path) -> None:
+    """Points of a camera, whose input is called otherwise: no output is meant."""
+    remappings = "[('image_rect', '/d'), ('camera_info', '/i'), ('image', '/x')]"
+    text = (
+        "from launch_ros.actions import Node\n"
+        "Node(package='depth_image_proc', executable='point_cloud_xyz_node', "
+        f"remappings={remappings})\n"
+    )
+    (found,) = of_launch(tmp_path / "arm", "LAU028", "a.launch.py", text)
+    assert found.help == "remap one of these topics, or remove it"

@@ -26,6 +26,8 @@ _OF_ROBOTS = (
     "CameraInfo", "IMU", "Image", "LaserScan", "Model", "NavSat", "Odometry", "PointCloudPacked",
     "Twist",
 )  # fmt: skip
+#: The message of transforms, and the package whose filters publish that of odometry, too.
+_TRANSFORM, _ESTIMATOR = "Pose_V", "robot_localization"
 #: The link in the default topic of a sensor.
 _LINK = re.compile(r"/link/([^/]+)/sensor/")
 #: A topic in a tag, such as ``<odom_topic>``, or in an argument of a macro.
@@ -63,7 +65,9 @@ def topics_without_messages(
             other = _nearest(topic.topic, waiting, served)
             # A <topic> in this sensor names all its topics.
             if not other.is_unnamed or other.who not in unnamed:
-                yield Finding(at, *_unknown_topic(topic.topic, other), severity=Severity.WARNING)
+                message, help = _unknown_topic(topic.topic, other)
+                help = _unless_estimated(context, kind) + help
+                yield Finding(at, message, help, severity=Severity.WARNING)
             unnamed.add(other.who)
         elif is_known and kind in _OF_ROBOTS:
             verb = "reads" if topic.direction == TO_GAZEBO else "publishes"
@@ -71,6 +75,13 @@ def topics_without_messages(
             message += f"system with {topic.gz_type}"
             help = "add one to the robot, or remove the topic from the bridge"
             yield Finding(at, message, help, severity=Severity.WARNING)
+
+
+def _unless_estimated(context: Context, message: str) -> str:
+    """The help, before that for a topic, for transforms that a filter publishes; else empty."""
+    is_estimated = any(program.package == _ESTIMATOR for program in context.launch.programs)
+    is_transform = message == _TRANSFORM and is_estimated
+    return f"remove it if {_ESTIMATOR} publishes the transform; else " if is_transform else ""
 
 
 def _spawns_sdf(program: StartedProgram) -> bool:

@@ -40,6 +40,8 @@ _OF_ALL = re.compile(
 #: Topics that drives have, and the end of the names of their classes.
 _OF_DRIVES, _DRIVE = ("cmd_vel", "cmd_vel_unstamped", "odom", "odometry", "reference"), "Drive"
 _MAX_NAMED = 5
+#: How alike a suggested topic must be: ``odom`` is ``odometry/filtered``, but ``image`` no output.
+_ALIKE = 0.3
 _SPAWNERS = ("spawner", "spawner.py")
 _HELP = (
     'pass --controller-ros-args "-r OLD:=NEW" to the spawner, or remap in ros2_control_node or in '
@@ -169,12 +171,12 @@ def unknown_topics(context: Context) -> Findings:
                 continue
             others = {resolve_name(other, node.namespace) for other in node.remappings or {}}
             free = [topic for full_name, topic in own.items() if full_name not in others]
-            suggested = nearest(old.strip("/"), free or topics, 0) or topics[0]
+            suggested = nearest(old.strip("/"), free or topics, _ALIKE)
             yield Finding(
                 node.at,
                 f"remapping of '{old}' has no effect: '{node.executable}' has the topics "
                 f"{few(sorted(own), _MAX_NAMED)}",
-                f"remap {suggested}",
+                f"remap {suggested}" if suggested else "remap one of these topics, or remove it",
             )
 
 

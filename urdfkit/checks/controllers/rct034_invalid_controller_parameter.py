@@ -13,8 +13,9 @@ The controller manager does not load the controller, or the controller runs with
   type". Types that differ between versions of a class since Humble are not checked.
 - A value must be positive but is not, or has the wrong sign, or is not one of the words that the
   parameter may have: `interpolation_method: linear`. Or a covariance has the wrong length: 6
-  numbers for the diagonal of a drive, 9 for an IMU. `use_stamped_vel: false` has no effect from
-  Jazzy on (an info, or a warning if other parameters are those of Jazzy).
+  numbers for the diagonal of a drive, 9 for an IMU. The limits of a differential drive must have
+  the right sign from Jazzy on (a warning, unless other parameters are those of Jazzy), and
+  `use_stamped_vel: false` has no effect there (an info, or else a warning).
 - The list of an axle has the wrong number of joints for the steering controller: two for Ackermann,
   one for a bicycle. A wheel is on both sides of a differential drive.
 - A trajectory controller has a joint or an interface twice, or the state interface `velocity`
@@ -109,11 +110,8 @@ def check(context: Context) -> Findings:
             for severity, (span, message, help) in _problems(controller, own, others):
                 at, text = span, f"{controller.title}: {message}"
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
-            known = parameters_of(controller.type, controller.ros)
-            for at, message, help in _outdated(known, own):
-                is_jazzy = is_for_jazzy(context.source.path, context.resolver)
+            for severity, (at, message, help) in _of_later_versions(controller, own, context):
                 text = f"{controller.title}: {message}"
-                severity = Severity.WARNING if is_jazzy else Severity.INFO
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
 
 
@@ -130,6 +128,7 @@ def _problems(
     known = parameters_of(controller.type, controller.ros)
     if known is not None:
         errors += _invalid_values(known, controller.section)
+        errors += [] if known.bounded_since else _wrong_signs(known, controller.section)
     errors += invalid_interfaces(controller)
     errors += _wrong_axles(controller)
     errors += _on_both_sides(controller)
@@ -141,6 +140,23 @@ def _problems(
         *repeated_joints(controller),
     )
     yield from ((Severity.WARNING, problem) for problem in warnings)
+
+
+def _of_later_versions(
+    controller: Controller, own: Section, context: Context
+) -> Iterator[tuple[Severity, _Problem]]:
+    """Problems that only later versions have, with their severities."""
+    known = parameters_of(controller.type, controller.ros)
+    if known is None:
+        return
+    outdated = list(_outdated(known, own))
+    wrong = list(_wrong_signs(known, controller.section)) if known.bounded_since else []
+    is_later = bool(outdated or wrong) and is_for_jazzy(context.source.path, context.resolver)
+    for problem in outdated:
+        yield Severity.WARNING if is_later else Severity.INFO, problem
+    for at, message, help in wrong:
+        since = "" if is_later else f" from {known.bounded_since} on"
+        yield Severity.ERROR if is_later else Severity.WARNING, (at, message + since, help)
 
 
 def _is_of_workspace(context: Context, controller: Controller) -> bool:
@@ -245,13 +261,17 @@ def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_
             yield span, message, correction(node, expected)
         elif name in known.positive and isinstance(node, Value) and is_not_positive(node):
             yield span, f"{name} is {node.text}, must be > 0", "write a positive number"
-        elif isinstance(node, Value) and (bound := _bound(known, name, node)):
-            yield span, f"{name} is {node.text}, must be {bound} 0", "change the sign"
         elif wrong := _unknown_word(known, name, node):
             yield wrong
         elif isinstance(node, list) and len(node) != lengths.get(name, len(node)):
             message = f"{name} has {len(node)} values, must have {lengths[name]}"
             yield span, message, f"write {lengths[name]} values"
+
+
+def _wrong_signs(known: ControllerParameters, section: Section) -> Iterator[_Problem]:
+    for name, node in section.given.items():
+        if isinstance(node, Value) and (bound := _bound(known, name, node)):
+            yield node.span, f"{name} is {node.text}, must be {bound} 0", "change the sign"
 
 
 def _bound(known: ControllerParameters, name: str, value: Value) -> str:
@@ -276,9 +296,9 @@ def _unknown_word(
     return None
 
 
-def _outdated(known: ControllerParameters | None, section: Section) -> Iterator[_Problem]:
+def _outdated(known: ControllerParameters, section: Section) -> Iterator[_Problem]:
     """A switch that newer versions do not read: it has no effect there."""
-    for name, last in known.until.items() if known else ():
+    for name, last in known.until.items():
         node = section.given.get(name)
         if isinstance(node, Value) and node.text.lower() == "false":
             message = f"{name} is not read after {last}: the controller reads stamped commands"

@@ -9,7 +9,15 @@ from urdfkit.core.record import Record
 from urdfkit.core.static_typing import Any
 from urdfkit.ros.catalog import data, record
 
-_ROLES = ("required", "positive", "not_negative", "not_positive", "values", "until")
+_ROLES = (
+    "required",
+    "positive",
+    "not_negative",
+    "not_positive",
+    "bounded_since",
+    "values",
+    "until",
+)
 
 
 class ControllerParameters(Record):
@@ -23,6 +31,7 @@ class ControllerParameters(Record):
     types: Mapping[str, str] = {}
     not_negative: tuple[str, ...] = ()  # names of numbers that must be 0 or above
     not_positive: tuple[str, ...] = ()  # names of numbers that must be 0 or below
+    bounded_since: str = ""  # the distribution from which these two hold; empty for all
     values: Mapping[str, str] = {}  # the words that a parameter may have, by name as above
     until: Mapping[str, str] = {}  # the last distribution that reads a parameter
 
