@@ -384,3 +384,24 @@ def test_a_remapped_topic_that_resembles_none_of_the_node(tmp_path: Path) -> Non
     )
     (found,) = of_launch(tmp_path / "arm", "LAU028", "a.launch.py", text)
     assert found.help == "remap one of these topics, or remove it"
+
+
+def test_a_controller_manager_of_gazebo_classic_without_its_parameters() -> None:
+    """It only says that the configuration might be wrong, while those of gz-sim do not start."""
+    (found,) = reported("GAZ017", BASE + plugin("libgazebo_ros2_control.so"))
+    assert found.severity == "warning"
+    gz = plugin("gz_ros2_control-system", name="gz_ros2_control::GazeboSimROS2ControlPlugin")
+    (found,) = reported("GAZ017", BASE + gz)
+    assert found.severity == "error"
+
+
+def test_an_offset_that_only_the_latest_odometry_reads() -> None:
+    odometry = "gz-sim-odometry-publisher-system"
+    offset = "<xyz_global_offset>0 0 1</xyz_global_offset>"
+    assert reported("GAZ016", BASE + plugin(odometry, offset)) == []
+
+
+def test_particles_of_fortress() -> None:
+    """There the plugin of a model makes the emitter; later, a system of the world serves all."""
+    emitter = plugin("ignition-gazebo-particle-emitter-system", "<rate>1</rate>")
+    assert reported("GAZ014", BASE + emitter) == reported("GAZ016", BASE + emitter) == []

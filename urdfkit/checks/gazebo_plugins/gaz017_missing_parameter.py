@@ -3,7 +3,8 @@
 Some tags have no default, or a default joint that this robot does not have: the plugin writes an
 error and stays idle, and some plugins stop the whole simulator. A tag with an argument of the xacro
 that is empty by default is not reported. The same holds for drives with another number of wheels
-than that of `<num_wheel_pairs>`.
+than that of `<num_wheel_pairs>`. gazebo_ros2_control of Gazebo Classic runs without `<parameters>`,
+as a spawner can set the types of the controllers (warning).
 
 Sources:
     gazebo_ros_diff_drive.cpp of ROS 1: https://github.com/ros-simulation/gazebo_ros_pkgs/blob/noetic-devel/gazebo_plugins/src/gazebo_ros_diff_drive.cpp
@@ -100,4 +101,8 @@ def _finding(use: PluginUse, parameter: Parameter, default: str) -> Finding:
         )
     else:
         message = f"{use.title}: required {label}{where} is missing"
-    return Finding(use.at, message, f"add {label}, a {parameter.type}")
+    severity = None
+    if use.plugin.lenient:
+        message += ": it writes an error and runs without"
+        severity = Severity.WARNING
+    return Finding(use.at, message, f"add {label}, a {parameter.type}", severity=severity)

@@ -86,6 +86,7 @@ class Plugin(Record):
     open: tuple[str, ...] = ()  # children with arbitrary contents; ``*`` for all
     patterns: tuple[str, ...] = ()  # regular expressions of other names that it reads
     node: bool = False  # True if its name becomes the name of a ROS node
+    lenient: bool = False  # True if it runs without the parameters that it calls required
     any_of: tuple[str, ...] = ()  # parameters of which one is required
     drive: Drive | None = None  # None if it does not drive wheels
     moves: str = ""  # the parameter that names the joint that it moves; ``*`` for any
