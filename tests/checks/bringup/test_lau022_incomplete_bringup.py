@@ -173,6 +173,41 @@ def test_a_description_with_another_name(
 
 
 @pytest.mark.parametrize(
+    ("package", "executable", "more", "count"),
+    [
+        ("rviz2", "rviz2", "", 1),
+        ("joint_state_publisher_gui", "joint_state_publisher_gui", "", 1),
+        ("controller_manager", "spawner", "arguments=['states'], ", 1),
+        ("robot_state_publisher", "robot_state_publisher", "", 0),  # may publish the topic
+        ("acme_robots", "publisher", "", 0),
+    ],
+)
+def test_a_program_that_may_not_run(
+    tmp_path: Path, package: str, executable: str, more: str, count: int
+) -> None:
+    """DanielMilstein/yahboom_rosmaster_x3plus: display and sliders have conditions."""
+    condition = f"{more}condition=IfCondition(LaunchConfiguration('x'))"
+    create = NODE.format("ros_gz_sim", "create", "arguments=['-topic', '/arm_description']")
+    optional = NODE.format(package, executable, condition)
+    found = messages(tmp_path, "LAU022", STATE.format("") + create + optional)
+    expected = naming("/arm_description", "robot_state_publisher", "/robot_description")
+    assert found == [expected] * count
+
+
+def test_a_spawner_that_may_not_run(tmp_path: Path) -> None:
+    """Its controllers may not be started, and it may be one of another robot."""
+    condition = "condition=IfCondition(LaunchConfiguration('x'))"
+    spawner = NODE.format("controller_manager", "spawner", f"arguments=['arm'], {condition}")
+    assert messages(tmp_path, "LAU022", STATE.format("") + spawner) == []
+    other = NODE.format("controller_manager", "spawner", "arguments=['arm']")
+    assert len(messages(tmp_path, "LAU022", STATE.format("") + spawner + other)) == 1
+    states = spawner.replace("'arm'", "'states'")
+    assert messages(tmp_path, "LAU022", STATE.format("") + states + other) == []
+    elsewhere = spawner.replace("'arm'", "'states', '-c', '/robot/controller_manager'")
+    assert messages(tmp_path, "LAU022", STATE.format("") + elsewhere) == []
+
+
+@pytest.mark.parametrize(
     ("more", "words"),
     [
         ("name='manager'", "manager is '/manager'"),

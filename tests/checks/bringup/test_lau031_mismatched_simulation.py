@@ -62,6 +62,23 @@ def test_a_clock_that_is_remapped(tmp_path: Path, words: str, more: str, count: 
 
 
 @pytest.mark.parametrize(
+    ("package", "clock", "count"),
+    [("rviz2", "use_sim_time", 1), ("rviz2", "other", 0), ("acme_robots", "use_sim_time", 0)],
+)
+def test_a_clock_without_optional_programs(
+    tmp_path: Path, package: str, clock: str, count: int
+) -> None:
+    """DanielMilstein/yahboom_rosmaster_x3plus: RViz has a condition."""
+    state = STATE.format(f", parameters=[{{'robot_description': x, '{clock}': True}}]")
+    spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    bridge = NODE.format("ros_gz_bridge", "parameter_bridge", "arguments=[]")
+    condition = "condition=IfCondition(LaunchConfiguration('x'))"
+    optional = NODE.format(package, package, f"parameters=[{{'use_sim_time': True}}], {condition}")
+    found = messages(tmp_path, "LAU031", state + spawn + bridge + GAZEBO + optional)
+    assert len([one for one in found if "/clock" in one]) == count
+
+
+@pytest.mark.parametrize(
     ("value", "words"), [("False", "is false, but"), ("True", ""), (None, "lacks use_sim_time")]
 )
 def test_a_node_without_simulation_time(tmp_path: Path, value: str | None, words: str) -> None:

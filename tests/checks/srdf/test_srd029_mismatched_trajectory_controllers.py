@@ -76,3 +76,17 @@ def test_a_controller_that_nothing_spawns(
     add_file(tmp_path / "launch" / "r.launch.py", launch.encode())
     found = check(path, select=["SRD029"]).diagnostics
     assert [(one.span.line, one.span.text) for one in found] == [(6, "hand")] * count
+
+
+def test_a_broadcaster_commands_no_joints(tmp_path: Path) -> None:
+    """DanielMilstein/yahboom_rosmaster_x3plus: it has a list of joints, and stands first."""
+    states = "    states: {type: joint_state_broadcaster/JointStateBroadcaster}\n"
+    lists = "states: {ros__parameters: {joints: [j, g]}}\nclaw: {ros__parameters: {joints: [g]}}\n"
+    control = CONTROL.format("claw").replace("    arm:", f"{states}    arm:") + lists
+    add_file(tmp_path / "package.xml", MANIFEST)
+    path = add_file(tmp_path / "r.urdf", ROBOT)
+    add_file(tmp_path / "config" / "r.srdf", SRDF)
+    add_file(tmp_path / "config" / "moveit_controllers.yaml", MOVEIT)
+    add_file(tmp_path / "config" / "ros2_controllers.yaml", control.encode())
+    found = check(path, select=["SRD029"]).diagnostics
+    assert [(one.span.text, "'claw'" in one.message) for one in found] == [("hand", True)]

@@ -9,9 +9,23 @@ from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.workspace.ros_packages import comes_with_ros
 
+#: Programs that publish neither a robot nor the time, and need nobody: whether they run is the
+#: same to the others.
+_OPTIONAL = frozenset(
+    (
+        "rviz2/rviz2",
+        "joint_state_publisher/joint_state_publisher",
+        "joint_state_publisher_gui/joint_state_publisher_gui",
+        "controller_manager/spawner",
+    )
+)
+
 
 def known_programs(context: Context) -> tuple[StartedProgram, ...]:
-    """The programs of a launch file; none if not all of them are known."""
+    """The programs of a launch file; none if not all of them are known.
+
+    Optional ones have a condition that is known only at run time.
+    """
     programs = context.launch.programs
     return programs if _is_whole(context.launch) and _are_sure(programs) else ()
 
@@ -24,11 +38,15 @@ def are_topics_known(context: Context) -> bool:
 
 
 def _are_sure(programs: Iterable[StartedProgram]) -> bool:
-    """True if all programs certainly run, or run in another process (Nav2's use_composition)."""
+    """True if all programs certainly run, are optional, or run in another process.
+
+    The last are those of Nav2's use_composition.
+    """
     programs = list(programs)
     running = {(node.package, node.executable) for node in programs if node.is_sure}
     return all(
         node.is_sure
+        or node.key in _OPTIONAL
         or (node.package.startswith("nav2_") and (node.package, node.executable) in running)
         for node in programs
     )

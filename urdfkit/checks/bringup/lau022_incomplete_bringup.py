@@ -111,9 +111,11 @@ def _missing_broadcaster(context: Context, programs: tuple[StartedProgram, ...])
     if broadcasters := [one for one in known if one.type.endswith("JointStateBroadcaster")]:
         if len(broadcasters) == 1:
             yield from _unlisted_joints(context, broadcasters[0], known)
-    elif spawned and not _is_rigid(context):
+        return
+    running = [controller for controller in spawned if controller.program.is_sure]
+    if running and not _is_rigid(context):
         yield Finding(
-            spawned[0].at,
+            running[0].at,
             "nothing publishes the joint states: no joint_state_broadcaster is started",
             "spawn joint_state_broadcaster, too, and define it in the YAML file of the controllers",
         )
@@ -151,7 +153,7 @@ def _is_rigid(context: Context) -> bool:
 def _unpublished_joint_states(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """A robot of gz-sim in RViz whose joints have no states, so that links have no transform."""
     publisher = next((node for node in programs if node.package == _PUBLISHER), None)
-    packages = {node.package for node in programs}
+    packages = {node.package for node in programs if node.is_sure}
     bridges = bridges_of_gz(programs)
     if publisher is None or "rviz2" not in packages or not bridges:
         return

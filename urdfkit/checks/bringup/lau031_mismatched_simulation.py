@@ -80,7 +80,8 @@ def _paused(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """A gz sim that starts paused."""
     if not any(map(model_spawner, programs)):
         return
-    waiting = any(controller.is_activated for controller in spawned_controllers(programs))
+    running = [node for node in programs if node.is_sure]
+    waiting = any(controller.is_activated for controller in spawned_controllers(running))
     for world in worlds(context.launch):
         if world.is_paused and world.is_sure:
             effect = "no controller becomes active" if waiting else "nothing moves"
@@ -94,7 +95,7 @@ def _paused(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
 
 def _missing_clock(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes that use the time of a gz-sim whose clock is not bridged."""
-    waiting = next((node for node in programs if _sim_time(node, context.resolver) is True), None)
+    waiting = _waiting(programs, context.resolver)
     starts_gz = any(world.generation == GZ for world in worlds(context.launch))
     unread = (path.rpartition("/")[2] for path in context.launch.unread)
     if waiting is None or not starts_gz or not all(file in _GAZEBO for file in unread):
@@ -149,12 +150,12 @@ def _wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) ->
     if context.launch.has_scopes or context.launch.sets_sim_time:
         return
     resolver, is_simulated = context.resolver, any(map(model_spawner, programs))
-    other = next((node for node in programs if _sim_time(node, resolver) is True), None)
+    other = _waiting(programs, resolver)
     for node in programs:
         severity = data("nodes")["stamping"].get(node.package)
         own = _sim_time(node, resolver) if severity else None
         is_slider = node.package.startswith(_SLIDERS) and not is_simulated
-        if own is None or own is True or is_slider:
+        if own is None or own is True or is_slider or not node.is_sure:
             continue
         if is_simulated and own is False and (other is not None or node.package == _PUBLISHER):
             message = f"{_SIM_TIME} of {node.executable} is false, but Gazebo is started"
@@ -167,6 +168,12 @@ def _wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) ->
             continue
         help = f'give it {{"{_SIM_TIME}": True}}'
         yield Finding(node.at, message, help, severity=Severity(severity))
+
+
+def _waiting(programs: tuple[StartedProgram, ...], resolver: Resolver) -> StartedProgram | None:
+    """The first program that certainly runs, and uses simulation time."""
+    running = (node for node in programs if node.is_sure)
+    return next((node for node in running if _sim_time(node, resolver) is True), None)
 
 
 def _sim_time(node: StartedProgram, resolver: Resolver) -> bool | str | None:

@@ -77,7 +77,7 @@ def manager_in_another_namespace(
     known = {name: place for name, place in running if name}
     for node in programs:
         name = manager_name(node)
-        if name and name not in known and spawns_controllers(node):
+        if name and name not in known and node.is_sure and spawns_controllers(node):
             written = manager(node)
             other, place = next(iter(known.items()))
             yield Finding(
@@ -143,7 +143,7 @@ def missing_description(context: Context, programs: tuple[StartedProgram, ...]) 
 
 def untyped_controllers(programs: tuple[StartedProgram, ...]) -> Findings:
     """A controller manager without parameters, and so without types of controllers."""
-    spawners = [node for node in programs if spawns_controllers(node)]
+    spawners = [node for node in programs if node.is_sure and spawns_controllers(node)]
     words = {word.text for node in spawners for word in node.words}
     if not spawners or not words.isdisjoint((None, "-p", "--param-file")):
         return

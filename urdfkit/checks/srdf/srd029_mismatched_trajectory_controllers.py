@@ -88,7 +88,7 @@ def _undefined(
 ) -> Findings:
     """A controller that is not defined, while another controller commands its joints."""
     joints = _joints(entry)
-    controllers = chain.from_iterable(defined.values())
+    controllers = (one for one in chain.from_iterable(defined.values()) if not _only_reads(one))
     other = next(
         (controller for controller in controllers if joints & _commanded(controller)), None
     )
@@ -188,6 +188,11 @@ def _action(key: Key, entry: dict[str, Node], same: list[Controller]) -> Finding
 
 def _commanded(controller: Controller) -> set[str]:
     return {value.text for value in controller.values(["joints", "joint"])}
+
+
+def _only_reads(controller: Controller) -> bool:
+    """True for a broadcaster, which may also have a list of joints."""
+    return controller.type.lower().endswith("broadcaster")
 
 
 def _is_partial(controller: Controller) -> bool:
