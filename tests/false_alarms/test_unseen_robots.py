@@ -16,7 +16,7 @@ from tests.physics.collision.robots import box, link, revolute, sphere
 from tests.physics.collision.robots import joint as colliding_joint
 from tests.reported import messages, reported
 from tests.srdfs import findings as of_srdf
-from tests.workspaces import add_file
+from tests.workspaces import add_file, add_package
 from tests.xacros import xacro
 from urdfkit import check
 
@@ -405,3 +405,28 @@ def test_particles_of_fortress() -> None:
     """There the plugin of a model makes the emitter; later, a system of the world serves all."""
     emitter = plugin("ignition-gazebo-particle-emitter-system", "<rate>1</rate>")
     assert reported("GAZ014", BASE + emitter) == reported("GAZ016", BASE + emitter) == []
+
+
+@pytest.mark.parametrize("part", ["laser", "mast"])
+def test_a_sensor_for_the_other_robot_that_includes_its_file(tmp_path: Path, part: str) -> None:
+    """Two rovers: only the smaller has the lidar that their common file describes."""
+    add_package(tmp_path, "rover")
+    scan = '<gazebo reference="laser_link"><sensor name="s" type="ray"/></gazebo>'
+    (tmp_path / "common.gazebo").write_text(xacro(scan))
+    include = '<xacro:include filename="common.gazebo"/><link name="base_link"/>'
+    (tmp_path / "rover.xacro").write_text(xacro(include))
+    (tmp_path / "mini.xacro").write_text(xacro(include + joint(part, "fixed", parent="base_link")))
+    (found,) = check(tmp_path / "rover.xacro", select=["GAZ001"]).diagnostics
+    assert found.severity == "error"
+    assert (found.fix is None, "mini.xacro" in found.help) == ((part == "laser"),) * 2
+
+
+def test_a_directory_around_the_package_that_only_has_the_name(tmp_path: Path) -> None:
+    """``$(find ranger_mini)`` in ranger_mini/ranger_mini_v2 finds no package, not a file less."""
+    text = (
+        '<node name="s" pkg="gazebo_ros" type="spawn_model" '
+        'args="-file $(find rover)/urdf/rover.urdf -urdf -model rover"/>'
+    )
+    (tmp_path / "rover").mkdir()
+    found = of_launch(tmp_path / "rover" / "v2", "LAU016 XAC011", "gazebo.launch", text)
+    assert [one.code for one in found] == ["XAC011"]

@@ -28,10 +28,22 @@ def is_included(path: str, packages: Packages) -> bool:
 def includer(path: str, packages: Packages) -> str | None:
     """The file of the same package that includes a file; ``""`` if there are too many to search.
 
-    Includes are compared by file name: their directories may be expressions. Of several files the
-    one in the nearest directory is returned: packages contain several variants of a robot. An
-    ``<include>`` without its prefix counts, and so does the default of an argument, which extends
-    husky and jackal.
+    Of several files the one in the nearest directory is returned: packages contain several variants
+    of a robot.
+    """
+    found = includers(path, packages)
+    if found is None:
+        return ""
+    path = os.path.abspath(path)
+    return max(found, key=lambda file: len(os.path.commonpath((file, path))), default=None)
+
+
+def includers(path: str, packages: Packages) -> list[str] | None:
+    """The files of the same package that include a file; None if there are too many to search.
+
+    Includes are compared by file name: their directories may be expressions. An ``<include>``
+    without its prefix counts, and so does the default of an argument, which extends husky and
+    jackal.
     """
     package = packages.enclosing(path)
     path = os.path.abspath(path)
@@ -40,7 +52,7 @@ def includer(path: str, packages: Packages) -> str | None:
     pattern = re.compile(
         rb"""<(?:(?:xacro:)?include|xacro:arg)\b[^<>]*[/"'\s]""" + own_name + rb"""[)"'\s]"""
     )
-    includers: list[str] = []
+    found: list[str] = []
     entries = searched = 0
     for parent, directories, files in disk.walk(directory):
         is_too_deep = package is None and parent != directory  # a package would bound the search
@@ -52,10 +64,10 @@ def includer(path: str, packages: Packages) -> str | None:
             if name.lower().endswith(_SUFFIXES) and (file := os.path.join(parent, name)) != path:
                 searched += 1
                 if pattern.search(read_head(file, MAX_BYTES)):
-                    includers.append(file)
+                    found.append(file)
         if entries > MAX_ENTRIES or searched > MAX_FILES:
-            return ""
-    return max(includers, key=lambda file: len(os.path.commonpath((file, path))), default=None)
+            return None
+    return found
 
 
 def top_includer(path: str, packages: Packages) -> str | None:

@@ -15,6 +15,8 @@ Sources:
     gazebosim/gz-sim#2961: https://github.com/gazebosim/gz-sim/issues/2961
 """
 
+import os
+import re
 from collections.abc import Collection, Iterable
 
 from urdfkit.core.suggest import Suggester
@@ -24,6 +26,7 @@ from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import copied, extensions
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 
@@ -112,6 +115,9 @@ def _unknown(
     fix = severity = None
     if is_switched_off(context, reference.value):
         help, severity = "put the <gazebo> behind the condition of the link", Severity.WARNING
+    elif suggested and (other := _robot_with(context, reference)):
+        help = f"add '{reference.value}', which {other} has, or include the file only there"
+        severity = Severity.WARNING if _THINGS.isdisjoint(tags) else None
     elif suggested:
         from urdfkit.lint.misspelt_names import corrected_definition  # for few robots
 
@@ -129,6 +135,22 @@ def _unknown(
         severity = Severity.WARNING
     group_key = "" if suggested else "unknown"
     return Finding(reference, message, help, fix, group_key=group_key, severity=severity)
+
+
+def _robot_with(context: Context, reference: Attribute) -> str:
+    """Another robot that includes the file of a reference, and has what it names; empty if none."""
+    file, packages = reference.span.source.path, context.resolver.packages
+    if file == context.source.path or context.reading.xacro is None:
+        return ""
+    from urdfkit.workspace.includes import includers  # few references are unknown
+
+    name = re.compile(rb"\bname\s*=\s*[\"']" + re.escape(reference.value.encode()) + rb"[\"']")
+    own = {source.path for source in context.reading.xacro.sources}
+    for path in sorted(set(includers(file, packages) or ()) - own):
+        source = context.resolver.readable(path)
+        if source and name.search(blank_comments(source.data)):
+            return os.path.basename(path)
+    return ""
 
 
 def _listed(tags: Collection[str]) -> str:

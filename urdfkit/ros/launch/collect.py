@@ -89,11 +89,23 @@ class Collector:
             self._path_as_package(name, span)
             return None
         try:
-            directory: str | None = self.resolver.package(name, source.path)
+            directory: str | None = self._built(name, source.path)
             searched = None
         except PackageNotFound as error:
             directory, searched = None, error.searched
         self.packages.setdefault(name, PackageUse(name, span, searched))
+        return directory
+
+    def _built(self, name: str, path: str) -> str:
+        """The directory of a package, as a build finds it.
+
+        A directory around the package of the launch file is none if it only has the name.
+        """
+        packages, directory = self.resolver.packages, self.resolver.package(name, path)
+        own = packages.enclosing(path)
+        is_around = own is not None and own[1] != directory and is_within(own[1], directory)
+        if is_around and packages.name_of(directory) is None and name not in packages.explicit:
+            raise PackageNotFound(name, packages.searched(name, path))
         return directory
 
     def _path_as_package(self, name: str, span: Span) -> None:
