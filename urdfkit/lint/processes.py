@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import count
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk, expansion_limits
@@ -28,6 +29,8 @@ Known: TypeAlias = "tuple[Mapping[str, str], Options, bool, tuple[str, ...]]"
 Batch: TypeAlias = "tuple[list[list[Checked]], FileLog | None]"
 #: Most robots that are sent to a process at a time.
 MAX_BATCH = 16
+#: Numbers of checks: the batches of one share the caches of a process.
+_checks = count(1)
 
 
 class Workers:
@@ -59,7 +62,7 @@ class Workers:
 
 
 def in_processes(
-    jobs: list[Job], known: Known, count: int, workers: Workers
+    jobs: list[Job], known: Known, processes: int, workers: Workers
 ) -> Iterator[list[Checked]]:
     """The results of jobs in their order, computed by several processes.
 
@@ -69,23 +72,23 @@ def in_processes(
     from collections import deque
     from concurrent.futures.process import BrokenProcessPool
 
-    size = max(1, min(MAX_BATCH, len(jobs) // (8 * count)))
+    size = max(1, min(MAX_BATCH, len(jobs) // (8 * processes)))
     batches = deque(jobs[start : start + size] for start in range(0, len(jobs), size))
     waiting: deque[tuple[list[Job], Future[Batch]]] = deque()
-    pool, options = workers.pool(count, known), known[1]
+    pool, options, check = workers.pool(processes, known), known[1], next(_checks)
 
     def submit(batch: list[Job]) -> Future[Batch]:
-        return pool.submit(_check_batch, batch, options)
+        return pool.submit(_check_batch, batch, options, check)
 
     try:
-        yield from _in_order(submit, batches, waiting, 4 * count)
+        yield from _in_order(submit, batches, waiting, 4 * processes)
     except BrokenProcessPool:
         workers.end()
     if waiting:
         yield from _one_by_one([job for batch, _ in waiting for job in batch], known)
     if batches:
         rest = [job for batch in batches for job in batch]
-        yield from in_processes(rest, known, count, workers)
+        yield from in_processes(rest, known, processes, workers)
 
 
 def _in_order(
@@ -112,11 +115,12 @@ def _one_by_one(jobs: list[Job], known: Known) -> Iterator[list[Checked]]:
     """The results of jobs that may crash their process."""
     from concurrent.futures.process import BrokenProcessPool
 
-    workers = Workers()
+    workers, check = Workers(), next(_checks)
     try:
         for job in jobs:
             try:
-                checked = workers.pool(1, known).submit(_check_batch, [job], known[1]).result()
+                pool = workers.pool(1, known)
+                checked = pool.submit(_check_batch, [job], known[1], check).result()
             except BrokenProcessPool:
                 workers.end()
                 yield [(job, failed(job, RuntimeError("the process of its check died")))]
@@ -134,6 +138,8 @@ def _pool(count: int, known: Known) -> ProcessPoolExecutor:
 
 #: Resolver of a process of a pool, with its caches of packages and directories.
 _own: Resolver
+#: Number of the current check, and its resolver, with its caches of launch files.
+_current: tuple[int, Resolver] | None = None
 
 
 def _begin(
@@ -154,8 +160,11 @@ def _begin(
         _own.admit(path, trust=options.trust)
 
 
-def _check_batch(jobs: list[Job], options: Options) -> Batch:
-    resolver = _own.with_texts(options.texts)
+def _check_batch(jobs: list[Job], options: Options, check: int) -> Batch:
+    global _current  # noqa: PLW0603 - a process has one
+    if _current is None or _current[0] != check:
+        _current = check, _own.with_texts(options.texts)
+    resolver = _current[1]
     checked = [check_one_of_many(job, options, resolver) for job in jobs]
     log = disk.log()
     if log is not None:
