@@ -216,3 +216,28 @@ def test_a_broadcaster_without_a_sensor(
     text = DESCRIBED + HEAD_2 + LOAD_2 + SPAWN_2.format("'imu'")
     found = reported(tmp_path / "arm", "LAU013", "a.launch.py", text, files)
     assert ["reads sensor 'base_imu'" in one.message for one in found] == [True] * count
+
+
+INCLUDE = (
+    "IncludeLaunchDescription(PythonLaunchDescriptionSource("
+    "FindPackageShare('arm').find('arm') + '/launch/spawn.launch.py'))\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "including", "count"),
+    [
+        ("'grip'", HEAD_2 + LOAD_2 + INCLUDE, 1),
+        ("'arm_controller'", HEAD_2 + LOAD_2 + INCLUDE, 0),
+        ("'grip'", HEAD_2 + LOAD_2, 0),  # it may be included elsewhere
+        ("'grip'", INCLUDE, 0),  # nothing loads controllers
+        ("'grip'", HEAD_2 + LOAD_2 + INCLUDE + INCLUDE.replace("'arm'", "'acme'"), 0),
+    ],
+)
+def test_an_included_file_with_spawners(
+    tmp_path: Path, name: str, including: str, count: int
+) -> None:
+    """DanielMilstein/yahboom_rosmaster_x3plus: the file that includes it starts the robot."""
+    files = {**ROS_2, "launch/robot.launch.py": including}
+    found = reported(tmp_path, "LAU013", "spawn.launch.py", SPAWN_2.format(name), files)
+    assert [one.span.text for one in found] == [name] * count

@@ -213,6 +213,45 @@ def test_commands_of_a_joint(tmp_path: Path, content: str, topic: str, help: str
     assert [one.help.partition(" into")[0] for one in found] == [help] * (help is not None)
 
 
+@pytest.mark.parametrize(
+    ("topic", "sign", "count"),
+    [
+        ("/drive/cmd_vel", "]", 0),
+        ("/drive/cmd_vel", "[", 1),
+        ("/model/r/link/base/cmd_vel", "]", 0),  # of a <link_name>
+        ("/cmd_vel", "]", 1),
+    ],
+)
+def test_a_robot_that_velocity_control_moves(
+    tmp_path: Path, topic: str, sign: str, count: int
+) -> None:
+    """DanielMilstein/yahboom_rosmaster_x3plus."""
+    plugin = "<plugin filename='gz-sim-velocity-control-system' name='v'>{}</plugin>"
+    tags = f"<gazebo>{plugin.format('<topic>drive/cmd_vel</topic>')}</gazebo>"
+    files = {"r.urdf": ROBOT.replace("</robot>", f"{tags}</robot>")}
+    found = of_words(tmp_path, f"{topic}@geometry_msgs/msg/Twist{sign}gz.msgs.Twist", files=files)
+    assert len(found) == count
+
+
+@pytest.mark.parametrize(("other", "count"), [("odom", 0), ("odometry", 1)])
+def test_a_file_of_topics_for_two_robots(tmp_path: Path, other: str, count: int) -> None:
+    """DanielMilstein/yahboom_rosmaster_x3plus: one of its robots has the odometry, one none."""
+    plugin = "<plugin filename='gz-sim-odometry-publisher-system' name='o'>{}</plugin>"
+    tags = f"<gazebo>{plugin.format(f'<odom_topic>{other}</odom_topic>')}</gazebo>"
+    entry = "ros_type_name: nav_msgs/msg/Odometry, gz_type_name: gz.msgs.Odometry"
+    own = STARTED.format(tmp_path)
+    files = {
+        "w.sdf": WORLD.format(""),
+        "r.urdf": ROBOT,
+        "other.urdf": ROBOT.replace("</robot>", f"{tags}</robot>"),
+        "b.yaml": f"- {{topic_name: odom, {entry}}}\n",
+        "launch/b.launch.py": own.replace("r.urdf", "other.urdf"),
+    }
+    text = own + NODE.format(f"parameters=[{{'config_file': '{tmp_path}/b.yaml'}}]")
+    found = reported(tmp_path, "LAU020", "a.launch.py", text, files)
+    assert [one.span.text for one in found] == ["odom"] * count
+
+
 def test_one_topic_serves_images_and_their_calibration(tmp_path: Path) -> None:
     camera = ROBOT.replace("gpu_lidar", "camera").replace("<topic>scan</topic>", "")
     words = (

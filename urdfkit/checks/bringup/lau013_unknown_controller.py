@@ -5,7 +5,8 @@ differs from the name in the YAML file, or the file does not define the controll
 type must be in the section of the controller manager, not in the controller's own. A controller
 that commands another one, as in `pid/wheel_joint`, needs that one, which must be active before
 (warning), and a broadcaster needs the sensor that it reads. The YAML files
-of the package and of the packages that the launch file references are searched. If one of these
+of the package and of the packages that the launch file references are searched; if it loads none,
+and another file includes it, those of the workspace. If one of these
 packages is not found, only typos of known names are reported. A launch file that names parameters
 itself, for example with the `ns` of a `<rosparam>`, is not checked.
 
@@ -14,11 +15,16 @@ Sources:
     ros2_control, spawner.py: https://github.com/ros-controls/ros2_control/blob/master/controller_manager/controller_manager/spawner.py
 """
 
+import os
 from collections.abc import Iterator
 from itertools import islice
 
-from urdfkit.checks.bringup.defined_controllers import defined_controllers
+from urdfkit.checks.bringup.defined_controllers import (
+    controllers_of_workspace,
+    defined_controllers,
+)
 from urdfkit.checks.bringup.unread_commands import is_part_of_ros
+from urdfkit.checks.bringup.workspace_launches import workspace_launches
 from urdfkit.core.suggest import Suggester, did_you_mean, is_typo
 from urdfkit.core.words import few
 from urdfkit.lint.rules import (
@@ -33,6 +39,7 @@ from urdfkit.lint.rules import (
 from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.claims import named_sensors
 from urdfkit.ros.controllers import Controller, read
+from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.spawned_controllers import SpawnedController, spawned_controllers
 from urdfkit.ros.ros_control import components
 from urdfkit.workspace.ros_packages import comes_with_ros
@@ -73,9 +80,16 @@ def check(context: Context) -> Findings:
     yield from _chained(context, spawned, defined)
     yield from _without_sensor(context, spawned, defined)
     loaded = set(defined)
-    known = loaded.union(*(_defined(context, path) for path in _package_files(context)))
+    directories, launches = _directories(context), [context.launch]
+    if not loaded and (including := _including(context)):
+        loaded = set(controllers_of_workspace(context))
+        directories = set(context.resolver.packages.known(context.source.path).values())
+        launches = including
+    files = _files_below(context, directories)
+    known = loaded.union(*(_defined(context, path) for path in files))
     # A name with a substitution is known only when the launch file runs.
-    is_whole = bool(loaded) and _is_whole(context) and not any("$" in name for name in known)
+    has_names = bool(loaded) and not any("$" in name for name in known)
+    is_whole = has_names and _is_whole(context.launch) and any(map(_is_whole, launches))
     suggester = Suggester({name for name in known if "$" not in name})
     for controller in spawned:
         name = controller.name.rpartition("/")[2]
@@ -95,7 +109,7 @@ def _chained(
 ) -> Findings:
     """Controllers whose joints are interfaces of others that are not there, or start later."""
     names = [controller.name for controller in spawned]
-    is_known = _is_whole(context) and all(map(is_part_of_ros, context.launch.unread))
+    is_known = _is_whole(context.launch) and all(map(is_part_of_ros, context.launch.unread))
     parts = {
         part.name
         for _, robot in context.described_robots
@@ -184,20 +198,34 @@ def _typed_by_themselves(
             )
 
 
-def _is_whole(context: Context) -> bool:
+def _is_whole(launch: Launch) -> bool:
     """True if all packages and files that may define controllers are available."""
-    launch = context.launch
     is_known = (p.searched is None or comes_with_ros(p.name) for p in launch.packages)
     return all(file.exists for file in launch.parameters) and all(is_known)
 
 
-def _package_files(context: Context) -> Iterator[str]:
-    """YAML files of the package of the launch file and of the packages that it references."""
+def _including(context: Context) -> list[Launch]:
+    """The launch files that include this one, and so start the robot and load its files."""
+    path = os.path.abspath(context.source.path)
+    return [
+        launch
+        for launch in workspace_launches(context)
+        if any(file.path == path and file.is_sure for file in launch.includes)
+    ]
+
+
+def _directories(context: Context) -> set[str]:
+    """The package of the launch file and the packages that it references."""
     home = context.resolver.packages.enclosing(context.source.path)
     directories = {home[1]} if home else set()
     for package in context.launch.packages:
         if package.searched is None and not comes_with_ros(package.name):
             directories.add(context.resolver.package(package.name, context.source.path))
+    return directories
+
+
+def _files_below(context: Context, directories: set[str]) -> Iterator[str]:
+    """The YAML files of packages."""
     for directory in sorted(directories):
         files = context.resolver.directories.files_below(directory, _MAX_DIRECTORIES)
         yield from islice((file for file in files if file.endswith((".yaml", ".yml"))), _MAX_FILES)

@@ -4,6 +4,7 @@ import os
 import re
 from collections.abc import Iterator
 
+from urdfkit.checks.bringup.workspace_launches import distinct_descriptions, workspace_launches
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
@@ -56,7 +57,9 @@ def topics_without_messages(
             elif all(gz.is_unnamed for gz in own):
                 yield from _unknown_link(context, topic, own[0].who, frame)
             continue
-        if not of_other_arguments.isdisjoint((name, name.rpartition("/")[0])):
+        # Launch files of several robots may share a file of topics.
+        is_shared = topic.places and _is_of_another_robot(context, topic)
+        if is_shared or not of_other_arguments.isdisjoint((name, name.rpartition("/")[0])):
             continue
         kind = topic.gz_type.rpartition(".")[2]
         waiting = [gz for gz in unbridged if gz.message == kind and _passes(topic, gz)]
@@ -75,6 +78,16 @@ def topics_without_messages(
             message += f"system with {topic.gz_type}"
             help = "add one to the robot, or remove the topic from the bridge"
             yield Finding(at, message, help, severity=Severity.WARNING)
+
+
+def _is_of_another_robot(context: Context, topic: BridgedTopic) -> bool:
+    """True for a topic of a robot of another launch file of the workspace."""
+    others = context.expanded(distinct_descriptions(workspace_launches(context)))
+    return any(
+        gz.is_called(topic.topic) and not gz.is_unnamed
+        for _, robot in others
+        for gz in topics(robot.model)
+    )
 
 
 def _unless_estimated(context: Context, message: str) -> str:
