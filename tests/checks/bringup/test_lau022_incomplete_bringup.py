@@ -194,6 +194,23 @@ def test_a_program_that_may_not_run(
     assert found == [expected] * count
 
 
+@pytest.mark.parametrize(
+    ("condition", "spawn", "count"),
+    [
+        ("condition=IfCondition(LaunchConfiguration('x'))", "create", 1),
+        ("condition=IfCondition(LaunchConfiguration('x'))", "", 0),  # the display of a real robot
+        ("", "create", 0),
+    ],
+)
+def test_sliders_that_may_not_run(tmp_path: Path, condition: str, spawn: str, count: int) -> None:
+    """DanielMilstein/yahboom_rosmaster_x3plus without the spawner of the broadcaster."""
+    sliders = NODE.format("joint_state_publisher", "joint_state_publisher", condition)
+    create = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    text = STATE.format("") + SPAWNER.format(["arm"]) + sliders + (create if spawn else "")
+    found = [one for one in messages(tmp_path, "LAU022", text) if "joint states" in one]
+    assert len(found) == count
+
+
 def test_a_spawner_that_may_not_run(tmp_path: Path) -> None:
     """Its controllers may not be started, and it may be one of another robot."""
     condition = "condition=IfCondition(LaunchConfiguration('x'))"

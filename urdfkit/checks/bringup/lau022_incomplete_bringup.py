@@ -43,6 +43,7 @@ from urdfkit.ros.controllers import Controller
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
+from urdfkit.ros.launch.spawning import model_spawner
 from urdfkit.ros.ros_control import control_plugins
 
 NAME = "launch/robot.launch.xml"
@@ -104,7 +105,7 @@ def _missing_broadcaster(context: Context, programs: tuple[StartedProgram, ...])
     bridged = (topic for node in programs for topic in bridged_topics(node, context.resolver))
     if (
         len(known) < len(named)
-        or any(node.package in _JOINT_STATES for node in programs)
+        or any(_publishes_joint_states(node, programs) for node in programs)
         or any(topic.ros_type.endswith("/JointState") for topic in bridged)
     ):
         return
@@ -119,6 +120,12 @@ def _missing_broadcaster(context: Context, programs: tuple[StartedProgram, ...])
             "nothing publishes the joint states: no joint_state_broadcaster is started",
             "spawn joint_state_broadcaster, too, and define it in the YAML file of the controllers",
         )
+
+
+def _publishes_joint_states(node: StartedProgram, programs: tuple[StartedProgram, ...]) -> bool:
+    """True for a joint_state_publisher; with Gazebo, an optional one is for other uses."""
+    is_optional = not node.is_sure and any(map(model_spawner, programs))
+    return node.package in _JOINT_STATES and not is_optional
 
 
 def _unlisted_joints(
