@@ -272,7 +272,7 @@ def test_an_srdf_that_is_named_is_reported_to_be_none(tmp_path: Path):
     assert skip == ("", str(srdf), "is an SRDF; check the robots that it is for with --changed")
 
 
-def test_srdfs_that_fit_no_robot_of_a_directory_are_named(tmp_path: Path) -> None:
+def test_srdfs_that_no_robot_of_a_directory_is_compared_with_are_named(tmp_path: Path) -> None:
     add_file(tmp_path / "a.urdf", b'<robot name="a"><link name="base"/></robot>')
     add_file(
         tmp_path / "a.srdf", b'<robot name="a"><group name="g"><link name="base"/></group></robot>'
@@ -281,7 +281,7 @@ def test_srdfs_that_fit_no_robot_of_a_directory_are_named(tmp_path: Path) -> Non
         tmp_path / "elsewhere" / "b.srdf", b'<robot name="b"><group name="g"/></robot>'
     )
     skipped = [skip for skip in check(tmp_path).skipped if not skip.code]
-    assert skipped == [("", str(other), "fits no robot that is checked")]
+    assert skipped == [("", str(other), "not compared with any robot that is checked")]
     assert [s for s in check(tmp_path, select=["TRE"]).skipped if not s.code] == []
 
 

@@ -4,6 +4,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator
 from fnmatch import fnmatchcase
+from functools import cache
 
 from urdfkit.core import disk
 from urdfkit.text.comments import comments, without_comments
@@ -25,6 +26,7 @@ class IncludeGraph:
 
     def __init__(self, files: Iterable[str], resolver: Resolver) -> None:
         self.resolver = resolver
+        self._has_srdf_for = cache(lambda package, robot: are_for(package, robot, resolver))
         #: Texts of the files with an include, by real path. The others, which may be thousands,
         #: are read again when needed.
         self._including: dict[str, bytes] = {}
@@ -108,7 +110,7 @@ class IncludeGraph:
         packages = self.resolver.packages
         package = packages.enclosing(file)
         if package is not None and (
-            package == packages.enclosing(root) or are_for(package[1], root, self.resolver)
+            package == packages.enclosing(root) or self._has_srdf_for(package[1], root)
         ):
             return True
         name = os.path.basename(file).encode("utf-8", "surrogateescape")

@@ -139,7 +139,7 @@ def unread_srdfs(found: Iterable[str], read: Collection[str]) -> Iterator[Skippe
     """
     for path in found:
         if disk.real(path) not in read:
-            yield Skipped("", path, "fits no robot that is checked")
+            yield Skipped("", path, "not compared with any robot that is checked")
 
 
 def in_reading_order(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:

@@ -88,20 +88,11 @@ def check(context: Context) -> Findings:
             related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
             confidence=Confidence.INFERRED,
         )
-    for correct, wrong, parent in on_the_other_side(context):
+    for correct, wrong, parent, reason in (*on_the_other_side(context), *on_one_side(context)):
         yield Finding(
             wrong.at.child_or_self("parent"),
             f"joint '{wrong.name}' has the same parent '{wrong.parent_name}' as its counterpart "
-            f"'{correct.name}', and '{parent}' has no child",
-            f"name '{parent}' as its parent",
-            related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
-            confidence=Confidence.INFERRED,
-        )
-    for correct, wrong, parent in on_one_side(context):
-        yield Finding(
-            wrong.at.child_or_self("parent"),
-            f"joint '{wrong.name}' has the same parent '{wrong.parent_name}' as its counterpart "
-            f"'{correct.name}', although that has the counterpart '{parent}'",
+            f"'{correct.name}', {reason}",
             f"name '{parent}' as its parent",
             related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
             confidence=Confidence.INFERRED,

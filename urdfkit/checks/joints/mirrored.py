@@ -60,7 +60,7 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
         reported |= {correct.name, wrong.name}
         places = f"{_at(wrong)} {reason} its counterpart '{correct.name}' {_at(correct)}"
         yield correct, wrong, places
-    for correct, wrong, _ in on_the_other_side(context):
+    for correct, wrong, *_ in on_the_other_side(context):
         reported |= {correct.name, wrong.name}
     joints = by_key((joint.parent_name, joint) for joint in context.model.joints)
     for pair in _asymmetric(list(_pairs(context)), context, joints):
@@ -74,8 +74,8 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
             yield pair.left, pair.right, _shift(pair)
 
 
-def on_the_other_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
-    """Counterparts on one side: correct and wrong joint, and the link of the other, a leaf.
+def on_the_other_side(context: Context) -> Iterator[tuple[Joint, Joint, str, str]]:
+    """Counterparts on one side: correct and wrong joint, its parent, which is a leaf, and why.
 
     Fingers of one hand are side by side, or end chains there.
     """
@@ -90,7 +90,7 @@ def on_the_other_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
         link = right_of.get(parent) or left_of.get(parent)
         is_copied = wrong.child_name in continued or _have_one_place(left, right)
         if link and link not in parents and parent == right.parent_name and is_copied:
-            yield correct, wrong, link
+            yield correct, wrong, link, f"and '{link}' has no child"
 
 
 def _have_one_place(left: Joint, right: Joint) -> bool:
@@ -99,8 +99,8 @@ def _have_one_place(left: Joint, right: Joint) -> bool:
     return is_placed and is_equally_turned(left, right) and direction(left) == direction(right)
 
 
-def on_one_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
-    """Counterparts on one link that has a counterpart: correct and wrong joint, and that link.
+def on_one_side(context: Context) -> Iterator[tuple[Joint, Joint, str, str]]:
+    """Counterparts on one link that has a counterpart: correct and wrong joint, that link, and why.
 
     Others are on both links, so that these are sides of a body, not fingers of one hand.
     """
@@ -123,7 +123,8 @@ def on_one_side(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
             continue
         if parent in split or opposite in split:
             correct, wrong = (right, left) if parent in rights else (left, right)
-            yield above[correct], above[wrong], opposite
+            reason = f"although that has the counterpart '{opposite}'"
+            yield above[correct], above[wrong], opposite, reason
 
 
 def _pairs(context: Context) -> Iterator[_Pair]:
