@@ -1,115 +1,75 @@
-"""Parameters that a node lacks, and values that it rejects.
+"""Values of parameters that a node rejects.
 
 Sources: the nodes of ros-navigation/navigation2 and SteveMacenski/slam_toolbox, and
 ``camera_info_manager.cpp``, humble to rolling.
 """
 
 import re
-from collections.abc import Iterable
 from math import inf
 
 from urdfkit.core.suggest import did_you_mean
-from urdfkit.lint.rules import Context, Finding, Findings, Severity
+from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.given_parameters import given_parameter
-from urdfkit.ros.launch.known_parameters import given_values, kind_of
+from urdfkit.ros.launch.known_parameters import GivenValue, given_values, kind_of
 from urdfkit.ros.node_parameters import NodeParameters
-from urdfkit.text.located_yaml import Node, Value, scalar, scalars
+from urdfkit.text.located_yaml import Value, scalars
 
-_PREFIX = "frame_prefix"
-#: Frames of localization that have the name of the other one.
-_SWAPPED = {
-    "odom_frame_id": "map",
-    "odom_frame": "map",
-    "global_frame_id": "odom",
-    "map_frame": "odom",
-}
-_LOCALIZING = ("amcl", "slam_toolbox")
 #: The place of the calibration of a camera, which camera_info_manager loads.
 _CALIBRATION = "camera_info_url"
 
 
-def missing(node: NodeParameters) -> Findings:
-    """Parameters without which the node does not start; only if it has others."""
-    required: dict[str, str] = data("node_parameters")["required"].get(node.name, {})
-    for name, since in required.items():
-        if name not in node.values and len(node.values) > 1:
-            yield Finding(
-                node.at,
-                f"'{node.name}' of {since} stops: parameter '{name}' is not given",
-                f"add {name}",
-                severity=Severity.WARNING,
-            )
-
-
-def invalid_prefixes(programs: Iterable[StartedProgram]) -> Findings:
-    """Prefixes that make names of frames which tf2 or the reader does not know."""
-    for node in programs:
-        prefix = node.parameters.values.get(_PREFIX) or ""
-        if node.package != "robot_state_publisher" or "$" in prefix:
-            continue
-        if prefix == "/":
-            continue  # tf2 strips it
-        if prefix.startswith("/"):
-            message = f"{_PREFIX} '{prefix}' begins with a slash, as no name of tf2 does"
-            yield Finding(
-                node.at, message, f"write {prefix.strip('/')}/", severity=Severity.WARNING
-            )
-        elif prefix and prefix == (node.namespace or "").strip("/"):
-            message = f"{_PREFIX} '{prefix}' has no slash: the frames are called {prefix}base_link"
-            yield Finding(node.at, message, f"write {prefix}/", severity=Severity.WARNING)
-
-
-def missing_of_programs(context: Context) -> Findings:
-    """The same for programs whose nodes have any name."""
-    for program in context.launch.started:
-        required: dict[str, str] = data("node_parameters")["required"].get(program.key, {})
-        for parameter, since in required.items() if program.is_ros_2 else ():
-            if given_parameter(program, parameter, context.resolver) == "":
-                yield Finding(
-                    program.at,
-                    f"'{program.title}' of {since} stops: parameter '{parameter}' is not given",
-                    f"add {parameter}",
-                    severity=Severity.WARNING,
-                )
-
-
 def invalid_values(node: NodeParameters) -> Findings:
-    """Modes that a node does not have, lists of another length, and footprints."""
-    choices: dict[str, str] = data("node_parameters")["choices"]
-    lengths: dict[str, list[int]] = data("node_parameters")["lengths"].get(kind_of(node), {})
-    most: dict[str, int] = data("node_parameters")["most"]
-    names: dict[str, str] = data("node_parameters")["names"]
+    """Modes that a node does not have, lists of another length, paths and footprints."""
     for given in given_values(node):
-        value, expected = given.value, lengths.get(given.at)
-        modes = choices.get(f"{given.owner}.{given.at}", "").split()
-        if isinstance(value, Value) and modes and value.text not in modes:
-            if value.text and value.text[0].isalpha() and not _is_of_workspace(value.text, modes):
-                message = f"'{node.name}': unknown {given.at} '{value.text}'"
-                message += did_you_mean(value.text, modes)
-                help = f"write one of {', '.join(modes)}"
-                # slam_toolbox compares its mode with "localization" only, and goes on.
-                goes_on = f"{given.owner}.{given.at}" == "slam_toolbox.mode"
-                severity = Severity.WARNING if goes_on else None
-                yield Finding(value.span, message, help, severity=severity)
-        elif given.at == _CALIBRATION and isinstance(value, Value) and _is_path(value.text):
-            message = f"'{node.name}' does not load {given.at} '{value.text}', which is no URL"
-            path = value.text if value.text.startswith("/") else "/PATH"
-            yield Finding(value.span, message, f"write file://{path}, or package://PACKAGE/PATH")
-        elif f"{given.owner}.{given.at}" in names and _is_device(value):
-            message = f"'{node.name}': {given.at} is a name, not a path"
-            yield Finding(given.at.span, message, f"write {names[f'{given.owner}.{given.at}']}")
-        elif isinstance(value, list) and expected and len(value) not in expected:
-            message = f"'{node.name}': {given.at} has {len(value)} numbers, must have {expected[0]}"
-            yield Finding(given.at.span, message, "write one for x, y and the rotation")
-        elif isinstance(value, Value) and (number(value.text) or 0.0) > most.get(given.at, inf):
-            message = f"'{node.name}': {given.at} is {value.text}, must be at most "
-            yield Finding(value.span, f"{message}{most[given.at]}", f"write {most[given.at]}")
-        elif given.at == "footprint" and isinstance(value, Value) and not _is_footprint(value.text):
-            message = f"'{node.name}': the footprint is no list of three or more points"
-            yield Finding(value.span, message, 'write "[[x, y], [x, y], [x, y]]"')
+        yield from _unknown_choices(node, given)
+        yield from _wrong_lengths(node, given)
+        if isinstance(given.value, Value):
+            yield from _misread_texts(node, given, given.value)
+            yield from _too_large(node, given, given.value)
+
+
+def _unknown_choices(node: NodeParameters, given: GivenValue) -> Findings:
+    name = f"{given.owner}.{given.at}"
+    value, choices = given.value, data("node_parameters")["choices"].get(name, "").split()
+    if not isinstance(value, Value) or not choices or value.text in choices:
+        return
+    if value.text[:1].isalpha() and not _is_of_workspace(value.text, choices):
+        message = f"'{node.name}': unknown {given.at} '{value.text}'"
+        message += did_you_mean(value.text, choices)
+        # slam_toolbox compares its mode with "localization" only, and goes on.
+        severity = Severity.WARNING if name == "slam_toolbox.mode" else None
+        yield Finding(value.span, message, f"write one of {', '.join(choices)}", severity=severity)
+
+
+def _wrong_lengths(node: NodeParameters, given: GivenValue) -> Findings:
+    lengths: dict[str, list[int]] = data("node_parameters")["lengths"].get(kind_of(node), {})
+    value, expected = given.value, lengths.get(given.at)
+    if isinstance(value, list) and expected and len(value) not in expected:
+        message = f"'{node.name}': {given.at} has {len(value)} numbers, must have {expected[0]}"
+        yield Finding(given.at.span, message, "write one for x, y and the rotation")
+
+
+def _misread_texts(node: NodeParameters, given: GivenValue, value: Value) -> Findings:
+    """Paths in place of URLs and of names, and texts that are no footprint."""
+    names: dict[str, str] = data("node_parameters")["names"]
+    if given.at == _CALIBRATION and _is_path(value.text):
+        message = f"'{node.name}' does not load {given.at} '{value.text}', which is no URL"
+        path = value.text if value.text.startswith("/") else "/PATH"
+        yield Finding(value.span, message, f"write file://{path}, or package://PACKAGE/PATH")
+    if (name := names.get(f"{given.owner}.{given.at}")) and value.text.startswith("/dev/"):
+        message = f"'{node.name}': {given.at} is a name, not a path"
+        yield Finding(given.at.span, message, f"write {name}")
+    if given.at == "footprint" and not _is_footprint(value.text):
+        message = f"'{node.name}': the footprint is no list of three or more points"
+        yield Finding(value.span, message, 'write "[[x, y], [x, y], [x, y]]"')
+
+
+def _too_large(node: NodeParameters, given: GivenValue, value: Value) -> Findings:
+    most = data("node_parameters")["most"].get(given.at, inf)
+    if (number(value.text) or 0.0) > most:
+        message = f"'{node.name}': {given.at} is {value.text}, must be at most {most}"
+        yield Finding(value.span, message, f"write {most}")
 
 
 def _is_of_workspace(plugin: str, known: list[str]) -> bool:
@@ -124,8 +84,14 @@ def _is_path(text: str) -> bool:
     return "/" in text and not re.match(r"file:///|package://[^/]+/|flash://|.*[$<{]", text)
 
 
-def _is_device(value: Node) -> bool:
-    return isinstance(value, Value) and value.text.startswith("/dev/")
+def _is_footprint(text: str) -> bool:
+    """True for a list of points, for none, and for a value that is known at run time only."""
+    number = r"\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*"
+    point = rf"\s*\[{number},{number}\]\s*"
+    is_open = not text.strip() or text.strip() == "[]" or any(mark in text for mark in "$<{")
+    return is_open or bool(
+        re.fullmatch(rf"\s*\[({point},){{2,}}{point},?\]\s*", text, re.IGNORECASE)
+    )
 
 
 def wrong_signs(node: NodeParameters) -> Findings:
@@ -144,28 +110,3 @@ def wrong_signs(node: NodeParameters) -> Findings:
                     f"write {'-' if is_negative else ''}{value.text.lstrip('+-')}",
                     severity=Severity.WARNING if since else None,
                 )
-
-
-def _is_footprint(text: str) -> bool:
-    """True for a list of points, for none, and for a value that is known at run time only."""
-    number = r"\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*"
-    point = rf"\s*\[{number},{number}\]\s*"
-    is_open = not text.strip() or text.strip() == "[]" or any(mark in text for mark in "$<{")
-    return is_open or bool(
-        re.fullmatch(rf"\s*\[({point},){{2,}}{point},?\]\s*", text, re.IGNORECASE)
-    )
-
-
-def swapped_frames(node: NodeParameters) -> Findings:
-    """The frame of the map in place of that of odometry, or the reverse."""
-    for key, wrong in _SWAPPED.items() if node.name in _LOCALIZING else ():
-        value = scalar(node.values, key)
-        if value and value.text.strip("/") == wrong:
-            right = "odom" if wrong == "map" else "map"
-            yield Finding(
-                value.span,
-                f"'{node.name}': {key} is '{wrong}', the frame of "
-                f"{'the map' if wrong == 'map' else 'odometry'}",
-                f"write {right}",
-                severity=Severity.WARNING,
-            )

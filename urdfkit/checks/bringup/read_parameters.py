@@ -8,11 +8,13 @@ from urdfkit.lint.rules import Context
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import GivenParameters, StartedProgram
 from urdfkit.ros.node_parameters import NodeParameters, node_parameters
-from urdfkit.text.located_yaml import Key, Node, Value
+from urdfkit.text.located_yaml import Key, Node, Value, items, mapping
 from urdfkit.text.source import Span
 
 #: Sections of a file that every node reads.
 _OF_ALL = "**"
+#: The parameters of each input and each lock of twist_mux, all of them required.
+OF_INPUT = {"topic": "string", "timeout": "double", "priority": "int"}
 
 
 def parameter_files(context: Context) -> dict[str, list[NodeParameters]]:
@@ -35,6 +37,13 @@ def parameters_of_started(
     return list(_parameters_of_programs(programs, files, own))
 
 
+def all_parameters(context: Context) -> list[NodeParameters]:
+    """The sections of all parameter files, and what known programs of any name get."""
+    files = parameter_files(context)
+    sections = [section for own in files.values() for section in own]
+    return [*sections, *parameters_of_started(context, files)]
+
+
 def parameter_sections(context: Context) -> list[NodeParameters]:
     """The sections of all parameter files."""
     return [section for sections in parameter_files(context).values() for section in sections]
@@ -44,6 +53,14 @@ def whole_sections(sections: list[NodeParameters]) -> list[NodeParameters]:
     """The sections that no other section may complete, as it has the same name."""
     names = [section.name for section in sections]
     return [section for section in sections if names.count(section.name) == 1]
+
+
+def inputs_of_twist_mux(node: NodeParameters) -> Iterator[tuple[Key, dict[str, Node]]]:
+    """The inputs and the locks of twist_mux that have a parameter, by name."""
+    for group in ("topics", "locks") if node.name == "twist_mux" else ():
+        for name, entry in items(node.values, group):
+            if values := mapping(entry):
+                yield name, values
 
 
 def _parameters_of_programs(

@@ -1,29 +1,55 @@
-"""Parameter files that ROS 2 rejects as a whole, so that the node does not start.
+"""ROS 2 rejects a parameter file, so that the node that reads it does not start.
 
-Source: ``rcl_yaml_param_parser/src/parse.c`` of ros2/rcl, humble to rolling: "Cannot have a value
-before ros__parameters", "There are no node names before ros__parameters", "Sequence should be of
-same type", "No value at line".
+A value is not below `ros__parameters`, or is missing. A list has values of several types, such as
+`[1, 0.5]`, or contains mappings or lists. The file is invalid YAML.
+
+Sources:
+    ROS 2, parser of parameter files: https://github.com/ros2/rcl/blob/rolling/rcl_yaml_param_parser/src/parse.c
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.checks.bringup.read_parameters import all_parameters
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Related
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.ros.controllers import MANAGER
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.node_parameters import PARAMETERS
+from urdfkit.ros.node_parameters import PARAMETERS, NodeParameters
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
-from urdfkit.text.located_yaml import Key, Node, Value, items, load, mapping, scalars, syntax_error
+from urdfkit.text.located_yaml import (
+    Key,
+    Node,
+    Value,
+    entries,
+    items,
+    load,
+    mapping,
+    scalars,
+    syntax_error,
+)
 from urdfkit.text.source import Source
+
+NAME = "launch/joystick.launch.py"
+BAD = """\
+from launch_ros.actions import Node
+
+nodes = [Node(package="joy", executable="joy_node", parameters=["../joy.yaml"])]
+"""
+GOOD = BAD.replace("joy.yaml", "sound.yaml")
+FILES = {
+    "joy.yaml": b"joy_node:\n  deadzone: 0.1\n",
+    "sound.yaml": b"joy_node:\n  ros__parameters:\n    deadzone: 0.1\n",
+    "package.xml": b"<package><name>arm</name></package>",
+}
 
 #: Functions of Nav2 that write the file anew.
 _REWRITTEN = (b"RewrittenYaml", b"ReplaceString")
 
 
-def rejected_files(context: Context) -> Findings:
-    """Values outside ``ros__parameters``, empty values, and lists of mixed types."""
+@rule(Severity.ERROR, needs=(Need.LAUNCH,))
+def check(context: Context) -> Findings:
     readers: dict[str, StartedProgram] = {}
     for node in context.launch.started:
         for path in node.parameters.files if node.is_ros_2 else ():
@@ -43,6 +69,8 @@ def rejected_files(context: Context) -> Findings:
         is_of_robot = has_robots and MANAGER in mapping(load(source))
         for finding in _rejected(source, is_of_robot=is_of_robot, is_rewritten=is_rewritten):
             yield finding._replace(related=(note,))
+    for section in all_parameters(context):
+        yield from _lists_of_lists(section)
 
 
 def _rejected(source: Source, *, is_of_robot: bool, is_rewritten: bool) -> Iterator[Finding]:
@@ -124,3 +152,14 @@ def _mixed(key: str, values: list[Node]) -> Iterator[Finding]:
     item, kind = next((i, k) for i, k in zip(items, kinds, strict=True) if k != expected)
     message = f"ROS 2 rejects the file: '{key}' mixes types: {item.text} is {TYPES[kind or '']}"
     yield Finding(item.span, message, correction(item, expected or "string"))
+
+
+def _lists_of_lists(node: NodeParameters) -> Findings:
+    for key, value in entries(node.values):
+        # The end of an inner list ends the outer list: a single inner list is read as flat.
+        if isinstance(value, list) and sum(isinstance(item, list) for item in value) > 1:
+            yield Finding(
+                key.span,
+                f"'{node.name}': {key} is a list of lists, which ROS 2 does not read",
+                'write one list, or for a footprint a text: "[[x, y], ...]"',
+            )

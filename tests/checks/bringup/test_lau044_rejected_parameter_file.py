@@ -1,4 +1,4 @@
-"""Parameter files that ROS 2 rejects; the code is that of the rule about parameters."""
+"""LAU044: see the rule; planted defects are in tests/bringup/planted.txt."""
 
 from pathlib import Path
 
@@ -6,7 +6,6 @@ import pytest
 
 from tests.launched import reported
 
-CODE = "LAU025"
 NODE = """from launch_ros.actions import Node
 
 nodes = [Node(package="joy", executable="joy_node", name="joy_node", parameters=["../a.yaml"])]
@@ -15,7 +14,7 @@ GOOD = "joy_node:\n  ros__parameters:\n    deadzone: 0.1\n"
 
 
 def rejected(directory: Path, yaml: str, text: str = NODE) -> list[tuple[int, str]]:
-    found = reported(directory / "arm", CODE, "a.launch.py", text, {"a.yaml": yaml})
+    found = reported(directory / "arm", "LAU044", "a.launch.py", text, {"a.yaml": yaml})
     return [(one.span.line, one.message.partition(": ")[2]) for one in found if one.span]
 
 
@@ -35,6 +34,7 @@ def rejected(directory: Path, yaml: str, text: str = NODE) -> list[tuple[int, st
         (f"{GOOD}    own: [a, yes]\n", 4, "mixes types"),
         (f"{GOOD}    own: [0.1, map]\n", 4, "map is a string"),
         (f"{GOOD}    own: [{{name: a}}]\n", 4, ""),
+        (f"{GOOD}    own: [[1, 2], [3, 4]]\n", 4, "list of lists"),
         (f"{GOOD}    own: [{{names: [a]}}, {{names: [b]}}]\n", 4, ""),
         (f"{GOOD}    own: [{{names: [a], rate: [1, 0.5]}}]\n", 4, "'rate' mixes types"),
     ],
@@ -52,6 +52,7 @@ def test_the_place(tmp_path: Path, yaml: str, line: int, words: str) -> None:
         "own: null",
         "own: []",
         "own: [1, 2]",
+        "own: [[1, 2]]",  # read as a flat list
         "own: [0.5, 1.0]",
         'own: ["1", a]',
         "own: [$(var a), 1]",
