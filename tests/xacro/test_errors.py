@@ -311,8 +311,8 @@ def test_the_directories_that_there_are_instead_of_a_missing_one(tmp_path: Path)
         ),
         ("<a b=\"${xacro.load_yaml('arm.yaml')['lenght']}\"/>", "did you mean 'length'?"),
         ("<xacro:property name='w' value='1.5'/><a b='${w^2}'/>", "write ** for a power"),
-        ("<xacro:property name='w' value='0,5'/><a b='${w/2}'/>", "a value in it is text"),
-        ("<xacro:property name='w' value='5 cm'/><a b='${-w}'/>", "a value in it is text"),
+        ("<xacro:property name='w' value='0,5'/><a b='${w/2}'/>", "'w' is '0,5', which is text"),
+        ("<xacro:property name='w' value='5 cm'/><a b='${-w}'/>", "'w' is '5 cm', which is text"),
     ],
 )
 def test_what_was_meant_is_reported(tmp_path: Path, body: str, help: str) -> None:

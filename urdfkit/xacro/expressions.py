@@ -10,7 +10,7 @@ that no model can use them.
 import ast
 import re
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 from types import CodeType
 
@@ -174,6 +174,12 @@ class Scope(dict[str, Any]):
     def __getitem__(self, name: str) -> Any:
         guard = self._guards.get(name)
         return self._names[name] if guard is None else guard
+
+    def texts(self, names: Iterable[str]) -> Iterator[tuple[str, str]]:
+        """The names of the model whose values are text, with these."""
+        for name in names:
+            if name in self._names and isinstance(value := self._names[name], str):
+                yield name, value
 
 
 def evaluate(text: str, names: Any, sandbox: Sandbox) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
 
 from urdfkit.core.static_typing import Any
 from urdfkit.core.suggest import did_you_mean
@@ -11,6 +12,7 @@ from urdfkit.text.source import STANDARD_INPUT, shown, why_unreadable
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import BrokenYaml, MessageText
+from urdfkit.xacro.expressions import Scope
 from urdfkit.xacro.missing_files import missing_file
 from urdfkit.xacro.undefined_names import UNDEFINED, undefined_name, unknown_macro
 
@@ -27,6 +29,8 @@ _BLOCK_TOO_MANY = re.compile(r'Unused block "([^"]*)"')
 _NO_BLOCK = re.compile(r'Undefined block "([^"]*)"')
 _CONDITION = re.compile(r'Xacro conditional "(.*)" evaluated to "(.*)", which is not', re.DOTALL)
 _UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
+#: Most characters of a value in a help.
+_MAX_TEXT = 40
 
 
 def explain(defined: Definitions, error: BaseException, cause: BaseException) -> MessageText:
@@ -57,7 +61,7 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
         return undefined_name(defined, text, match.group(1))
     if match := _UNKNOWN_MACRO.search(text):
         return unknown_macro(defined, match.group(1))
-    if isinstance(cause, TypeError) and (help := _type_error_help(text)):
+    if isinstance(cause, TypeError) and (help := _type_error_help(text, cause)):
         return MessageText(text, help)
     return _call_error(text, macro_of(error)) or MessageText(
         text.replace("\n", "; ") or type(cause).__name__
@@ -84,16 +88,28 @@ def _keys(cause: AttributeError) -> list[str]:
     return [str(key) for key in raised_by] if isinstance(raised_by, dict) else []
 
 
-def _type_error_help(text: str) -> str:
+def _type_error_help(text: str, cause: TypeError) -> str:
     """How to fix an expression that computes with text; empty for other errors."""
     if " for ^: " in text:
         return "write ** for a power; ^ is not a power in Python"
     if "operand" in text and "'str'" in text:
+        name, value = next(_texts_in(cause), ("", ""))
+        which = f"'{name}' is '{value[:_MAX_TEXT]}', which is text" if name else "a value is text"
         return (
-            "a value in it is text: correct its definition (a number has a decimal point, and no "
-            "comma or unit), or write float(...)"
+            f"{which}: correct its definition (a number has a decimal point, and no comma or "
+            "unit), or write float(...)"
         )
     return ""
+
+
+def _texts_in(cause: TypeError) -> Iterator[tuple[str, str]]:
+    """The names in the expression that failed whose values are text, with these."""
+    trace = cause.__traceback__
+    while trace is not None:
+        scope = trace.tb_frame.f_globals
+        if isinstance(scope, Scope):
+            yield from scope.texts(trace.tb_frame.f_code.co_names)
+        trace = trace.tb_next
 
 
 def macro_of(error: BaseException) -> Any:

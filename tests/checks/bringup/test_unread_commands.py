@@ -189,3 +189,31 @@ def test_a_mux_does_not_read_its_own_output(tmp_path: Path) -> None:
     text = MUX.format(given) + COMMANDS
     (found,) = reported(tmp_path, "LAU032", "a.launch.py", text, {"mux.yaml": yaml})
     assert found.help == "remap /cmd_vel_x to /drive/cmd_vel"
+
+
+@pytest.mark.parametrize(
+    ("out", "nodes", "count"),
+    [
+        ("", COMMANDS, 1),
+        ("cmd_vel", COMMANDS, 1),
+        ("drive/cmd_vel", COMMANDS, 0),
+        ("", COMMANDS.replace("/drive/cmd_vel@", "/cmd_vel@"), 0),
+        ("", COMMANDS + NODE.format("nav2_velocity_smoother", "velocity_smoother", ""), 0),
+        ("", COMMANDS + NODE.format("arm", "driver", ""), 0),
+        ("", "", 0),  # nothing reads any
+    ],
+)
+def test_commands_of_an_included_navigation(
+    tmp_path: Path, out: str, nodes: str, count: int
+) -> None:
+    files = {"nav2.yaml": OUT.format(out) if out else "amcl: {ros__parameters: {alpha1: 0.2}}\n"}
+    found = reported(tmp_path, "LAU032", "a.launch.py", NAVIGATION.format(tmp_path) + nodes, files)
+    messages = [one.message for one in found if "navigation_launch.py" in one.message]
+    expected = naming("navigation_launch.py", "/cmd_vel", "nothing reads", "/drive/cmd_vel")
+    assert messages == [expected] * count
+
+
+def test_a_navigation_with_a_namespace(tmp_path: Path) -> None:
+    text = NAVIGATION.replace("{{'params", "{{'namespace': 'drive', 'params").format(tmp_path)
+    files = {"nav2.yaml": "amcl: {ros__parameters: {alpha1: 0.2}}\n"}
+    assert not reported(tmp_path, "LAU032", "a.launch.py", text + COMMANDS, files)

@@ -10,6 +10,7 @@ ros2/teleop_twist_joy, ``diff_drive_controller.cpp`` of ros2_controllers (all of
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Iterator
 
@@ -32,7 +33,7 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.topics import are_all_known
 from urdfkit.ros.launch.bridges import FROM_GAZEBO, bridged_topics
 from urdfkit.ros.launch.collect import UNKNOWN
-from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.contents import IncludedFile, Launch, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import (
     MANAGER,
@@ -53,11 +54,14 @@ _OTHERS = re.compile(
     r"|teleop_twist_(joy|keyboard)|nav2_(?!velocity_smoother|collision_monitor)\w+"
 )
 _SMOOTHERS = ("nav2_velocity_smoother", "nav2_collision_monitor")
+#: Launch files of Nav2, whose last node publishes the commands on ``cmd_vel``.
+_NAVIGATION = re.compile(r".*/nav2_bringup/launch/(navigation|bringup)_launch\.py")
 #: Topics of the smoothers: defaults, and those of Nav2's launch files.
 _SMOOTHED = ("/cmd_vel", "/cmd_vel_nav", "/cmd_vel_smoothed", "/cmd_vel_raw")
 DRIVE = re.compile(r"\w*(DiffDrive|Mecanum|OmniWheel|Tricycle|Steering)\w*Controller")
 #: The parameter of a drive for stamped commands, and the suffix of the topic without stamps.
 _STAMPED, _PLAIN = "use_stamped_vel", "_unstamped"
+_OF_NAVIGATION = "/cmd_vel"
 _MONITOR, _OUT = "collision_monitor", "cmd_vel_out_topic"
 _MUX, _MUX_STAMPED = "twist_mux", "use_stamped"
 _COMMAND = re.compile(r"cmd_vel|reference")
@@ -80,7 +84,8 @@ class Reader(Record):
 def unread_commands(context: Context) -> Findings:
     """Nodes whose velocity commands nothing reads, and outputs of Nav2."""
     sources = list(command_sources(context.launch.programs))
-    if not sources or is_included(context):
+    navigation = [file for file in context.launch.includes if _NAVIGATION.fullmatch(file.path)]
+    if not (sources or navigation) or is_included(context):
         return
     launches = all_launches(context)
     programs = programs_of(launches)
@@ -92,6 +97,7 @@ def unread_commands(context: Context) -> Findings:
     read = {topic.removesuffix(_PLAIN) for topic in readers}
     if drives:
         yield from _unread_outputs(context, launches, drives, read)
+        yield from _unread_navigation(context, navigation, launches, drives, read)
     if any(node.package in _SMOOTHERS for node in programs):
         read.update(_SMOOTHED)
     for node, topic in sources if readers else ():
@@ -129,6 +135,31 @@ def _unread_outputs(
             other, message = _unread(_MONITOR, topic, readers)
             help = f"write {other.strip('/')}"
             yield Finding(value.span, message, help, related=(readers[other],))
+
+
+def _unread_navigation(
+    context: Context,
+    navigation: Iterable[IncludedFile],
+    launches: Iterable[Launch],
+    readers: dict[str, Related],
+    read: set[str],
+) -> Findings:
+    """Launch files of Nav2, if nothing reads their commands."""
+    spans = {file.span for launch in launches for file in launch.includes}
+    smoothers = (node for node in programs_of(launches) if node.package in _SMOOTHERS)
+    if _OF_NAVIGATION in read or any(node.span not in spans for node in smoothers):
+        return
+    paths = (file.path for file in context.launch.parameters)
+    outputs = [node.values.get(_OUT) for node in nodes_in_files(paths, context.resolver)]
+    written = [value for value in outputs if isinstance(value, Value)]
+    own = sum(resolve_name(value.text, "") == _OF_NAVIGATION for value in written)
+    if own < len(written) or _is_named(_OF_NAVIGATION, launches, context, own):
+        return
+    for file in navigation:
+        if file.is_sure and file.arguments is not None and "namespace" not in file.arguments:
+            other, message = _unread(os.path.basename(file.path), _OF_NAVIGATION, readers)
+            help = f"remap {other} to {_OF_NAVIGATION} for its reader, or start twist_mux"
+            yield Finding(file.span, message, help, related=(readers[other],))
 
 
 def _unread(publisher: str, topic: str, readers: Iterable[str]) -> tuple[str, str]:
