@@ -11,6 +11,7 @@ from tests.naming import naming
 MUX = NODE.format("twist_mux", "twist_mux", "{}")
 NAV2 = NODE.format("nav2_controller", "controller_server", "{}")
 TELEOP = NODE.format("teleop_twist_joy", "teleop_node", "{}")
+OPTIONAL = NODE.format("joy", "joy_node", "condition=IfCondition(LaunchConfiguration('joy'))")
 COMMANDS = NODE.format(
     "ros_gz_bridge",
     "parameter_bridge",
@@ -22,6 +23,7 @@ COMMANDS = NODE.format(
     ("text", "topic"),
     [
         (MUX.format("") + COMMANDS, "/cmd_vel_out"),
+        (MUX.format("") + COMMANDS + OPTIONAL, "/cmd_vel_out"),
         (MUX.format("remappings=[('/cmd_vel_out', '/drive/cmd_vel')]") + COMMANDS, ""),
         (MUX.format("remappings=[('cmd_vel_out', x)]") + COMMANDS, ""),
         (MUX.format("") + COMMANDS.replace("]gz", "[gz"), ""),  # nothing reads any

@@ -31,10 +31,13 @@ def known_programs(context: Context) -> tuple[StartedProgram, ...]:
 
 
 def are_topics_known(context: Context) -> bool:
-    """True if a launch file starts known programs in known namespaces, and nothing else."""
+    """True if a launch file starts known programs in known namespaces, and nothing else.
+
+    Some of them may depend on a condition.
+    """
     launch = context.launch
     is_whole = not launch.has_scopes and all(map(is_part_of_ros, launch.unread))
-    return is_whole and _is_whole(launch) and _are_sure(launch.programs)
+    return is_whole and _is_whole(launch)
 
 
 def _are_sure(programs: Iterable[StartedProgram]) -> bool:

@@ -86,7 +86,7 @@ def check(context: Context) -> Findings:
     programs = known_programs(context)
     yield from _missing_broadcaster(context, programs)
     yield from untyped_controllers(programs)
-    if are_topics_known(context):
+    if programs and are_topics_known(context):
         yield from unpublished_description(context, programs)
         yield from unread_description(programs)
         yield from missing_description(context, programs)
