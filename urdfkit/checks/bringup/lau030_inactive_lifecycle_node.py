@@ -55,6 +55,8 @@ _SERVICE = "manage_nodes"
 #: The switch of a node of Jazzy and later that activates itself.
 _OF_NODE = "autostart_node"
 _SLAM = "slam_toolbox"
+#: Its program that is a plain node.
+_PLAIN = "merge_maps_kinematic"
 #: What activates a lifecycle node in a launch file, or in a program.
 _TRANSITIONS = re.compile(rb"(?i)lifecycle(?!_manager)|ChangeState|change_state")
 _MAX_NAMED = 4
@@ -212,7 +214,8 @@ def _has_client(manager: StartedProgram, context: Context) -> bool:
 
 def _inactive_slam(context: Context) -> Findings:
     """Nodes of slam_toolbox that nothing activates, as is necessary since Jazzy."""
-    nodes = [node for node in context.launch.started if node.package == _SLAM and node.is_sure]
+    started = (node for node in context.launch.started if node.executable != _PLAIN)
+    nodes = [node for node in started if node.package == _SLAM and node.is_sure]
     if not nodes or not is_for_jazzy(context.source.path, context.resolver):
         return
     managed = _managed(*workspace_launches(context))

@@ -1,10 +1,12 @@
 """ROS 2 rejects a parameter file, so that the node that reads it does not start.
 
 A value is not below `ros__parameters`, or is missing. A list has values of several types, such as
-`[1, 0.5]`, or contains mappings or lists. The file is invalid YAML.
+`[1, 0.5]`, or contains mappings or lists. The file is invalid YAML. Of the file of a composable
+node, launch takes all values if none is below `ros__parameters`.
 
 Sources:
     ROS 2, parser of parameter files: https://github.com/ros2/rcl/blob/rolling/rcl_yaml_param_parser/src/parse.c
+    launch_ros, to_parameters_list.py: https://github.com/ros2/launch_ros/blob/rolling/launch_ros/launch_ros/utilities/to_parameters_list.py
 """
 
 from __future__ import annotations
@@ -51,7 +53,8 @@ _REWRITTEN = (b"RewrittenYaml", b"ReplaceString")
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     readers: dict[str, StartedProgram] = {}
-    for node in context.launch.started:
+    # Those of nodes first: a file may be a component's, too.
+    for node in sorted(context.launch.started, key=lambda node: node.is_component):
         for path in node.parameters.files if node.is_ros_2 else ():
             readers.setdefault(path, node)
     is_rewritten = any(name in context.source.data for name in _REWRITTEN)
@@ -66,14 +69,15 @@ def check(context: Context) -> Findings:
                 at, reason = error
                 yield Finding(at, f"invalid YAML: {reason}", "fix the file", related=(note,))
             continue
-        is_of_robot = has_robots and MANAGER in mapping(load(source))
-        for finding in _rejected(source, is_of_robot=is_of_robot, is_rewritten=is_rewritten):
+        # RCT026 reports it for a robot.
+        may_be_outside = node.is_component or (has_robots and MANAGER in mapping(load(source)))
+        for finding in _rejected(source, may_be_outside, is_rewritten=is_rewritten):
             yield finding._replace(related=(note,))
     for section in all_parameters(context):
         yield from _lists_of_lists(section)
 
 
-def _rejected(source: Source, *, is_of_robot: bool, is_rewritten: bool) -> Iterator[Finding]:
+def _rejected(source: Source, may_be_outside: bool, *, is_rewritten: bool) -> Iterator[Finding]:
     inside: list[Node] = []
     sections: list[tuple[Node, Key | None]] = [(load(source), None)]
     for node, owner in sections:  # the inner ones are added to it
@@ -84,7 +88,7 @@ def _rejected(source: Source, *, is_of_robot: bool, is_rewritten: bool) -> Itera
                 message = f"ROS 2 rejects the file: {PARAMETERS} is not below the name of a node"
                 yield Finding(key.span, message, "write the name of the node, or /**, above it")
             elif isinstance(value, Value | list):
-                if not is_of_robot:  # else RCT026 reports it
+                if not may_be_outside:
                     yield _outside(key, owner)
                 return  # at the first one
             elif key != PARAMETERS:

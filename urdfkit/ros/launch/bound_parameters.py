@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from urdfkit.core.grouping import by_key
-from urdfkit.text.python_source import nodes
+from urdfkit.text.python_source import dotted_name, nodes
 
 #: The class that calls a function with the launch context, then with its own ``args``.
 _OPAQUE = "OpaqueFunction"
@@ -24,8 +24,16 @@ def bound_parameters(tree: ast.Module) -> dict[ast.FunctionDef, dict[str, ast.ex
             name, positional, keywords = target
             if len(defined.get(name, ())) == 1 and uses[name] == 1:
                 (function,) = defined[name]
-                found[function] = dict(_bound(function, positional, keywords))
+                bound = dict(_bound(function, positional, keywords))
+                found[function] = {name: bound[name] for name in bound.keys() - _asked(function)}
     return found
+
+
+def _asked(function: ast.FunctionDef) -> set[str]:
+    """The names whose type a function asks: other files call it with other types."""
+    asked = [node for node in ast.walk(function) if isinstance(node, ast.Call) and node.args]
+    owners = [node.args[0] for node in asked if dotted_name(node.func) == "isinstance"]
+    return {owner.id for owner in owners if isinstance(owner, ast.Name)}
 
 
 def _target(call: ast.Call) -> tuple[str, list[ast.expr | None], dict[str, ast.expr]] | None:

@@ -25,13 +25,16 @@ BRIDGE = "bridge configuration"
 #: Name of a map of slam_toolbox in messages.
 POSE_GRAPH = "pose graph"
 #: Parameters of nodes that name a file, and what the file is.
-FILE_PARAMETERS = {
+_FILE_PARAMETERS = {
     "yaml_filename": MAP,
     "config_file": BRIDGE,
     "map_file_name": POSE_GRAPH,
     "default_nav_to_pose_bt_xml": "behaviour tree",
     "default_nav_through_poses_bt_xml": "behaviour tree",
 }
+
+#: Packages whose programs read a bridge configuration; empty for an unknown one.
+_BRIDGES = ("", "ros_gz_bridge", "ros_ign_bridge")
 
 _COMMENT = re.compile(rb"<!--.*?(-->|\Z)", re.DOTALL)
 #: The attribute and the tag of XML, and the key of YAML.
@@ -105,6 +108,12 @@ class Word(Record):
         return (self.text or "").strip("/")
 
 
+def file_of(parameter: str, package: str) -> str:
+    """What the file is that a parameter of a program names, for messages; empty for no file."""
+    purpose = _FILE_PARAMETERS.get(parameter, "")
+    return "" if purpose == BRIDGE and package not in _BRIDGES else purpose
+
+
 class GivenParameters(Record):
     """The parameters of a node."""
 
@@ -135,6 +144,7 @@ class StartedProgram(Record):
     parameters: GivenParameters = GivenParameters({})  # passed to it
     namespace: str | None = ""  # without surrounding slashes; None if known only at run time
     name: str = ""  # of the node; empty if missing, or known only at run time
+    is_component: bool = False  # True if a container loads it
 
     @property
     def key(self) -> str:

@@ -90,7 +90,9 @@ def _own_executable(program: StartedProgram, resolver: Resolver) -> Iterator[Pro
     name, near = program.executable, program.span.source.path
     directory = resolver.package(program.package, near)
     manifest = manifest_of(resolver, os.path.join(directory, "package.xml"))
-    if not name or manifest is None or manifest.ros != 2 or not program.is_ros_2:
+    # launch takes an absolute path as it is.
+    is_named = bool(name) and not os.path.isabs(name)
+    if not is_named or manifest is None or manifest.ros != 2 or not program.is_ros_2:
         return
     missing = missing_executable(directory, program.package, name)
     if missing is None:
@@ -135,7 +137,7 @@ def unknown_executable(program: StartedProgram) -> Problem | None:
     """An executable that a package of ROS 2 does not have."""
     known = data("launch")["executables"].get(program.package, "").split()
     name = program.executable
-    if not known or not name or name in known:
+    if not known or not name or name in known or os.path.isabs(name):
         return None
     message = f"package '{program.package}' has no executable '{name}'{did_you_mean(name, known)}"
     severity = Severity.WARNING

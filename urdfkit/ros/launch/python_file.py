@@ -63,12 +63,28 @@ class PythonLaunchFile:
         text = self.values.text(node)
         if not text or self.frame or text.startswith(_KNOWN_STARTS):
             return
-        package = self.collector.resolver.packages.enclosing(self.source.path)
-        name = package[0] if package else "PACKAGE"
+        name, path = self._package_of(text)
         message = f"{purpose} '{text}' is looked for where launch is started, not in the package"
-        help = f'write os.path.join(get_package_share_directory("{name}"), "{text}")'
+        help = f'write os.path.join(get_package_share_directory("{name}"), "{path}")'
         problem = Problem("LAU003", self.values.span(node), message, help)
         self.collector.problems.append(problem)
+
+    def _package_of(self, path: str) -> tuple[str, str]:
+        """The package with a relative path, such as ``src/arm/config/arm.yaml``, and what follows.
+
+        That of the launch file if none has the file.
+        """
+        packages = self.collector.resolver.packages
+        own = packages.enclosing(self.source.path)
+        if own and not disk.exists(os.path.join(own[1], path)):
+            directories, slash, rest = path.partition("/")
+            known = packages.known(self.source.path)
+            while slash:
+                directory = known.get(directories)
+                if directory and disk.exists(os.path.join(directory, rest)):
+                    return directories, rest
+                directories, slash, rest = rest.partition("/")
+        return own[0] if own else "PACKAGE", path
 
     # ---------------------------------------------------------------- conditions
 

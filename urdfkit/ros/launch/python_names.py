@@ -34,12 +34,14 @@ def wrong_names(tree: ast.Module, values: Values) -> Iterator[Problem]:
         return
     known = bound | _MODULE_ATTRIBUTES | set(dir(builtins))
     suggester = Suggester(bound)
+    asked = {node.value: node.attr for node in nodes(tree) if isinstance(node, ast.Attribute)}
     for node, is_sure in _executed_nodes(tree):
         is_read = isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
         if isinstance(node, ast.Name) and is_read and node.id not in known:
             known.add(node.id)  # each name is reported once
             message = f"name '{node.id}' is not defined"
-            problem = values.problem("LAU035", node, message, _how_to_define(node.id, suggester))
+            help = _of_moveit(asked.get(node)) or _how_to_define(node.id, suggester)
+            problem = values.problem("LAU035", node, message, help)
             yield problem if is_sure else problem._replace(severity=Severity.WARNING)
 
 
@@ -49,6 +51,12 @@ def _imports_launch(tree: ast.Module) -> bool:
         isinstance(node, ast.ImportFrom) and (node.module or "").startswith("launch")
         for node in nodes(tree)
     )
+
+
+def _of_moveit(attribute: str | None) -> str:
+    """How to define what has an attribute of MoveIt's configuration; empty for other attributes."""
+    of_configuration = attribute in data("moveit")["builder"][""].split()
+    return "define it: MoveItConfigsBuilder(...).to_moveit_configs()" if of_configuration else ""
 
 
 def _how_to_define(name: str, suggester: Suggester) -> str:

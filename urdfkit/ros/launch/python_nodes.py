@@ -6,10 +6,10 @@ from itertools import pairwise
 
 from urdfkit.ros.launch.components import executable_of
 from urdfkit.ros.launch.contents import (
-    FILE_PARAMETERS,
     PARAMETERS,
     GivenParameters,
     StartedProgram,
+    file_of,
     with_words,
 )
 from urdfkit.ros.launch.moveit_builder import is_configuration, unknown_attribute
@@ -55,7 +55,7 @@ def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
         file.frame,
         is_sure=file.is_sure(call),
         remappings=with_words(remappings, options, is_ros_2=True),
-        parameters=_parameters(file, parameters, ros_arguments),
+        parameters=_parameters(file, parameters, ros_arguments, package or ""),
         namespace=_namespace(file, call),
         name=file.values.text(argument(call, None, "name")) or "",
     )
@@ -96,9 +96,10 @@ def _start_component(file: PythonLaunchFile, call: ast.Call, *, is_sure: bool) -
         file.frame,
         is_sure,
         remappings=_remappings(file, argument(call, None, "remappings")),
-        parameters=_parameters(file, parameters, None),
+        parameters=_parameters(file, parameters, None, package or ""),
         namespace=_namespace(file, call),
         name=file.values.text(argument(call, None, "name")) or "",
+        is_component=True,
     )
     file.collector.start(program)
 
@@ -143,9 +144,9 @@ def _namespace(file: PythonLaunchFile, call: ast.Call) -> str | None:
 
 
 def _parameters(
-    file: PythonLaunchFile, node: ast.expr | None, ros_arguments: ast.expr | None
+    file: PythonLaunchFile, node: ast.expr | None, ros_arguments: ast.expr | None, package: str
 ) -> GivenParameters:
-    """The parameters in a list of dictionaries and files."""
+    """The parameters of a program of a package, in a list of dictionaries and files."""
     values: dict[str, str | None] = {}
     files: list[str] = []
     lists: dict[str, tuple[str | None, ...]] = {}
@@ -163,7 +164,7 @@ def _parameters(
                 written = known if isinstance(known, ast.Constant) else value
                 at[name or ""] = file.values.span(written)
                 lists.update(_listed(file, name or "", value))
-                _record_file_of(file, name or "", value)
+                _record_file_of(file, package, name or "", value)
         elif (file.values.text(item) or "").endswith(_PARAMETER_FILES):
             path = file.path(item)
             files += [path] if path else []
@@ -193,9 +194,10 @@ def _listed(
     return {name: tuple(file.values.text(item) for item in file.values.items(value))}
 
 
-def _record_file_of(file: PythonLaunchFile, name: str, value: ast.expr) -> None:
+def _record_file_of(file: PythonLaunchFile, package: str, name: str, value: ast.expr) -> None:
     """Record the file that is the value of a parameter, or whose text is the value."""
     if name == "robot_description" and file.frame is None:
         record_unexpanded(file, value)
-    if name in FILE_PARAMETERS and file.values.text(value):
-        file.record_file(value, FILE_PARAMETERS[name])
+    purpose = file_of(name, package)
+    if purpose and file.values.text(value):
+        file.record_file(value, purpose)

@@ -48,6 +48,8 @@ _OF_ENVIRONMENT = {
 _ENVIRONMENTS = ("os.environ", "environ")
 #: Variables that are always set, with a value that files for several distributions expect.
 _ASSUMED = {"ROS_DISTRO": "jazzy"}
+#: Variables that are always set, so that a default is never the value.
+_ALWAYS_SET = ("HOME", "LOGNAME", "PATH", "PWD", "USER")
 #: Substitutions whose result is computed: the name in XML, and the names of the arguments.
 COMPUTED = {
     "PythonExpression": ("eval", ("expression",)),
@@ -216,8 +218,11 @@ class Values:
             ):
                 return None
             default = argument(call, 1, _OF_ENVIRONMENT[name])
-            variable = "" if default else self.text(argument(call, 0, "name"), depth + 1)
-            return _ASSUMED.get(variable or "") or self.text(default, depth + 1)
+            variable = self.text(argument(call, 0, "name"), depth + 1) or ""
+            if variable in _ALWAYS_SET:
+                return None
+            assumed = None if default else _ASSUMED.get(variable)
+            return assumed or self.text(default, depth + 1)
         if name == "find" and isinstance(call.func, ast.Attribute):
             package = call.func.value  # FindPackageShare(...).find(...): its argument counts
             is_one = called(package) in PACKAGE_DIRECTORY

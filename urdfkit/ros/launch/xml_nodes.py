@@ -7,10 +7,10 @@ from itertools import pairwise
 from urdfkit.ros.launch.collect import frame_at, path_from
 from urdfkit.ros.launch.components import executable_of
 from urdfkit.ros.launch.contents import (
-    FILE_PARAMETERS,
     PARAMETERS,
     GivenParameters,
     StartedProgram,
+    file_of,
     started_process,
     with_words,
 )
@@ -68,6 +68,7 @@ def start_component(file: XmlLaunchFile, element: Element) -> None:
         parameters=_parameters(file, element),
         namespace=_namespace(file, element),
         name=element.get("name") or "",
+        is_component=True,
     )
     file.collector.start(program)
 
@@ -148,8 +149,21 @@ def read_param(file: XmlLaunchFile, element: Element) -> None:
                 file.collector.unexpanded(path, attribute.span, file.frame)
         elif _DESCRIPTION.search(name):
             _described(file, attribute, frame)
-        elif name in FILE_PARAMETERS and (path := file.text(attribute)) and os.path.isabs(path):
-            file.collector.file(path, attribute.span, FILE_PARAMETERS[name])
+        elif purpose := file_of(name, _package_of(file, element)):
+            _parameter_for_file(file, attribute, purpose)
+
+
+def _parameter_for_file(file: XmlLaunchFile, attribute: Attribute, purpose: str) -> None:
+    """Record the file of a parameter that names one; a relative path is known at run time."""
+    path = file.text(attribute)
+    if path and os.path.isabs(path):
+        file.collector.file(path, attribute.span, purpose)
+
+
+def _package_of(file: XmlLaunchFile, parameter: Element) -> str:
+    """The package of the node of a parameter; empty if unknown."""
+    node = parameter.parent
+    return file.text(node.attributes.get("pkg")) or "" if node else ""
 
 
 def _described(file: XmlLaunchFile, attribute: Attribute, frame: CallFrame) -> None:
