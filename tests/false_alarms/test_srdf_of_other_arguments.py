@@ -206,3 +206,21 @@ def test_a_xacro_of_the_name_that_lacks_a_package(tmp_path: Path, package: str, 
     report = check(tmp_path / "with_hand.urdf", select=["SRD001"])
     assert report.crashed == ()
     assert len(report.diagnostics) == count
+
+
+GRIPPERS = xacro(
+    '<xacro:arg name="gripper" default="none"/><xacro:property name="prefix" value="left_"/>'
+    '<xacro:macro name="suction"><link name="${prefix}gripper_base"/></xacro:macro>'
+    "<link name=\"${prefix}base\"/><xacro:if value=\"${'$(arg gripper)' != 'none'}\">"
+    "<xacro:suction/></xacro:if>"
+)
+
+
+@pytest.mark.parametrize(("link", "count"), [("left_gripper_base", 0), ("right_base", 1)])
+def test_links_of_a_gripper_that_this_robot_lacks(tmp_path: Path, link: str, count: int) -> None:
+    """iRC: the collision matrix is for all grippers, and a gripper has its own macro."""
+    (tmp_path / "r.urdf.xacro").write_text(GRIPPERS)
+    pair = f'<disable_collisions link1="left_base" link2="{link}" reason="Never"/>'
+    (tmp_path / "r.srdf").write_text(f'<robot name="r">{pair}</robot>')
+    found = check(tmp_path / "r.urdf.xacro", select=["SRD001"]).diagnostics
+    assert len(found) == count

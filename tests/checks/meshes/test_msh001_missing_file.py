@@ -79,6 +79,12 @@ def test_the_absolute_path_of_another_machine(robot: str) -> None:
     assert reported(CODE, fixed(CODE, text, robot), robot) == []
 
 
+def test_the_absolute_path_of_a_package_that_is_elsewhere(robot: str) -> None:
+    """FloriBot: ``file:///ws/src/floribot_gz_description/...``, of a container."""
+    (found,) = reported(CODE, mesh_link("file:///ws/src/wagon/meshes/front.stl"), robot)
+    assert ("package://PACKAGE/" in found.help, found.fix) == (True, None)
+
+
 def test_every_place_is_reported(robot: str) -> None:
     text = mesh_link("a.stl", "a.stl", "../meshes/forearm.stl")
     assert [place for place, _ in places(CODE, text, robot)] == [3, 4]

@@ -243,6 +243,12 @@ def test_a_joint_without_state() -> None:
     assert places("RCT021", text) == [(NEXT + 3, '<joint name="swing">')]
 
 
+def test_hardware_that_measures_nothing() -> None:
+    """BlueROV2: the thrusters take the width of a pulse."""
+    pulse = '<joint name="swing"><command_interface name="pwm"/></joint>'
+    assert messages("RCT021", ROBOT + control(pulse)) == []
+
+
 def test_the_state_may_be_in_another_block() -> None:
     sensor = '<joint name="swing"><state_interface name="position"/></joint>'
     text = ROBOT + control(MUTE) + control(sensor, name="s", kind="sensor")

@@ -244,6 +244,8 @@ def _missing(context: Context, mesh: MeshReference, suggestions: MeshSuggestions
     if suggested is None:
         installed = suggestions.installed_reference(located)
         help = f"write {installed}, and add the package" if installed else ""
+        if not installed and located.scheme == "absolute":
+            help = "add the file, and write package://PACKAGE/..., which all computers find"
         return Finding(mesh.at, message, help, group_key=_missing_directory(located))
     new = suggested.reference
     fix = _fix(mesh, new, f"refer to {new}") if suggested.sure else None

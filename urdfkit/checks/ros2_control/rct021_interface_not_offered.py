@@ -4,14 +4,13 @@ The controller manager cannot activate the controller: "not in the list of avail
 Add the command or state interface to the joint if the hardware has it, or configure the controller
 without it: `position_feedback: false` or `open_loop: true` of a wheel controller,
 `state_interfaces` of a trajectory controller, `interfaces` of joint_state_broadcaster,
-`max_effort_interface` of a gripper controller. A joint with
-command interfaces but no state interface is reported even without a controller (warning): most
+`max_effort_interface` of a gripper controller. A joint with a command interface for its position,
+velocity or effort but no state interface is reported even without a controller (warning): most
 controllers do not start, and the joint is missing in the joint states. A joint without any
 `<ros2_control>` is reported only if the hardware offers all others of its controller, or the joint
-that it mimics. If a file
-defines several controllers of a joint, one with available interfaces is enough: a launch file
-starts only some of them. In ROS 1, Gazebo offers the `<hardwareInterface>` of the joint's
-transmission.
+that it mimics. If a file defines several controllers of a joint, one with available interfaces is
+enough: a launch file starts only some of them. In ROS 1, Gazebo offers the `<hardwareInterface>` of
+the joint's transmission.
 
 Simulators and mock hardware offer exactly the listed interfaces. Other hardware may offer more: a
 warning, or an info if the joint lists no interface of that kind, or if the interface has a name of
@@ -244,7 +243,9 @@ def _without_state(context: Context) -> Findings:
     measured = {part.name for block in blocks for part in block.parts if part.of("state")}
     for block in blocks:
         for part in block.joints:
-            if part.of("command") and part.name and part.name not in measured:
+            # Hardware with other commands, as the pwm of a thruster, may measure nothing.
+            is_usual = any(item.name in _USUAL for item in part.of("command"))
+            if is_usual and part.name and part.name not in measured:
                 message = f"joint '{part.name}' has command interfaces but no state interface"
                 help = 'add <state_interface name="position"/>, and velocity if the hardware has it'
                 yield Finding(part.at, message, help, severity=Severity.WARNING)

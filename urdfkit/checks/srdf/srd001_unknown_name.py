@@ -4,7 +4,7 @@
   drops the group or state, and planning fails with "group not found" or with joints that never
   move. A warning for the group of a state if the SRDF has no groups: Pinocchio reads the state.
 - An unknown link in the collision matrix (warning): "Link is not known to URDF. Cannot disable
-  collisions"; the entry has no effect.
+  collisions"; the entry has no effect. Not for a link of a macro that other arguments call.
 - A state that sets a joint outside its group (warning): MoveIt ignores the value.
 
 The SRDF is out of date, or the name is misspelt.
@@ -16,6 +16,9 @@ Sources:
     moveit/moveit_tutorials#728: https://github.com/moveit/moveit_tutorials/issues/728
 """
 
+import re
+from functools import cached_property
+
 from urdfkit.checks.srdf.namesakes import has_incomplete_namesake, launched_namesakes
 from urdfkit.core.suggest import SIMILAR, Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
@@ -24,6 +27,7 @@ from urdfkit.robot.samples import link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf, is_free_flyer
 from urdfkit.ros.moveit.srdf_variant import names_of_namesakes
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing.edits import fix_value
 
@@ -34,6 +38,10 @@ FILES = srdf_files(
     '<group name="arm"><link name="forearm"/></group>',
 )
 FIXED_FILES = {"bad.srdf": FILES["good.srdf"].replace(b"good", b"bad", 1)}
+
+
+#: A link whose name ends after an expression.
+_MADE = re.compile(rb"<link\b[^<>]*?\bname\s*=\s*[\"'][^\"'<>]*[})]([^\"'<>{}()]+)[\"']")
 
 
 @rule(
@@ -59,10 +67,11 @@ def check(context: Context) -> Findings:
             is_for_pinocchio = attribute.element.tag == "group_state" and not srdf.groups
             yield finding._replace(severity=Severity.WARNING) if is_for_pinocchio else finding
     links = srdf.known("link") | elsewhere
+    uncalled = _Uncalled(context)
     for pair in (*srdf.root.all("disable_collisions"), *srdf.root.all("enable_collisions")):
         for key in ("link1", "link2"):
             name = pair.attributes.get(key)
-            if name is not None and name.value not in links:
+            if name and name.value not in links and not uncalled.may_make(name.value):
                 yield suggestions.unknown("link", name)._replace(
                     help="compute the collision matrix again, or fix the name",
                     severity=Severity.WARNING,
@@ -74,6 +83,26 @@ def _names_in_namesakes(context: Context, srdf: Srdf) -> set[str]:
     """Links and joints of robots of the same name in launch files of the workspace."""
     models = (robot.model for robot in launched_namesakes(context, srdf))
     return {name for model in models for name in (*model.links_by_name, *model.joints_by_name)}
+
+
+class _Uncalled:
+    """The links in macros that this robot does not call, such as those of its other grippers."""
+
+    def __init__(self, context: Context) -> None:
+        self._reading = context.reading.xacro
+        self._made = tuple(context.model.links_by_name)
+
+    @cached_property
+    def _ends(self) -> tuple[str, ...]:
+        """What follows the expressions in their names."""
+        sources = self._reading.sources if self._reading else ()
+        texts = (blank_comments(source.data) for source in sources)
+        found = {end.decode("utf-8", "replace") for text in texts for end in _MADE.findall(text)}
+        return tuple(end for end in found if not any(name.endswith(end) for name in self._made))
+
+    def may_make(self, name: str) -> bool:
+        """True if another call could make a link of a name."""
+        return name.endswith(self._ends)
 
 
 class _Suggestions:
