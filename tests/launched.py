@@ -32,7 +32,7 @@ def reported(
         text: of it; what stands in ``<launch>``, or the program.
         files: further ones, by path.
     """
-    directory.mkdir(exist_ok=True)
+    directory.mkdir(parents=True, exist_ok=True)
     (directory / "package.xml").write_text(MANIFEST)
     (directory / "launch").mkdir(exist_ok=True)
     add_files(directory, files or {})

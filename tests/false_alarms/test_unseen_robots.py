@@ -413,9 +413,9 @@ def test_a_sensor_for_the_other_robot_that_includes_its_file(tmp_path: Path, par
     add_package(tmp_path, "rover")
     scan = '<gazebo reference="laser_link"><sensor name="s" type="ray"/></gazebo>'
     (tmp_path / "common.gazebo").write_text(xacro(scan))
-    include = '<xacro:include filename="common.gazebo"/><link name="base_link"/>'
+    include = '<xacro:include filename="common.gazebo"/><link name="lazer_link"/>'
     (tmp_path / "rover.xacro").write_text(xacro(include))
-    (tmp_path / "mini.xacro").write_text(xacro(include + joint(part, "fixed", parent="base_link")))
+    (tmp_path / "mini.xacro").write_text(xacro(include + joint(part, "fixed", parent="lazer_link")))
     (found,) = check(tmp_path / "rover.xacro", select=["GAZ001"]).diagnostics
     assert found.severity == "error"
     assert (found.fix is None, "mini.xacro" in found.help) == ((part == "laser"),) * 2

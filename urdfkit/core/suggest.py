@@ -10,8 +10,9 @@ from urdfkit.core import disk
 #: that is assumed to be the same, misspelt, and of such a word among names that are much alike.
 SIMILAR, SIMILAR_FILE, TYPO, CLOSE_TYPO = 0.6, 0.7, 0.8, 0.93
 
-#: Least similarity of two names without their common suffix: ``caster_link`` is not ``base_link``.
-_WITHOUT_SUFFIX = 0.65
+#: Least similarity of two names without their common suffix: ``caster_link`` is not ``base_link``,
+#: nor is ``laser_link``, which begins with another letter.
+_WITHOUT_SUFFIX, _OF_ANOTHER_INITIAL = 0.65, 0.75
 
 #: Least similarity of two words at the same place in a name: ``cam_link``, ``camera_link``.
 _MIN_WORD_SIMILARITY = 0.4
@@ -50,7 +51,8 @@ def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | N
     close = get_close_matches(text, spellings, _MAX_COMPARED, cutoff)
     for candidate in sorted(close, key=lambda key: not _differs_in_kind(text, key)):
         stem, other = _without_common_suffix(text, candidate)
-        if stem == text or get_close_matches(stem, [other], 1, min(cutoff, _WITHOUT_SUFFIX)):
+        least = _WITHOUT_SUFFIX if stem[:1] == other[:1] else _OF_ANOTHER_INITIAL
+        if stem == text or get_close_matches(stem, [other], 1, min(cutoff, least)):
             return spellings[candidate]
     return None
 

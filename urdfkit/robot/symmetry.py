@@ -38,14 +38,26 @@ def pairs(names: Iterable[str]) -> list[tuple[str, str]]:
     left hand, the last one that has a counterpart counts: the right finger of the left hand.
     """
     candidates = dict.fromkeys(name for name in names if len(name) <= _MAX_LENGTH)
+    of_last_side = set(filter(None, map(_with_last_side, candidates))) & candidates.keys()
     paired: set[str] = set()
     result: list[tuple[str, str]] = []
     for name in candidates:
-        for right in _right_names(name):
+        for right in _right_names(name) if name not in of_last_side else ():
             if right in candidates and name not in paired and right not in paired:
                 paired.update((name, right))
                 result.append((name, right))
     return result
+
+
+def _with_last_side(name: str) -> str | None:
+    """The name with its last word for a side, if that is left, replaced by right."""
+    sides = [word.lower() for word in re.findall(_WORD, name) if _is_side(word.lower())]
+    is_left = bool(sides) and (sides[-1] in _RIGHT_OF or "left" in sides[-1])
+    return _right_names(name)[0] if is_left else None
+
+
+def _is_side(word: str) -> bool:
+    return word in _SIDES or "left" in word or "right" in word
 
 
 @lru_cache(maxsize=4096)
@@ -69,8 +81,7 @@ def _right_names(name: str) -> tuple[str, ...]:
 
 def has_one_side(name: str) -> bool:
     """True for a name with one word for a side, unlike the left finger of the left hand."""
-    words = (word.lower() for word in re.findall(_WORD, name))
-    return sum(word in _SIDES or "left" in word or "right" in word for word in words) == 1
+    return sum(_is_side(word.lower()) for word in re.findall(_WORD, name)) == 1
 
 
 def numbered_pairs(places: Mapping[str, Vector]) -> list[tuple[str, str]]:

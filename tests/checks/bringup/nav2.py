@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from tests.launched import reported
+from urdfkit import Diagnostic
 
 PROGRAM = """\
 from launch_ros.actions import Node
@@ -35,6 +36,17 @@ def messages(
     node: str = CONTROLLER,
     names: str = '"controller_server"',
 ) -> list[str]:
+    """The messages of a rule about a node with the parameter file ``a.yaml``."""
+    return [finding.message for finding in reported_of(code, directory, yaml, node, names)]
+
+
+def reported_of(
+    code: str,
+    directory: Path,
+    yaml: str,
+    node: str = CONTROLLER,
+    names: str = '"controller_server"',
+) -> list[Diagnostic]:
     """The findings of a rule about a node with the parameter file ``a.yaml``.
 
     Args:
@@ -45,8 +57,7 @@ def messages(
         names: of the nodes of the lifecycle manager.
     """
     text = PROGRAM.format(node, names)
-    found = reported(directory / "arm", code, "a.launch.py", text, {"a.yaml": yaml})
-    return [finding.message for finding in found]
+    return reported(directory / "arm", code, "a.launch.py", text, {"a.yaml": yaml})
 
 
 def rows(row: int) -> str:

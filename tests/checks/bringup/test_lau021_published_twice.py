@@ -270,8 +270,14 @@ def test_a_filter_that_localizes(
 def test_joint_states_of_the_bridge(tmp_path: Path, topic: str, remapping: str, count: int) -> None:
     bridge = "Node(package='ros_gz_bridge', executable='parameter_bridge', "
     bridge += f"arguments=[{topic!r}])\n"
-    found = messages(tmp_path, GUI.format(remapping) + bridge)
+    text = f"open('{tmp_path}/r.urdf')\n{bridge}{GUI.format(remapping)}"
+    publisher = '<gazebo><plugin filename="gz-sim-joint-state-publisher-system" name="p"><topic>'
+    publisher += f"{topic.partition('@')[0]}</topic></plugin></gazebo></robot>"
+    files = {"r.urdf": ROBOT.replace("</robot>", publisher)}
+    found = [one.message for one in reported(tmp_path, "LAU021", "a.launch.py", text, files)]
     assert found == [naming("joint_state_publisher_gui", "bridge")] * count
+    files, count = {"r.urdf": ROBOT}, 0  # nothing in Gazebo publishes the topic
+    assert len(reported(tmp_path, "LAU021", "a.launch.py", text, files)) == count
 
 
 SLAM = """IncludeLaunchDescription(

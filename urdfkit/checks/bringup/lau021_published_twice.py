@@ -35,9 +35,11 @@ from urdfkit.checks.bringup.published_robots import published_robots, runs_in_si
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.tree import KinematicTree
-from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
+from urdfkit.ros.gazebo.topics import topics
+from urdfkit.ros.launch.bridges import TO_GAZEBO, BridgedTopic, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import manager_name, spawned_controllers, topic_name
+from urdfkit.ros.launch.spawning import spawns_sdf
 from urdfkit.ros.launch.transforms import StaticTransform, static_transform
 
 NAME = "launch/robot.launch.py"
@@ -53,6 +55,7 @@ GOOD = BAD.replace(BAD.splitlines(keepends=True)[3], "")
 
 _PUBLISHERS = ("joint_state_publisher", "joint_state_publisher_gui")
 _TOPIC = "joint_states"
+_MESSAGE = "sensor_msgs/msg/JointState"
 _BROADCASTERS = ("joint_state_broadcaster", "joint_state_controller")
 #: In m: positions that are closer are equal.
 _POSITION_TOLERANCE = 1e-3
@@ -118,8 +121,8 @@ def _joint_states(context: Context, programs: list[StartedProgram]) -> Findings:
         (name, "the bridge", topic.span)
         for node in programs
         for topic in bridged_topics(node, context.resolver)
-        if topic.ros_type == "sensor_msgs/msg/JointState" and topic.direction != TO_GAZEBO
-        if (name := topic_name(topic.ros_topic, node))
+        if topic.ros_type == _MESSAGE and topic.direction != TO_GAZEBO
+        if (name := topic_name(topic.ros_topic, node)) and _is_in_gazebo(topic, context)
     ]
     others = {name: (who, span) for name, who, span in reversed(publishers)}
     for node in programs:
@@ -131,3 +134,12 @@ def _joint_states(context: Context, programs: list[StartedProgram]) -> Findings:
                 f"remove {node.package}",
                 related=(Related(other[1], "the other publisher"),),
             )
+
+
+def _is_in_gazebo(topic: BridgedTopic, context: Context) -> bool:
+    """False if the robot in Gazebo does not publish a topic, or is not the described one."""
+    if any(map(spawns_sdf, context.launch.programs)):
+        return False
+    robots = [robot for description, robot in context.described_robots if description.is_whole]
+    published = [gz for robot in robots for gz in topics(robot.model)]
+    return not robots or any(gz.is_called(topic.topic) for gz in published)

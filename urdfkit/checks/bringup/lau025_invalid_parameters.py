@@ -17,8 +17,8 @@ from collections.abc import Iterable
 
 from urdfkit.checks.bringup.parameter_values import invalid_values, wrong_signs
 from urdfkit.checks.bringup.read_parameters import (
-    all_parameters,
-    parameter_sections,
+    parameters_of_nodes,
+    read_sections,
     whole_sections,
 )
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
@@ -67,10 +67,10 @@ _LOCALIZING = ("amcl", "slam_toolbox")
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    for section in all_parameters(context):
+    for section in parameters_of_nodes(context):
         yield from invalid_values(section)
         yield from wrong_signs(section)
-    sections = parameter_sections(context)
+    sections = read_sections(context)
     for section in sections:
         yield from _wrong_configurations(section)
         yield from _outdated_motion_model(section)

@@ -38,8 +38,8 @@ from urdfkit.checks.bringup.parameter_relations import (
 )
 from urdfkit.checks.bringup.read_parameters import (
     parameter_files,
-    parameter_sections,
     parameters_of_started,
+    read_sections,
     whole_sections,
 )
 from urdfkit.lint.rules import Context, Findings, Need, Severity, rule
@@ -61,7 +61,7 @@ FILES = {
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    sections = parameter_sections(context)
+    sections = read_sections(context)
     for section in parameters_of_started(context, parameter_files(context)):
         yield from reversed_bounds(section)
     for section in sections:

@@ -21,7 +21,7 @@ import re
 
 from urdfkit.checks.bringup.costmap_layers import sources_without_parameters, unknown_layer
 from urdfkit.checks.bringup.costmaps import COSTMAPS, has_default_plugins
-from urdfkit.checks.bringup.read_parameters import parameter_files, whole_sections
+from urdfkit.checks.bringup.read_parameters import parameter_files, read_sections, whole_sections
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
@@ -50,7 +50,7 @@ _RENAMED = re.compile(r"nav2_(?:behaviors|navfn_planner|smac_planner|theta_star_
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
     files = parameter_files(context)
-    sections = [section for own in files.values() for section in own]
+    sections = read_sections(context)
     for section in sections:
         yield from _unknown_classes(section)
         yield from _laser_filters(section)

@@ -15,7 +15,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.bringup.read_parameters import parameter_sections, whole_sections
+from urdfkit.checks.bringup.read_parameters import read_sections, whole_sections
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, hint_for, nearest
 from urdfkit.errors import PackageNotFound
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
@@ -52,7 +52,7 @@ _BEHAVIORS, _TREE = "behavior_plugins", b"bt_xml"
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    sections = parameter_sections(context)
+    sections = read_sections(context)
     yield from _invalid_trees(context, sections)
     yield from _missing_in_default_trees(context, sections)
     for section in whole_sections(sections):

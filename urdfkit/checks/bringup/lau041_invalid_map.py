@@ -14,7 +14,7 @@ Sources:
 
 from collections.abc import Iterator
 
-from urdfkit.checks.bringup.read_parameters import parameter_sections
+from urdfkit.checks.bringup.read_parameters import read_sections
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.values import number
@@ -76,7 +76,7 @@ def _missing_maps(context: Context) -> Findings:
 def _missing_graphs(context: Context) -> Findings:
     """Localization of slam_toolbox without a map; an info, as RViz or a service may load it."""
     directory = context.resolver.packages.workspace(context.source.path)
-    for node in parameter_sections(context):
+    for node in read_sections(context):
         mode = node.values.get("mode") if node.name == "slam_toolbox" else None
         is_localizing = isinstance(mode, Value) and mode.text == "localization"
         if not isinstance(mode, Value) or not is_localizing or _GRAPH in node.values:

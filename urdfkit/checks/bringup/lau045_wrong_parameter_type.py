@@ -11,12 +11,13 @@ Sources:
 """
 
 import re
+from math import ceil
 
 from urdfkit.checks.bringup.read_parameters import (
     OF_INPUT,
-    all_parameters,
     inputs_of_twist_mux,
-    parameter_sections,
+    parameters_of_nodes,
+    read_sections,
 )
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.launch.known_parameters import given_values, kind_of
@@ -46,10 +47,10 @@ _MAP_SAVER, _TIMEOUT, _LEAST_MS = "map_saver", "save_map_timeout", 100
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    for section in all_parameters(context):
+    for section in parameters_of_nodes(context):
         yield from _wrong_types(section)
         yield from _timeout_in_ms(section)
-    for section in parameter_sections(context):
+    for section in read_sections(context):
         yield from _inputs_of_twist_mux(section)
         yield from _wrong_sizes(section)
 
@@ -79,7 +80,7 @@ def _wrong_sizes(node: NodeParameters) -> Findings:
         value = scalar(node.values, key)
         if value and re.fullmatch(r"[-+]?\d+\.\d*", value.text):
             message = f"'{node.name}' stops: {key} is declared as an integer, not {value.text}"
-            yield Finding(value.span, message, f"write {round(float(value.text))}")
+            yield Finding(value.span, message, f"write {ceil(float(value.text))}")
 
 
 def _timeout_in_ms(node: NodeParameters) -> Findings:

@@ -15,7 +15,7 @@ import re
 from urdfkit.checks.bringup.read_parameters import (
     OF_INPUT,
     inputs_of_twist_mux,
-    parameter_sections,
+    read_sections,
     whole_sections,
 )
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
@@ -60,7 +60,7 @@ _POINT = re.compile(r"\[[^\[\],]+,[^\[\],]+\]")
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    sections = parameter_sections(context)
+    sections = read_sections(context)
     for section in sections:
         yield from _inputs_of_twist_mux(section)
     for section in whole_sections(sections):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator, Mapping
 
+from urdfkit.checks.bringup.parameter_sections import misnamed_sections, misplaced
 from urdfkit.lint.rules import Context
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import GivenParameters, StartedProgram
@@ -44,9 +45,18 @@ def all_parameters(context: Context) -> list[NodeParameters]:
     return [*sections, *parameters_of_started(context, files)]
 
 
-def parameter_sections(context: Context) -> list[NodeParameters]:
-    """The sections of all parameter files."""
-    return [section for sections in parameter_files(context).values() for section in sections]
+def read_sections(context: Context) -> list[NodeParameters]:
+    """The sections of all parameter files, without those that LAU024 reports as not read."""
+    files = parameter_files(context)
+    sections = [section for own in files.values() for section in own]
+    reported = [finding for section in whole_sections(sections) for finding in misplaced(section)]
+    unread = {finding.at for finding in (*reported, *misnamed_sections(context, files))}
+    return [section for section in sections if section.at not in unread]
+
+
+def parameters_of_nodes(context: Context) -> list[NodeParameters]:
+    """The sections that nodes read, and what known programs of any name get."""
+    return [*read_sections(context), *parameters_of_started(context, parameter_files(context))]
 
 
 def whole_sections(sections: list[NodeParameters]) -> list[NodeParameters]:

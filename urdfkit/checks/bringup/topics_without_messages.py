@@ -11,8 +11,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
 from urdfkit.ros.gazebo.topics import GazeboTopic, are_all_known, topics
 from urdfkit.ros.gazebo.worlds import read_world
 from urdfkit.ros.launch.bridges import FROM_GAZEBO, SIGNS, TO_GAZEBO, BridgedTopic
-from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.spawning import spawn_option
+from urdfkit.ros.launch.spawning import spawns_sdf
 from urdfkit.ros.launch.worlds import worlds
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import CallFrame, Element
@@ -39,7 +38,7 @@ def topics_without_messages(
     context: Context, bridged: list[tuple[BridgedTopic, CallFrame | None]]
 ) -> Findings:
     """Topics that are unused in Gazebo, or bridged in the wrong direction."""
-    if any(map(_spawns_sdf, context.launch.programs)):
+    if any(map(spawns_sdf, context.launch.programs)):
         return  # the robot in Gazebo is not the described one
     of_robot = list(_topics(context))
     of_other_arguments = set(_topics_of_other_arguments(context))
@@ -95,12 +94,6 @@ def _unless_estimated(context: Context, message: str) -> str:
     is_estimated = any(program.package == _ESTIMATOR for program in context.launch.programs)
     is_transform = message == _TRANSFORM and is_estimated
     return f"remove it if {_ESTIMATOR} publishes the transform; else " if is_transform else ""
-
-
-def _spawns_sdf(program: StartedProgram) -> bool:
-    """True for a program that spawns a model of a file in SDF, or of an unknown one."""
-    file = spawn_option(program, "file")
-    return file is not None and (file.text is None or file.text.endswith(".sdf"))
 
 
 def _passes(topic: BridgedTopic, gz: GazeboTopic) -> bool:

@@ -115,7 +115,7 @@ def _unknown(
     fix = severity = None
     if is_switched_off(context, reference.value):
         help, severity = "put the <gazebo> behind the condition of the link", Severity.WARNING
-    elif suggested and (other := _robot_with(context, reference)):
+    elif other := _robot_with(context, reference):
         help = f"add '{reference.value}', which {other} has, or include the file only there"
         severity = Severity.WARNING if _THINGS.isdisjoint(tags) else None
     elif suggested:

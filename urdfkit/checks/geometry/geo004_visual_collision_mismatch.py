@@ -278,19 +278,21 @@ def _edges(box: BoundingBox) -> str:
 def _misplaced(pair: VisualCollisionPair, context: Context) -> tuple[Body, Body, bool]:
     """The body that is probably misplaced, the other body, and whether nothing contradicts that.
 
-    The misplaced body is the collision, unless the inertia has the same origin. If the tensor fits
-    the collision and not the visual, either the tensor was not updated, like the collision, or the
-    visual is wrong: only a cylinder on a joint shows which, as it turns about its own axis.
+    The misplaced body is the collision, unless the inertia has the same origin, and the joint
+    another one, which the two would repeat. If the tensor fits the collision and not the visual,
+    either the tensor was not updated, like the collision, or the visual is wrong: only a cylinder
+    on a joint shows which, as it turns about its own axis.
     """
     link = pair.link
     collision, visual = link.collisions[0], link.visuals[0]
     inertial = link.inertial.origin if link.inertial else Transform()
-    if Transform() != inertial == collision.origin != visual.origin:
+    joints = context.tree.parents[link.name]
+    is_of_joint = any(joint.origin == collision.origin for joint in joints)
+    if Transform() != inertial == collision.origin != visual.origin and not is_of_joint:
         return visual, collision, True
     inertia = context.masses.by_name.get(link.name)
     if inertia is None or not inertia.is_of(pair.collision) or inertia.is_of(pair.visual):
         return collision, visual, True
-    joints = context.tree.parents[link.name]
     if any(_turns_about_own_axis(collision, joint) for joint in joints):
         return visual, collision, True
     return collision, visual, any(_turns_about_own_axis(visual, joint) for joint in joints)

@@ -129,9 +129,11 @@ def _mistakes(link: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor
     if not link.is_placeholder and not is_invented:
         for unit, factor in UNITS:
             tensor, cause = inertia.scaled(link.tensor, factor), f"is in {unit}"
-            # Without products it was computed for the shape, and has its proportions.
+            # Without products it was computed for the shape; 16 times is another mistake.
             is_chance = (
-                cause == _LIKE_METRIC and link.is_diagonal and not _is_scaled(link, expected)
+                cause == _LIKE_METRIC
+                and link.is_diagonal
+                and not inertia.agree(tensor, expected, EXACT_RATIO)
             )
             if inertia.agree(tensor, expected, _CORRECTED_RATIO) and not is_chance:
                 yield cause, tensor

@@ -105,8 +105,21 @@ def _with_a_tenth(link: LinkInertia) -> Iterator[tuple[str, Tensor]]:
             continue  # the result of a formula
         tenth = link.tensor._replace(**{key: getattr(link.tensor, key) / 10})
         diagonal = (tenth.ixx, tenth.iyy, tenth.izz)
-        if is_possible(tenth) and max(diagonal) <= 2 * min(diagonal):
+        is_even = max(diagonal) <= 2 * min(diagonal)
+        if is_possible(tenth) and is_even and _has_proportions(tenth, link.expected):
             yield f"has {key} ten times too large", tenth
+
+
+def _has_proportions(tensor: Tensor, expected: Tensor | None) -> bool:
+    """True if the moments are about the same multiple of those of the shape, if it is known."""
+    ratios = [of_link / of_shape for of_link, of_shape in _moments(tensor, expected)]
+    return not ratios or max(ratios) <= _SAME_MULTIPLE * min(ratios)
+
+
+def _moments(tensor: Tensor, expected: Tensor | None) -> list[tuple[float, float]]:
+    keys = ("ixx", "iyy", "izz") if expected else ()
+    pairs = ((getattr(tensor, key), getattr(expected, key)) for key in keys)
+    return [(of_link, of_shape) for of_link, of_shape in pairs if of_shape > 0]
 
 
 def _symmetric_pairs(link: LinkInertia, masses: Masses) -> Iterator[LinkInertia]:

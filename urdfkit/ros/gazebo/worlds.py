@@ -30,6 +30,8 @@ _MODEL = re.compile(r"model://([^/]+)/?$")
 _DEFINITIONS = ("model.config", "model.sdf")
 #: A box is a floor if it is so wide, and so flat, in m.
 _WIDE, _FLAT = 5.0, 0.5
+#: A box at this height in m is a ceiling, or above an open field what a lidar sees.
+_CEILING = 1.5
 #: Elements whose contents are not those of SDF.
 _FOREIGN = ("plugin", "gui", "state")
 
@@ -226,6 +228,8 @@ def _top_of_slab(model: Element) -> float | None:
     if static is None or static.text.strip().lower() not in ("true", "1") or level is None:
         return None
     if sides is None or len(sides) != 3 or min(sides[:2]) < _WIDE or sides[2] > _FLAT:
+        return None
+    if level > _CEILING:
         return None
     x, y = (numbers(pose.text) or (0.0, 0.0))[:2] if pose is not None else (0.0, 0.0)
     return level + sides[2] / 2 if max(abs(x), abs(y)) < min(sides[:2]) / 2 else None

@@ -8,18 +8,21 @@ from collections.abc import Iterable
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
 from urdfkit.workspace.resolve import Resolver
 
+#: The packages of Nav2 whose classes have a slash up to Iron, and colons later.
+_PACKAGES = rb"\bnav2_(behaviors|navfn_planner|smac_planner|theta_star_planner)"
 #: What only Jazzy and later have: stamped commands of Nav2 and twist_mux, lists of MoveIt, names
 #: of classes.
 _JAZZY = re.compile(
     rb"^[^#\n]*(\b(enable_stamped_cmd_vel|use_stamped|planning_plugins|response_adapters)\s*:"
     rb"|\bparallel_gripper_action_controller/"
-    rb"|\bnav2_(behaviors|navfn_planner|smac_planner|theta_star_planner)::)",
+    rb"|" + _PACKAGES + rb"::)",
     re.MULTILINE,
 )
+_OLDER = re.compile(rb"^[^#\n]*" + _PACKAGES + rb"/", re.MULTILINE)
 
 
 def is_for_jazzy(path: str, resolver: Resolver, others: Iterable[str] = ()) -> bool:
-    """True if parameter files of the workspace of a file have names of Jazzy and later.
+    """True if parameter files of the workspace of a file have only names of Jazzy and later.
 
     Args:
         others: paths of further parameter files.
@@ -27,4 +30,4 @@ def is_for_jazzy(path: str, resolver: Resolver, others: Iterable[str] = ()) -> b
     launches = launches_of_workspace(path, resolver)
     paths = {file.path for launch in launches for file in launch.parameters if file.exists}
     sources = filter(None, map(resolver.readable, sorted(paths.union(others))))
-    return any(_JAZZY.search(source.data) for source in sources)
+    return any(_JAZZY.search(file.data) and not _OLDER.search(file.data) for file in sources)

@@ -65,3 +65,9 @@ def spawn_option(program: StartedProgram, name: str) -> Word | None:
     """The value of an option of a program that spawns models; None if it is missing."""
     spawner = model_spawner(program)
     return options(program, spawner)[0].get(name) if spawner else None
+
+
+def spawns_sdf(program: StartedProgram) -> bool:
+    """True for a program that spawns a model of a file in SDF, or of an unknown one."""
+    file = spawn_option(program, "file")
+    return file is not None and (file.text is None or file.text.endswith(".sdf"))

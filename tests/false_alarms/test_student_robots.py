@@ -1,0 +1,113 @@
+"""Robots of students and of competitions that the rules had not seen."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.bringup.nav2 import COSTMAP, messages, reported_of
+from tests.checks.worlds.started import INCLUDE
+from tests.checks.worlds.started import messages as of_world
+from tests.gazebos import BASE, block
+from tests.massive import inertial, joint, link, part, shape
+from tests.naming import naming
+from tests.reported import reported
+from urdfkit.text.diagnostic import Severity
+
+_SIZE = "robot_base_frame: base, width: 0.5"
+
+
+def test_a_costmap_whose_parameters_are_not_read_stops_at_none(tmp_path: Path) -> None:
+    """A robot for Eurobot: ``local_costmap`` is not written twice, and its width is no integer."""
+    unread = f"local_costmap:\n  ros__parameters: {{{_SIZE}}}\n"
+    (found,) = messages("LAU024", tmp_path, unread)
+    assert found == naming("local_costmap", "local_costmap/local_costmap")
+    assert messages("LAU045", tmp_path, unread) == []
+    (one,) = reported_of("LAU045", tmp_path, COSTMAP.format(f"{{{_SIZE}}}"))
+    assert (one.message, one.help) == (naming("local_costmap", "integer", "0.5"), naming("1"))
+
+
+def test_parameters_of_a_node_of_another_name_stop_none(tmp_path: Path) -> None:
+    node = 'package="robot_localization", executable="ekf_node", name="ekf", '
+    node += 'parameters=["../a.yaml"]'
+    yaml = "{}: {{ros__parameters: {{odom0: odom, odom0_config: [true]}}}}\n"
+    for name, count in (("ekf_node", 0), ("ekf", 1)):
+        found = messages("LAU025", tmp_path / name, yaml.format(name), node, "")
+        assert len(found) == count
+
+
+def test_parameters_with_names_of_humble_and_one_of_jazzy(tmp_path: Path) -> None:
+    """The same robot, whose planner has the slash of Humble."""
+    planner = 'planner_server: {{ros__parameters: {{a: {{plugin: "nav2_smac_planner{}A"}}}}}}\n'
+    libraries = "bt_navigator: {ros__parameters: {plugin_lib_names: [nav2_wait_action_bt_node]}}\n"
+    stamped = "controller_server: {ros__parameters: {enable_stamped_cmd_vel: false}}\n"
+    for sign, count in (("/", 0), ("::", 1)):
+        yaml = planner.format(sign) + libraries + stamped
+        found = messages("LAU024", tmp_path / str(count), yaml)
+        assert ["Jazzy" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("height", "count"), [("4.0", 0), ("0.4", 1)])
+def test_a_slab_above_the_robot_is_no_floor(tmp_path: Path, height: str, count: int) -> None:
+    """A field for Robocon: what a lidar that looks up sees."""
+    slab = f"""<model name="seen"><static>true</static><pose>0 0 {height} 0 0 0</pose>
+<link name="l"><collision name="c"><geometry><box><size>24 18 0.05</size></box></geometry>
+</collision></link></model><include><uri>model://field</uri></include>"""
+    launch = INCLUDE + (
+        'Node(package="ros_gz_sim", executable="create", '
+        'arguments=["-topic", "robot_description", "-z", "0.05"])\n'
+    )
+    ball, moments = '<sphere radius="0.1"/>', (0.004, 0.004, 0.004)
+    wheels = "".join(
+        part(name, 1, moments, ball) + joint("base", name, "continuous", xyz)
+        for name, xyz in (("left", "0 0.2 0"), ("right", "0 -0.2 0"), ("rear", "-0.3 0 0"))
+    )
+    found = of_world(tmp_path, "WLD003", robot=wheels, launch=launch, world=slab)
+    assert ["below the ground" in one for one in found] == [True] * count
+
+
+def test_a_laser_is_not_the_base() -> None:
+    """The CAT vehicle: the block is for a link that the robot does not have."""
+    (found,) = reported(
+        "GAZ001", BASE.replace('"base"', '"base_link"') + block("<mu1>1</mu1>", "laser_link")
+    )
+    assert (found.severity, found.fix) == (Severity.WARNING, None)
+    assert "base_link" not in found.help
+
+
+def test_a_ball_does_not_have_half_the_moment_about_one_axis() -> None:
+    """A tenth of izz would be possible, but not for the sphere that the link is."""
+    moments = (1e-6, 1e-6, 5e-6)
+    (found,) = reported("INE003", part("ball", 1e-5, moments, '<sphere radius="0.7"/>'))
+    assert "ten times" not in found.help
+    (found,) = reported("INE003", link("arm", inertial(1, moments)))
+    assert "ten times" in found.help
+
+
+def test_four_times_the_size_is_no_unit() -> None:
+    """An arm whose macros get 4 * the lengths: 16 times the moments, not those in lb·ft²."""
+    moments = tuple(16 * moment for moment in (0.00433, 0.00433, 0.00833))
+    (found,) = reported("INE006", part("base", 5, moments, '<box size="0.1 0.1 0.02"/>'))
+    assert "lb" not in found.help
+
+
+@pytest.mark.parametrize(("xyz", "is_collision"), [("0 0 0.3", True), ("0 0 0.2", False)])
+def test_a_collision_that_repeats_the_origin_of_its_joint(xyz: str, is_collision: bool) -> None:
+    """A lidar whose macro gives ``xyz`` to the joint, the collision and the inertia."""
+    can = '<cylinder radius="0.05" length="0.04"/>'
+    collision, mass = shape("collision", can, "0 0 0.3"), inertial(1, (1e-3,) * 3, "0 0 0.3")
+    lidar = link("lidar", shape("visual", can), collision, mass)
+    (found,) = reported("GEO004", link("base") + joint("base", "lidar", xyz=xyz) + lidar)
+    assert found.help == naming("the collision the <origin> of the visual") or not is_collision
+    assert (found.span.text.startswith("<collision")) is is_collision
+
+
+def test_the_rollers_on_both_sides_of_each_wheel() -> None:
+    """Omni wheels: the counterpart of ``left_right_roller`` is ``left_left_roller``."""
+    rows = [("right", -1, 0.5), ("left", 1, 0.6)]
+    robot = link("base")
+    for wheel, y in (("left", 0.1), ("right", -0.1)):
+        robot += link(wheel) + joint("base", wheel, "continuous", f"0 {y} 0")
+        for side, sign, x in rows:
+            name = f"{wheel}_{side}_roller"
+            robot += link(name) + joint(wheel, name, "continuous", f"{x} {0.009 * sign} 0")
+    assert reported("JNT025", robot) == []
