@@ -8,21 +8,15 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 from urdfkit.cli import options, output
-from urdfkit.core import disk
 from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.lint import rule_index
-from urdfkit.lint.argument_sets import as_launched
-from urdfkit.lint.check_job import reader
 from urdfkit.lint.engine import check_with
 from urdfkit.lint.finding_store import StoredFindings
 from urdfkit.lint.options import Options
-from urdfkit.lint.plan import planned
 from urdfkit.lint.report import Report
 from urdfkit.output import formats
 from urdfkit.text.diagnostic import Severity
-from urdfkit.text.source import STANDARD_INPUT, Source, shown
-from urdfkit.text.terminal import printable
-from urdfkit.workspace.resolve import Resolver
+from urdfkit.text.source import STANDARD_INPUT, Source
 
 if TYPE_CHECKING:
     from collections import Counter
@@ -30,7 +24,6 @@ if TYPE_CHECKING:
     from urdfkit.core.progress import Progress
     from urdfkit.lint.baseline import Fingerprint
     from urdfkit.lint.context import Simulate
-    from urdfkit.lint.fix_session import Fixes
 
 #: Formats that state how many findings can be fixed.
 _FOR_PEOPLE = ("text", "full")
@@ -46,9 +39,10 @@ def run_check(values: Mapping[str, Any]) -> int:
     settings = settings._replace(simulate=_simulate(values, settings.select))
     if values["show_files"]:
         from urdfkit.cli.progress import working
+        from urdfkit.cli.shown_files import shown_files
 
         with working():
-            text = _files(values, settings)
+            text = shown_files(options.files(values), settings)
         output.write(text)
         return 0
     if values["show_settings"]:
@@ -63,13 +57,14 @@ def _report(values: Mapping[str, Any], settings: Options) -> int:
     outputs = options.outputs(values, fail_on(values, settings).value)
     known = _baseline(values)  # before the check, which may take minutes
     if values["fix"] or values["diff"]:
+        from urdfkit.cli.fixing import apply_fixes, print_fixes
         from urdfkit.lint.fixable import counted
 
         fixes = apply_fixes(values, settings)
         if values["diff"]:
             return int(bool(fixes.files))
         if not values["quiet"]:
-            _print_fixes(fixes)
+            print_fixes(fixes)
         report = fixes.report._replace(fixable=counted(fixes.left))
         report = _with_baseline(report, known, values)
     elif values["unsafe_fixes"] or values["force"]:
@@ -180,30 +175,6 @@ def _simulate(values: Mapping[str, Any], select: Collection[str]) -> Simulate | 
     return None
 
 
-def _files(values: Mapping[str, Any], settings: Options) -> str:
-    """The descriptions that would be checked, with their arguments, and the skipped files."""
-    from urdfkit.lint.merging import unread_srdfs
-    from urdfkit.lint.unchecked import unread_files
-
-    settings = settings.with_config()
-    resolver = Resolver(settings.packages)
-    plan, read = planned(options.files(values), resolver, settings), reader(settings, resolver)
-    sets = [pair for job in plan.jobs for pair in as_launched(job, read)]
-    lines = [
-        " ".join((shown(job.path), *(f"{name}:={value}" for name, value in job.arguments.items())))
-        for job, _ in sets
-    ]
-    robots = [robot for _, robot in sets if plan.srdfs and robot.reading.document]
-    read_srdfs = {disk.real(robot.srdf.path) for robot in robots if robot.srdf}
-    skipped = (*plan.skipped, *unread_srdfs(plan.srdfs, read_srdfs))
-    lines += [f"not checked: {shown(skip.path)}: {skip.reason}" for skip in skipped]
-    lines += [
-        f"not checked: {shown(path)}: included, but not with these arguments"
-        for path in unread_files(context for _, context in sets)
-    ]
-    return "".join(f"{printable(line)}\n" for line in dict.fromkeys(lines))
-
-
 def _add_ignores(values: Mapping[str, Any], settings: Options) -> int:
     """Write comments for the findings at or above ``--fail-on``, or for the selected ones."""
     from urdfkit.core.words import counted
@@ -258,57 +229,6 @@ def _with_fixable(report: Report, values: Mapping[str, Any], settings: Options) 
     return report._replace(fixable=fixable(report, settings._replace(simulate=None), files))
 
 
-def apply_fixes(
-    values: Mapping[str, Any], settings: Options, *, generate_meshes: bool = False
-) -> Fixes:
-    """Fix the files in place, print the changes as a diff (--diff), or only find them (--check)."""
-    from urdfkit.lint.fix import changes, fix
-
-    files = options.files(values)
-    if "-" in files:
-        raise options.UsageError("standard input cannot be fixed in place; pass a file")
-    unsafe, force = values["unsafe_fixes"], values["force"]
-    with _progress(files) as progress:
-        settings = settings._replace(progress=progress)
-        if values["diff"] and not generate_meshes:
-            fixes = changes(files, settings, unsafe=unsafe, force=force)
-        else:
-            fixes = fix(
-                *files,
-                unsafe=unsafe,
-                force=force,
-                generate_meshes=generate_meshes,
-                options=settings,
-            )
-        if values["diff"]:
-            output.write_diff(fixes.diff())
-            return fixes
-        if values.get("check"):
-            return fixes
-        fixes.write()
-        if not fixes.meshes:
-            return fixes
-        # The generated meshes may lead to further findings and fixes.
-        again = fix(*files, unsafe=unsafe, force=force, options=settings)
-        again.write()
-    first = {file.path: file for file in fixes.files}
-    return again._replace(
-        files=tuple({**{file.path: file for file in again.files}, **first}.values()),
-        applied=(*fixes.applied, *again.applied),
-        meshes=fixes.meshes,
-        not_generated=fixes.not_generated,
-    )
-
-
-def _print_fixes(fixes: Fixes) -> None:
-    """Print the fixed files and the reasons for unapplied fixes to standard error."""
-    output.log(*(f"fixed {shown(file.path)}" for file in fixes.files))
-    reasons = {left.reason for left in fixes.left} - {"", "unsafe", "info"}
-    for reason in sorted(reasons):
-        count = sum(left.reason == reason for left in fixes.left)
-        output.log(f"not fixed ({count}): {reason}")
-
-
 def _baseline(values: Mapping[str, Any]) -> Counter[Fingerprint] | None:
     """The findings in the baseline; None if there is no baseline, or it is to be written."""
     file = values["baseline"]
@@ -340,14 +260,13 @@ def _with_baseline(
 
 @contextmanager
 def _progress(files: Sequence[str]) -> Iterator[Progress | None]:
-    """A progress bar of robots; for a single robot, of its mesh files, which take longest."""
+    """A progress bar of robots."""
     if sys.stderr is None or not sys.stderr.isatty():
         yield None  # saves the import
         return
-    from urdfkit.cli.progress import progress_bar
+    from urdfkit.cli.progress import progress_of_files
 
-    is_single = len(files) == 1 and not os.path.isdir(files[0])
-    with progress_bar("mesh files" if is_single else "") as bar:
+    with progress_of_files(files) as bar:
         yield bar
 
 

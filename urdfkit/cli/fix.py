@@ -7,8 +7,9 @@ from typing import Any
 import click
 
 from urdfkit.cli import options, output
-from urdfkit.cli.checking import apply_fixes, check_settings, fail_on
+from urdfkit.cli.checking import check_settings, fail_on
 from urdfkit.cli.decorators import click_option, described, option
+from urdfkit.cli.fixing import apply_fixes
 from urdfkit.core.words import counted, few
 from urdfkit.lint.fix_session import Fixes
 from urdfkit.text.diagnostic import Diagnostic

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from urdfkit.core import limits
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
+    from contextlib import AbstractContextManager
     from threading import Timer
     from typing import TextIO
 
@@ -106,6 +107,12 @@ def progress_bar(things: str = "", *, rated: bool = False) -> Iterator[Progress 
     finally:
         if bar is not None:
             bar.clear()
+
+
+def progress_of_files(files: Sequence[str]) -> AbstractContextManager[Progress | None]:
+    """A progress bar of robots; for a single robot, of its mesh files, which take longest."""
+    is_single = len(files) == 1 and not os.path.isdir(files[0])
+    return progress_bar("mesh files" if is_single else "")
 
 
 @contextmanager
