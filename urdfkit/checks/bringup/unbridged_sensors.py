@@ -17,8 +17,8 @@ from urdfkit.workspace.launch_files import launch_files
 
 _IMAGE_BRIDGE = "ros_gz_image"
 _BRIDGES = ("ros_gz_bridge", "ros_ign_bridge", _IMAGE_BRIDGE)
-#: Bridges that are not read: actions of launch, components, and launch files with bridges.
-_OTHER_BRIDGE = re.compile(rb"RosGzBridge|<gz_bridge|ros_gz_(bridge|spawn_model)\.launch|ros_ign_")
+#: Bridges that are not read: former packages.
+_OTHER_BRIDGE = re.compile(rb"ros_ign_")
 #: The message of Gazebo for one of ROS; the package of those of ROS that are not in sensor_msgs.
 _IN_GAZEBO = {"Imu": "IMU", "NavSatFix": "NavSat", "PointCloud2": "PointCloudPacked"}
 _IN_GAZEBO |= {name: name for name in ("CameraInfo", "Image", "LaserScan", "Odometry")}

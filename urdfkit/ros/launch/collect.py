@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import TypeAlias
 
 from urdfkit.core import disk
@@ -25,7 +25,9 @@ from urdfkit.ros.launch.contents import (
     LaunchedFile,
     PackageUse,
     StartedProgram,
+    Word,
 )
+from urdfkit.ros.launch.forwarding import file_of_action, forwarded_nodes, is_forwarding
 from urdfkit.ros.launch.known_packages import shipped_nodes, wrong_references
 from urdfkit.ros.launch.spawned_controllers import parameter_files
 from urdfkit.text.comments import blank_comments
@@ -143,13 +145,40 @@ class Collector:
         if disk.exists(file.path):
             return
         nodes = list(shipped_nodes(file))
-        self.started_by_included += nodes
+        self.started_by_included += (*nodes, *self._forwarded(file))
         passed = {word.text: word.span for word in (file.arguments or {}).values()}
         for path in dict.fromkeys(path for node in nodes for path in node.parameters.files):
             self.file(path, passed[path], PARAMETERS)
         map = (file.arguments or {}).get("map") if "/nav2_bringup/" in file.path else None
         if map and map.text and os.path.isabs(map.text):
             self.file(map.text, map.span, MAP)
+
+    def _forwarded(self, file: IncludedFile) -> Iterator[StartedProgram]:
+        """The nodes to which an included launch file passes its arguments."""
+        for node in forwarded_nodes(file):
+            path = node.parameters.values.get("config_file")
+            if path and os.path.isabs(path):
+                self.file(path, node.parameters.at["config_file"], BRIDGE)
+            yield node
+
+    def action(
+        self,
+        name: str,
+        arguments: Mapping[str, Word] | None,
+        span: Span,
+        frame: CallFrame | None,
+        *,
+        is_sure: bool,
+    ) -> None:
+        """Record an action that includes a launch file of ros_gz, by its class or its tag."""
+        path = file_of_action(name)
+        self.package(path.partition("/")[0], span.source, span)
+        self.include(IncludedFile(f"{UNKNOWN}/{path}", arguments, span, frame, is_sure))
+
+    def not_read(self, path: str) -> None:
+        """Note an included launch file whose contents are unknown."""
+        if not is_forwarding(path):
+            self.unread.append(path)
 
     def mention(self, path: str, span: Span) -> None:
         """Record a path in a package whose use is unknown, if it exists.

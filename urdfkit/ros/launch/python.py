@@ -10,6 +10,7 @@ from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, Word, started_process
 from urdfkit.ros.launch.event_handlers import wrong_handlers
+from urdfkit.ros.launch.forwarding import file_of_action
 from urdfkit.ros.launch.launch_description import entry_point, not_started
 from urdfkit.ros.launch.moveit_builder import record_files
 from urdfkit.ros.launch.python_arguments import wrong_arguments
@@ -99,6 +100,8 @@ class _PythonReader(PythonLaunchFile):
         for call in self.calls:
             if handle := handles.get(called(call)):
                 handle(call)
+            elif file_of_action(called(call)):
+                self._action(call)
             elif called(call) in _SCOPES:
                 self._scope(call)
             else:
@@ -157,6 +160,21 @@ class _PythonReader(PythonLaunchFile):
         if self._may_run(call):
             start_components(self, call)
 
+    def _action(self, call: ast.Call) -> None:
+        """Read an action of ros_gz, which includes a launch file."""
+        if not self._may_run(call) or self.is_off(call):
+            return
+        words: dict[str, Word] | None = {
+            keyword.arg or "": Word(
+                self.values.text(keyword.value), self.values.span(keyword.value)
+            )
+            for keyword in call.keywords
+        }
+        if words and "" in words:
+            words = None
+        span, is_sure = self.values.span(call), self.is_sure(call)
+        self.collector.action(called(call), words, span, self.frame, is_sure=is_sure)
+
     def _process(self, call: ast.Call) -> None:
         if not self._may_run(call):
             return
@@ -181,7 +199,7 @@ class _PythonReader(PythonLaunchFile):
         if self.is_off(call):
             return
         if visible is None or not exists:
-            self.collector.unread.append(path)
+            self.collector.not_read(path)
         is_sure = self.is_sure(call)
         if path:
             included = IncludedFile(path, visible, self.values.span(call), self.frame, is_sure)

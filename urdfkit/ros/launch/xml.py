@@ -113,6 +113,8 @@ class _XmlReader(XmlLaunchFile):
             "arg": self._arg,
             "composable_node": self._component,
             "executable": partial(start_executable, self),
+            "gz_server": self._action,
+            "gz_spawn_model": self._action,
             "group": self._children,
             "include": self._include,
             "let": self._arg,
@@ -120,6 +122,7 @@ class _XmlReader(XmlLaunchFile):
             "node": self._node,
             "node_container": self._children,
             "param": partial(read_param, self),
+            "ros_gz_bridge": self._action,
             "rosparam": partial(read_rosparam, self),
             "test": self._node,
         }
@@ -175,6 +178,15 @@ class _XmlReader(XmlLaunchFile):
         start_component(self, element)
         self._children(element)
 
+    def _action(self, element: Element) -> None:
+        """Read an action of ros_gz, which includes a launch file."""
+        words = {
+            name: Word(self.text(attribute), attribute.span)
+            for name, attribute in element.attributes.items()
+        }
+        is_sure = not self.unknown_conditions
+        self.collector.action(element.tag, words, element.span, self.frame, is_sure=is_sure)
+
     def _arg(self, element: Element) -> None:
         name = element.get("name") or ""
         self._arguments.declare([name])
@@ -200,7 +212,7 @@ class _XmlReader(XmlLaunchFile):
         if attribute and path and self.collector.file(path, attribute.span, purpose):
             self._included(element, path, {name: word.text for name, word in visible.items()})
             return
-        self.collector.unread.append(path or "")
+        self.collector.not_read(path or "")
         self._is_whole = self._is_whole and not declares_others(path or "")
 
     def _included(self, element: Element, path: str, passed: Mapping[str, str | None]) -> None:
