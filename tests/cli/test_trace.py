@@ -38,6 +38,31 @@ def test_a_value_is_traced_through_arguments_to_a_property(
     ]
 
 
+def test_a_parameter_from_outside_of_the_macro(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The hand of qbrobotics, whose macros pass values on by their names alone."""
+    (tmp_path / "hand.yaml").write_text("thumb:\n  mass: 3\n")
+    file = tmp_path / "r.xacro"
+    file.write_text(
+        """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="hand" value="${xacro.load_yaml('hand.yaml')}"/>
+  <xacro:macro name="body" params="mass:=^ name:=^|none">
+    <link name="${name}"><inertial><mass value="${mass}"/></inertial></link>
+  </xacro:macro>
+  <xacro:macro name="part" params="name mass:=^|5">
+    <xacro:body/>
+  </xacro:macro>
+  <xacro:part name="thumb" mass="${hand['thumb']['mass']}"/>
+  <xacro:part name="palm"/>
+</robot>
+"""
+    )
+    for name, source in (("thumb", "hand.yaml:2:9"), ("palm", "r.xacro:10:3")):
+        assert main(["trace", str(file), f"link/{name}/inertial/mass@value"]) == 0
+        assert source in capsys.readouterr().out
+
+
 def test_a_call_with_many_arguments_is_cut(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

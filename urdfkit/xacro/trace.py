@@ -36,11 +36,15 @@ class Tracer:
         self._defined = defined
         self._collected: list[dict[str, Origin]] = []
         self._last: tuple[Origin, ...] = ()
+        #: What was looked up outside of expressions: the values of parameters with the default
+        #: ``^``, which have them from outside of the macro.
+        self._forwarded: dict[str, Origin] = {}
         self._definition: Callable[[Node, str], tuple[str, Span, str]] = cache(_definition)
 
     def begin(self) -> None:
         """Called before the evaluation of a text."""
         self._collected.append({})
+        self._forwarded.clear()
 
     def end(self, text: str, frame: FrameType) -> None:
         """Called after the evaluation of a text; assigns its inputs to the evaluated attribute."""
@@ -54,12 +58,14 @@ class Tracer:
         """Record that a name has the value of the text that was evaluated last."""
         annotations = annotations_of(table)
         definer = annotations.definers.get(key)
-        if definer is not None and "$" in self._definition(definer, key)[2]:
+        if forwarded := self._forwarded.pop(key, None):
+            annotations.inputs[key] = (forwarded,)
+        elif definer is not None and "$" in self._definition(definer, key)[2]:
             annotations.inputs[key] = self._last
 
     def looked_up(self, table: Any, key: str, value: Any) -> None:
         """Record that an expression used a name."""
-        if not self._collected or key.startswith("*"):
+        if key.startswith("*"):
             return
         annotations = annotations_of(table)
         definer = annotations.definers.get(key)
@@ -67,7 +73,8 @@ class Tracer:
             return  # built-in names
         inputs = annotations.inputs.get(key, ())
         kind, span, text = self._definition(definer, key)
-        self._collected[-1][key] = Origin(key, _short(value), kind, span, text, inputs)
+        looked_up = self._collected[-1] if self._collected else self._forwarded
+        looked_up[key] = Origin(key, _short(value), kind, span, text, inputs)
 
     def argument(self, name: str, value: str) -> None:
         """Record that an expression used ``$(arg name)``."""

@@ -95,8 +95,9 @@ def _limits(joint: Joint, mimic: Mimic, leader: Joint) -> Findings:
     if overshoot(taken, own) <= 0:
         return
     assert leader.limit is not None
+    multiplier = mimic.at.attributes.get("multiplier")
     yield Finding(
-        mimic.at,
+        multiplier if multiplier and "offset" not in mimic.at.attributes else mimic.at,
         f"joint '{joint.name}': the mimic of '{leader.name}' drives it through [{taken[0]:g}, "
         f"{taken[1]:g}] {joint.unit}, beyond its limits [{own[0]:g}, {own[1]:g}]",
         _advice(mimic, leading, taken, own),
