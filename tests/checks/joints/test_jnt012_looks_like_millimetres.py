@@ -1,8 +1,12 @@
+from pathlib import Path
+
 import pytest
 
+from tests import meshed
 from tests.jointed import joint, limit, robot
 from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
+from urdfkit.mesh import samples
 from urdfkit.text.diagnostic import Confidence
 
 
@@ -104,6 +108,16 @@ def test_an_object_that_moves_in_the_world() -> None:
     text = f'<link name="base"/><link name="block">{block}</link>'
     assert messages("JNT012", text + joint("x", "prismatic", limit("-50", "50"))) == []
     assert len(messages("JNT012", text + joint("x", "prismatic", limit("0", "50")))) == 1
+
+
+def test_a_lift_with_meshes(tmp_path: Path) -> None:
+    """The elevator of Robotnik's AGVS: 5 cm, on a robot of 1.7 m."""
+    pytest.importorskip("numpy")
+    body = meshed.link(meshed.mesh("body.stl", "visual"), name="base")
+    text = body + '<link name="lid"/>' + joint("lift", "prismatic", limit("0", "50"))
+    for size, count in ((1.7, 1), (3, 0)):
+        files = {"body.stl": samples.stl(samples.box((0, 0, 0), (size, 0.1, 0.1)))}
+        assert len(meshed.reported(tmp_path, "JNT012", text, files)) == count
 
 
 _VISUAL = f"<visual><geometry>{MESH.format(1)}</geometry></visual>"

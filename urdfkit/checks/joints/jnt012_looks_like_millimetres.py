@@ -6,8 +6,8 @@ Lengths are metres in URDF.
   other joints are less than 1 m and less than a hundredth of that distance apart, or the meshes are
   scaled by 0.001, or no shape has a hundredth of that size.
 - Limits of a prismatic joint are reported if they are whole numbers of 5 m or more, and 20 times
-  the longest part of the robot; next to meshes, 100 times the farthest origin. A gripper that opens
-  by 30 m instead of 30 mm flies apart in the simulator.
+  the longest part of the robot; next to meshes that cannot be measured, 100 times the farthest
+  origin. A gripper that opens by 30 m instead of 30 mm flies apart in the simulator.
 - A shape is reported if it is 5 m or more, fifty times as long as the rest of the robot, and
   thicker than the rest is long: in RViz it is a wall, and everything collides with it. If most
   links are so large, or no joint moves, they are the walls of a scene and are not reported.
@@ -57,7 +57,7 @@ _GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "fiel
 @rule(Severity.WARNING, help="divide by 1000: lengths are metres")
 def check(context: Context) -> Findings:
     yield from _origins(context.model)
-    yield from _limits(context.model)
+    yield from _limits(context)
     yield from _shapes(context.model)
 
 
@@ -99,8 +99,9 @@ def _evidence(model: RobotModel, least: float, near: list[float], count: int) ->
     return ""
 
 
-def _limits(model: RobotModel) -> Findings:
+def _limits(context: Context) -> Findings:
     """Prismatic joints that move many times the length of the robot."""
+    model = context.model
     suspects = [
         (joint, ends)
         for joint in model.joints
@@ -109,8 +110,13 @@ def _limits(model: RobotModel) -> Findings:
         and _MIN_TRAVEL <= max(map(abs, ends)) <= 10_000
         and all(end == int(end) for end in ends)
     ]
-    is_measured = not any(shape.filename for shape in model.shapes)
+    if not suspects:
+        return
+    meshes = [body for link in model.links for body in link.bodies if body.is_mesh]
+    solids = [solid for body in meshes if (solid := context.mesh_solid(body))]
+    is_measured = len(solids) == len(meshes)
     sizes = [2 * max(half) for shape in model.shapes if (half := shape.half_extents)]
+    sizes += [solid.longest for solid in solids]
     origins = [max(map(abs, joint.origin.position)) for joint in model.joints]
     longest = max((*sizes, *origins), default=0.0)
     ratio = _MIN_RELATIVE_TRAVEL if is_measured else _MIN_RATIO
@@ -118,7 +124,7 @@ def _limits(model: RobotModel) -> Findings:
     if not is_measured:
         known = f"no origin is further away than {longest:.3g} m"
     for joint, (lower, upper) in suspects:
-        is_part = _is_of_a_part(joint, (lower, upper), model, is_measured)
+        is_part = _is_of_a_part(joint, (lower, upper), model, without_meshes=not meshes)
         if longest and max(-lower, upper) > ratio * longest and is_part and joint.limit:
             yield Finding(
                 joint.limit.at,
@@ -129,12 +135,12 @@ def _limits(model: RobotModel) -> Findings:
 
 
 def _is_of_a_part(
-    joint: Joint, ends: tuple[float, float], model: RobotModel, is_measured: bool
+    joint: Joint, ends: tuple[float, float], model: RobotModel, *, without_meshes: bool
 ) -> bool:
     """False for a joint that lets a robot, or an object, move in the plane of the world."""
     parent = model.links_by_name.get(joint.parent_name)
     has_body = bool(parent and parent.bodies)
-    return has_body or is_measured if ends[0] != -ends[1] else has_body and is_measured
+    return has_body or without_meshes if ends[0] != -ends[1] else has_body and without_meshes
 
 
 def _shapes(model: RobotModel) -> Findings:
