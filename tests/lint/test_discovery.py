@@ -266,6 +266,37 @@ def test_a_library_that_is_named_is_reported_to_hold_no_robot(tmp_path: Path):
     )
 
 
+MACRO = '<xacro:macro name="m" params="name"><link name="${name}"/></xacro:macro>'
+
+
+def test_a_macro_that_is_called_without_its_prefix_is_no_library(tmp_path: Path) -> None:
+    robot = add_file(tmp_path / "r.xacro", xacro(f'{MACRO}\n<m name="a"/>'))
+    add_file(tmp_path / "other.urdf", b'<robot name="b"><link name="b"/></robot>')
+    report = check(tmp_path, options=Options(select=("XAC002",)))
+    assert [str(one.span) for one in report.diagnostics] == [f"{robot}:3:1"]
+    assert not report.skipped
+    assert not [skip for skip in check(robot).skipped if not skip.code]
+
+
+@pytest.mark.parametrize(
+    ("name", "root", "count"),
+    [
+        ("a.urdf.xacro", "Robot", 1),
+        ("a.urdf.xacro", "robt", 1),
+        ("a.urdf.xacro", "root", 0),  # of PR2's fragments
+        ("a.urdf.xacro", "materials", 0),
+        ("a.xacro", "robt", 0),
+        ("a.urdf", "materials", 1),
+    ],
+)
+def test_a_robot_with_another_root(tmp_path: Path, name: str, root: str, count: int) -> None:
+    text = f'<!-- an arm --><{root} name="a"><link name="b"/></{root}>'
+    add_file(tmp_path / name, text)
+    add_file(tmp_path / "other.urdf", b'<robot name="b"><link name="b"/></robot>')
+    found = check(tmp_path, options=Options(select=("URD015",))).diagnostics
+    assert [one.code for one in found] == ["URD015"] * count
+
+
 def test_an_srdf_that_is_named_is_reported_to_be_none(tmp_path: Path):
     srdf = add_file(tmp_path / "a.srdf", b'<robot name="a"><group name="arm"/></robot>')
     (skip,) = [skip for skip in check(srdf).skipped if not skip.code]

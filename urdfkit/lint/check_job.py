@@ -199,7 +199,8 @@ def check_context(job: Job, context: Context, options: Options) -> FileResult:
     missing = context.reading.missing_argument_codes if job.may_fail else ()
     codes = [code for code in chosen if code not in missing]
     result = run_rules(context, codes, options)
-    if reason := "" if job.may_fail else _why_no_robot(context):
+    is_wrong = any(one.severity is Severity.ERROR for one in result.diagnostics)
+    if reason := "" if job.may_fail or is_wrong else _why_no_robot(context):
         no_robot = Skipped("", context.source.path, reason)
         result = result._replace(skipped=(*result.skipped, no_robot))
     result = _skipped_as_one(result, context)

@@ -14,6 +14,10 @@ from urdfkit.text.comments import without_comments
 
 #: A macro; without an end tag it extends to the end of the file.
 _MACRO = re.compile(rb"<xacro:macro\b.*?(?:</xacro:macro\s*>|\Z)", re.DOTALL)
+_MACRO_NAME = re.compile(rb"""<xacro:macro\b[^<>]*?\sname\s*=\s*["']([^"']+)["']""")
+_TAG = re.compile(rb"<(\w+)")
+#: Tags of libraries, which a macro may have as its name.
+_URDF_TAGS = frozenset((b"robot", b"material", b"gazebo", b"transmission", b"ros2_control"))
 _LINK_NAME = re.compile(rb"""<link\b[^<>]*?\bname\s*=\s*["']([^"']+)["']""")
 _PARENT = re.compile(rb"""<parent\b[^<>]*?\blink\s*=\s*["']([^"']+)["']""")
 _NAMED = re.compile(rb"""<robot\b[^<>]*\sname\s*=\s*["'][^"'$]""")
@@ -167,5 +171,8 @@ class EntryPoints:
         data = self.graph.text(disk.real(path))
         if not ROBOT.search(data):
             return False
-        outside = _MACRO.sub(b"", without_comments(data))
-        return not _CONTENT.search(outside) and not INCLUDE.search(outside)
+        data = without_comments(data)
+        outside = _MACRO.sub(b"", data)
+        # XAC002 reports calls without the prefix.
+        calls = set(_TAG.findall(outside)).intersection(_MACRO_NAME.findall(data)) - _URDF_TAGS
+        return not calls and not _CONTENT.search(outside) and not INCLUDE.search(outside)

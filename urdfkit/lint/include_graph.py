@@ -7,6 +7,7 @@ from fnmatch import fnmatchcase
 from functools import cache
 
 from urdfkit.core import disk
+from urdfkit.core.suggest import is_typo
 from urdfkit.text.comments import comments, without_comments
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
@@ -18,7 +19,21 @@ OTHER_MODELS = (".srdf.xacro", ".sdf.xacro")
 INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 _DISABLED = re.compile(rb"""xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
 ROBOT = re.compile(rb"<robot[\s>]")
+_ROOT_TAG = re.compile(rb"\s*(?:<[?!][^>]*>\s*)*<(\w+)")
 _EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
+
+
+def _is_broken_robot(path: str, data: bytes) -> bool:
+    """True for a URDF without its root, such as a Git LFS pointer, or a xacro with a misspelt one.
+
+    Xacros may also be fragments with another root, such as ``<root>``.
+    """
+    name = path.lower()
+    if not name.endswith(".urdf.xacro"):
+        return name.endswith(".urdf")
+    root = _ROOT_TAG.match(without_comments(data))
+    tag = root.group(1).decode().lower() if root else ""
+    return tag != "root" and is_typo(tag, "robot")
 
 
 class IncludeGraph:
@@ -38,8 +53,7 @@ class IncludeGraph:
             if source is None:
                 self.closed += [path] if is_description(path) else []
                 continue
-            # A .urdf is included even if it is empty or a Git LFS pointer.
-            if ROBOT.search(source.data) or path.lower().endswith(".urdf"):
+            if ROBOT.search(source.data) or _is_broken_robot(path, source.data):
                 real = disk.real(path)
                 if real not in self.names or is_description(path):  # prefers links with a suffix
                     self.names[real] = path
