@@ -7,10 +7,13 @@ import pytest
 from tests.checks.bringup.nav2 import COSTMAP, messages, reported_of
 from tests.checks.worlds.started import INCLUDE
 from tests.checks.worlds.started import messages as of_world
-from tests.gazebos import BASE, block
+from tests.gazebos import BASE, block, sensor, wheel
+from tests.launched import reported as of_launch
 from tests.massive import inertial, joint, link, part, shape
 from tests.naming import naming
 from tests.reported import reported
+from tests.workspaces import add_package
+from urdfkit import check
 from urdfkit.text.diagnostic import Severity
 
 _SIZE = "robot_base_frame: base, width: 0.5"
@@ -105,9 +108,81 @@ def test_the_rollers_on_both_sides_of_each_wheel() -> None:
     """Omni wheels: the counterpart of ``left_right_roller`` is ``left_left_roller``."""
     rows = [("right", -1, 0.5), ("left", 1, 0.6)]
     robot = link("base")
-    for wheel, y in (("left", 0.1), ("right", -0.1)):
-        robot += link(wheel) + joint("base", wheel, "continuous", f"0 {y} 0")
+    for hub, y in (("left", 0.1), ("right", -0.1)):
+        robot += link(hub) + joint("base", hub, "continuous", f"0 {y} 0")
         for side, sign, x in rows:
-            name = f"{wheel}_{side}_roller"
-            robot += link(name) + joint(wheel, name, "continuous", f"{x} {0.009 * sign} 0")
+            name = f"{hub}_{side}_roller"
+            robot += link(name) + joint(hub, name, "continuous", f"{x} {0.009 * sign} 0")
     assert reported("JNT025", robot) == []
+
+
+_SPAWNER = '<node name="s" pkg="controller_manager" type="spawner" args="{}"/>'
+_LOAD = '<rosparam file="$(find arm)/c.yaml"/>'
+
+
+def test_a_key_of_a_controller_with_a_namespace(tmp_path: Path) -> None:
+    """An underwater robot of ROS 1: ``camera/controller`` is one key of the file."""
+    yaml = "camera/tilt:\n  type: effort_controllers/JointPositionController\n"
+    for name, count in (("camera/tilt", 0), ("camera/tlit", 1)):
+        text = _LOAD + _SPAWNER.format(name)
+        found = of_launch(tmp_path / "arm", "LAU013", "a.launch", text, {"c.yaml": yaml})
+        assert len(found) == count
+
+
+def test_controllers_in_the_form_of_ros_2_that_ros_1_loads(tmp_path: Path) -> None:
+    """An omnidirectional robot: its class is no mistake, but ROS 1 does not find it."""
+    controller = "wheel: {type: velocity_controllers/JointVelocityController, joint: left_joint}"
+    files = {
+        "r.urdf": f'<robot name="r">{BASE}{wheel("left", 0.1)}</robot>',
+        "c.yaml": f"controller_manager:\n  ros__parameters:\n    {controller}\n",
+    }
+    robot = '<param name="robot_description" textfile="$(find arm)/r.urdf"/>'
+    of_launch(tmp_path / "arm", "LAU013", "a.launch", robot + _LOAD, files)
+    found = check(tmp_path / "arm", select=["RCT026", "RCT034"]).diagnostics
+    assert [(one.code, one.span.text) for one in found] == [("RCT026", "ros__parameters")]
+
+
+def test_a_copy_of_a_driver_may_be_reliable(tmp_path: Path) -> None:
+    """A driver in the workspace that publishes on another topic, for RViz that shows /scan."""
+    rviz = (
+        "Visualization Manager:\n  Displays:\n  - Class: rviz_default_plugins/LaserScan\n"
+        "    Topic: {Reliability Policy: Reliable, Value: /scan}\n"
+    )
+    driver = "ydlidar_ros2_driver"
+    text = (
+        "from launch_ros.actions import Node\n"
+        f"nodes = [Node(package='{driver}', executable='{driver}_node'), Node(package='rviz2', "
+        "executable='rviz2', arguments=['-d', get_package_share_directory('arm') + '/a.rviz'])]\n"
+    )
+    add_package(tmp_path / "src" / "arm", "arm")
+    for count in (1, 0):
+        files = {"a.rviz": rviz}
+        found = of_launch(tmp_path / "src" / "arm", "LAU027", "a.launch.py", text, files)
+        assert ["best effort" in one.message for one in found] == [True] * count
+        add_package(tmp_path / "src" / driver, driver)
+
+
+def test_a_text_is_no_block_of_a_sensor() -> None:
+    """``<lidarName>``, which is that of a topic."""
+    named = "<lidarName>front</lidarName><alwaysOn>1</alwaysOn>"
+    first, second = reported("GAZ003", BASE + sensor("gpu_lidar", named))
+    assert ("did you mean" in first.message, "always_on" in second.message) == (False, True)
+
+
+def test_the_wheels_are_lower_than_the_chassis(tmp_path: Path) -> None:
+    """A scooter whose deck is 25 mm above the ground."""
+    launch = INCLUDE + (
+        'Node(package="ros_gz_sim", executable="create", '
+        'arguments=["-topic", "robot_description"])\n'
+    )
+    ball, moments = '<sphere radius="0.2"/>', (0.016, 0.016, 0.016)
+    deck = link("deck", shape("collision", '<box size="1.2 0.3 0.39"/>'))
+    robot = deck + joint("base", "deck")
+    robot += "".join(
+        part(name, 1, moments, ball) + joint("base", name, "continuous", xyz)
+        for name, xyz in (("left", "0.5 0.3 0"), ("right", "0.5 -0.3 0"), ("rear", "-0.7 0 0"))
+    )
+    plane = """<model name="floor"><static>true</static><link name="l"><collision name="c">
+<geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link></model>"""
+    (found,) = of_world(tmp_path, "WLD003", robot=robot, launch=launch, world=plane)
+    assert found == naming("0 m", "left", "0.2 m", "below")

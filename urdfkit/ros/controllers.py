@@ -102,6 +102,8 @@ class ParameterFile(Record):
     element: Element | None = None
     #: For a path of another computer: package and path in it of the file that it means here.
     meant: tuple[str, str] | None = None
+    #: True if launch files of ROS 1 alone load it: there ``ros__parameters`` is a name like others.
+    is_of_ros1: bool = False
 
     @property
     def note(self) -> Related:
@@ -111,8 +113,9 @@ class ParameterFile(Record):
 
 def parameter_files(description: RosDescription) -> list[ParameterFile]:
     """Files of the launch file, and files that control plugins reference by an absolute path."""
+    of_ros2 = {use.path for use in description.parameters if not use.is_of_ros1}
     files = {
-        use.path: ParameterFile(use.span, use.path, use.path)
+        use.path: ParameterFile(use.span, use.path, use.path, is_of_ros1=use.path not in of_ros2)
         for use in description.parameters
         if disk.is_file(use.path)
     }
@@ -167,7 +170,7 @@ def _runs_on_hardware(description: RosDescription) -> bool:
 def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, Controller]]:
     """The controllers of the readable parameter files."""
     for file, source in readable_files(description):
-        for controller in read(source):
+        for controller in read(source, is_of_ros1=file.is_of_ros1):
             yield file, controller
 
 
@@ -192,9 +195,9 @@ def readable_files(description: RosDescription) -> Iterator[tuple[ParameterFile,
             yield file, source
 
 
-def read(source: Source) -> list[Controller]:
+def read(source: Source, *, is_of_ros1: bool = False) -> list[Controller]:
     """The controllers of a file; empty if it is not a YAML file of parameters."""
-    sections = _sections(source)
+    sections = {} if is_of_ros1 else _sections(source)
     if not sections:
         return list(_of_ros1(load(source)))
     types: dict[tuple[str, ...], Value] = {}
@@ -213,7 +216,7 @@ def read(source: Source) -> list[Controller]:
 def managers(description: RosDescription) -> Iterator[tuple[ParameterFile, Section]]:
     """The parameters of the controller managers in ROS 2."""
     for file, source in readable_files(description):
-        for path, section in _sections(source).items():
+        for path, section in () if file.is_of_ros1 else _sections(source).items():
             if path[-1] == MANAGER:
                 yield file, section
 
@@ -221,8 +224,8 @@ def managers(description: RosDescription) -> Iterator[tuple[ParameterFile, Secti
 def named_sections(description: RosDescription) -> dict[str, Section]:
     """The parameters of each node in ROS 2, from all files."""
     sections: dict[str, Section] = {}
-    for _, source in readable_files(description):
-        for path, section in _sections(source).items():
+    for file, source in readable_files(description):
+        for path, section in () if file.is_of_ros1 else _sections(source).items():
             whole = sections.setdefault(path[-1], Section({}, {}, section.at))
             whole.given.update(section.given)
             whole.places.update(section.places)

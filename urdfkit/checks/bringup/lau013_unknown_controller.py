@@ -87,6 +87,7 @@ def check(context: Context) -> Findings:
         launches = including
     files = _files_below(context, directories)
     known = loaded.union(*(_defined(context, path) for path in files))
+    known |= {name.rpartition("/")[2] for name in known}  # in ROS 1 a key may have a namespace
     # A name with a substitution is known only when the launch file runs.
     has_names = bool(loaded) and not any("$" in name for name in known)
     is_whole = has_names and _is_whole(context.launch) and any(map(_is_whole, launches))

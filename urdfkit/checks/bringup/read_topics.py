@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.checks.bringup.rviz_displays import has_other_topics, read_by_rviz
+from urdfkit.checks.bringup.workspace_launches import stock_key
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Location
 from urdfkit.ros.catalog import data
@@ -100,7 +101,7 @@ def _read_by_programs(context: Context) -> Iterator[ReadTopic]:
     for program in context.launch.programs if not context.launch.has_scopes else ():
         if not program.is_sure:
             continue
-        read = data("nodes")["readers"].get(program.key, {})
+        read = data("nodes")["readers"].get(stock_key(program, context), {})
         for topic, facts in read.items():
             message, *conditions = facts.split()
             name = topic_name(topic, program)

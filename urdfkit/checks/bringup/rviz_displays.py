@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.checks.bringup.unread_commands import is_part_of_ros
-from urdfkit.checks.bringup.workspace_launches import all_launches, workspace_launches
+from urdfkit.checks.bringup.workspace_launches import all_launches, stock_key, workspace_launches
 from urdfkit.core.suggest import TYPO, is_typo, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.ros.catalog import data
@@ -132,7 +132,7 @@ def _may_start_sensors(launch: Launch) -> bool:
 
 def _best_effort(program: StartedProgram, context: Context) -> Iterator[str]:
     """The topics that a program certainly publishes without reliability."""
-    facts = data("nodes")["best_effort"].get(program.key, "")
+    facts = data("nodes")["best_effort"].get(stock_key(program, context), "")
     names = facts.split()
     switches = [name[1:] for name in names if name.startswith("-")]
     given = [given_parameter(program, switch, context.resolver) for switch in switches]

@@ -29,7 +29,12 @@ from urdfkit.checks.bringup.unbridged_sensors import (
     unbridged_sensor,
 )
 from urdfkit.checks.bringup.unread_remappings import renamed_topics
-from urdfkit.checks.bringup.workspace_launches import is_included, programs_of, workspace_launches
+from urdfkit.checks.bringup.workspace_launches import (
+    is_included,
+    programs_of,
+    stock_key,
+    workspace_launches,
+)
 from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.catalog import data
@@ -190,7 +195,7 @@ def _publishers(
             has_scopes = any(launch.has_scopes for launch in launches)
             is_known = not has_scopes and all(
                 node.span in spawned
-                or _is_known(node, message)
+                or _is_known(node, message, context)
                 or not may_publish(node.package, message, context.source.path, context.resolver)
                 for node in programs
             )
@@ -208,11 +213,11 @@ def _has_other_robot(launch: Launch, context: Context) -> bool:
     return bool(own and others) and own.isdisjoint(others)
 
 
-def _is_known(program: StartedProgram, message: str) -> bool:
+def _is_known(program: StartedProgram, message: str, context: Context) -> bool:
     """True if the topics on which a program publishes a message are known."""
     package = program.package
     is_other = package in (_CONTROLLERS, _FILTER) and message not in (_ODOMETRY, _IMU)
-    published = _publications(program)
+    published = _publications(program, context)
     if published is not None:
         names = [name for name, messages in published.items() if message in messages.split()]
         is_named = program.remappings is not None and program.namespace is not None
@@ -230,9 +235,9 @@ def _is_known(program: StartedProgram, message: str) -> bool:
     return program.is_sure and not is_remapped and is_placed
 
 
-def _publications(program: StartedProgram) -> dict[str, str] | None:
+def _publications(program: StartedProgram, context: Context) -> dict[str, str] | None:
     """The topics and messages of a program in the catalogue; None if it is not there."""
-    published: dict[str, str] | None = data("nodes")["publishers"].get(program.key)
+    published: dict[str, str] | None = data("nodes")["publishers"].get(stock_key(program, context))
     return published
 
 
@@ -243,7 +248,7 @@ def _is_converter(program: StartedProgram) -> bool:
 
 def _topics_of(program: StartedProgram, message: str, context: Context) -> Iterator[str]:
     """The topics on which a program in the catalogue publishes a message."""
-    for name, messages in (_publications(program) or {}).items():
+    for name, messages in (_publications(program, context) or {}).items():
         is_named = message in messages.split() and name != "*"
         topic = topic_of_program(program, name, context.resolver) if is_named else None
         if topic:

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.checks.bringup.defined_controllers import defined_controllers, robots_of_workspace
+from urdfkit.checks.bringup.workspace_launches import stock_key
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
@@ -158,7 +159,7 @@ def reversed_remappings(context: Context) -> Findings:
 def unknown_topics(context: Context) -> Findings:
     """Remappings of topics that a node does not have, such as those of ROS 1."""
     for node in context.launch.started if not context.launch.has_scopes else ():
-        topics = data("nodes")["all_topics"].get(node.key, "").split()
+        topics = data("nodes")["all_topics"].get(stock_key(node, context), "").split()
         if not topics or not node.is_ros_2 or node.namespace is None:
             continue
         own = {resolve_name(topic, node.namespace): topic for topic in topics}

@@ -27,6 +27,15 @@ def programs_of(launches: Iterable[Launch]) -> list[StartedProgram]:
     return [node for launch in launches for node in launch.programs]
 
 
+def stock_key(program: StartedProgram, context: Context) -> str:
+    """The name of a program in catalogues; empty if its source is in the workspace.
+
+    Such a copy may have other topics, and another quality of service, than the released program.
+    """
+    packages = context.resolver.packages.known(context.source.path)
+    return "" if program.package in packages else program.key
+
+
 def distinct_descriptions(launches: Iterable[Launch]) -> list[LaunchedDescription]:
     """The robots of launch files, each once with the same arguments; none if they are many."""
     distinct = {

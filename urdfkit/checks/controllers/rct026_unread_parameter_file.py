@@ -5,6 +5,7 @@
   is not installed. An absolute path outside the repository or workspace is a warning: it may exist
   on another machine, such as `/workspace/install/...` in a container. A path that depends on an
   argument or a property is an info.
+- A launch file of ROS 1 loads controllers that are below `ros__parameters`, as in ROS 2.
 - The file is not YAML, `ros__parameters` is misspelt (two underscores), or parameters are below a
   name that no controller has. The controller then starts without its joints, and stops: "parameter
   'joints' was not set".
@@ -48,13 +49,12 @@ _GENERATED = ("generated", "temp", "tmp")
 @rule(Severity.ERROR, help="fix the parameter file")
 def check(context: Context) -> Findings:
     yield from _missing(context)
-    of_ros1 = {use.path for use in context.parameters if use.is_of_ros1}
     for file, source in readable_files(context):
-        if error := syntax_error(source, in_python=file.path in of_ros1):
+        if error := syntax_error(source, in_python=file.is_of_ros1):
             span, reason = error
             yield Finding(span, f"invalid YAML: {reason}", related=(file.note,))
-        keys = () if file.path in of_ros1 else _unread_keys(load(source))
-        for span, message, help in keys:
+        unread = _of_ros2 if file.is_of_ros1 else _unread_keys
+        for span, message, help in unread(load(source)):
             yield Finding(span, message, help, related=(file.note,))
     yield from _outside_namespace(context)
 
@@ -121,6 +121,15 @@ def _not_found(context: Context, file: ParameterFile, element: Element) -> Findi
         help,
         severity=Severity.INFO if is_chosen else severity,
     )
+
+
+def _of_ros2(root: Node) -> Iterator[tuple[Span, str, str]]:
+    """Controllers in the form of ROS 2, which ROS 1 does not find: location, message and help."""
+    for key, node in items(root):
+        for inner, inside in items(node) if _node_of(key) == MANAGER else ():
+            if inner == PARAMETERS and any(scalar(part, "type") for _, part in items(inside)):
+                message = f"ROS 1 finds no controller below '{key}' and '{inner}', which are ROS 2"
+                yield inner.span, message, "write the controllers at the top level of the file"
 
 
 def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:

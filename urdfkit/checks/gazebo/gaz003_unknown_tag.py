@@ -121,6 +121,8 @@ def _in_sensor(
     fix = None if is_taken else fix_tag(child, intended)
     if child.children and not intended:  # <orientation> is not <enable_orientation>
         return Finding(child, message, "remove it", group_key=child.tag)
-    hint = did_you_mean(child.tag, known)
+    # A text is no block: <lidarName> is not <lidar>.
+    likely = [tag for tag in known if not (settings(tag) and child.text.strip())]
+    hint = did_you_mean(child.tag, likely)
     help = "fix the name of the element" if hint else "remove it"
     return Finding(child, message + hint, help, fix, group_key=child.tag)

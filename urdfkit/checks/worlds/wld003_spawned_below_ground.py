@@ -19,6 +19,7 @@ from math import hypot, inf
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
+from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import collision_xml, element_xml, joint_xml
 from urdfkit.robot.stability import is_freestanding, standing_verdict
 from urdfkit.robot.values import number, numbers
@@ -201,4 +202,6 @@ def _lowest(robot: Context) -> tuple[float, str] | None:
     stance = standing_verdict(robot)
     if stance.stability is None or not is_freestanding(robot.tree, stance.links):
         return None
-    return stance.stability.ground, stance.links[0]
+    fixed = {link.name for link, _ in rigid_bodies(robot.tree)[0].links}
+    wheels = [name for name in stance.links if name not in fixed]  # of the lowest links
+    return stance.stability.ground, (wheels or stance.links)[0]
