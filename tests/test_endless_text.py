@@ -88,7 +88,7 @@ def test_a_setup_file(tmp_path: Path):
         add_file(directory / "package.xml", b"<package><name>arm</name></package>")
         add_file(directory / "setup.py", b"\n" * many + b"package_name = 'leg'\n")
         path = add_file(directory / "arm.urdf", robot.encode())
-        assert "PKG005" in [found.code for found in check(path, select=["PKG"]).diagnostics]
+        assert "PKG008" in [found.code for found in check(path, select=["PKG"]).diagnostics]
         return lambda: check(path, select=["PKG"])
 
     assert_linear(reading, 10 * MANY)

@@ -15,7 +15,7 @@ from urdfkit.text.diagnostic import Severity
 def test_a_superbuild_around_the_package(tmp_path: Path, inner: str, count: int) -> None:
     """Husarion: `project(SUPERBUILD NONE)`, and the package in the other branch."""
     text = f"if(X)\n  project(SUPERBUILD NONE)\nelse()\n  project({inner})\nendif()\n"
-    found = reported(tmp_path / "arm", "PKG005", "a.launch", "", {"CMakeLists.txt": text})
+    found = reported(tmp_path / "arm", "PKG007", "a.launch", "", {"CMakeLists.txt": text})
     assert len(found) == count
 
 
@@ -61,7 +61,7 @@ def test_the_marker_of_a_package_with_another_name(tmp_path: Path) -> None:
     add_file(tmp_path / "package.xml", f"{manifest}</package>".encode())
     add_file(tmp_path / "setup.py", setup.encode())
     path = add_file(tmp_path / "launch" / "a.launch.py", b"")
-    found = check(path, select=["PKG005"]).diagnostics
+    found = check(path, select=["PKG008"]).diagnostics
     assert not any("resource/" in one.message for one in found)
     assert any("differs from" in one.message for one in found)
 
@@ -73,9 +73,9 @@ def test_what_colcon_still_does_by_itself(tmp_path: Path) -> None:
     )
     package = tmp_path / "arm"
     files = {"setup.py": "from setuptools import setup\nsetup(name='arm')\n"}
-    reported(package, "PKG005", "a.launch", "", files)
+    reported(package, "PKG008", "a.launch", "", files)
     (package / "package.xml").write_text(manifest)
-    (found,) = check(package / "launch" / "a.launch", select=["PKG005"]).diagnostics
+    (found,) = check(package / "launch" / "a.launch", select=["PKG008"]).diagnostics
     assert found.severity is Severity.WARNING
 
 
@@ -117,7 +117,7 @@ def test_a_build_file_that_the_build_does_not_read(
     mesh = '<visual><geometry><mesh filename="package://arm/meshes/a.stl"/></geometry></visual>'
     robot = tmp_path / "urdf" / "r.urdf"
     robot.write_text(f'<robot name="r"><link name="a">{mesh}</link></robot>')
-    for code in ("PKG002", "PKG005"):
+    for code in ("PKG002", "PKG007"):
         found = check(robot, select=[code]).diagnostics
         assert [one.message.count("CMakeLists.txt") for one in found] == mentions
 
@@ -181,7 +181,7 @@ def test_a_directory_of_which_some_files_are_installed(
     """The driver of Xsens: CMake installs nothing, and does not stop."""
     text = "project(arm)\nfind_package(ament_cmake REQUIRED)\n"
     text += f"install(DIRECTORY {installed})\nament_package()\n"
-    found = reported(tmp_path / "arm", "PKG005", "a.launch", "", {"CMakeLists.txt": text})
+    found = reported(tmp_path / "arm", "PKG007", "a.launch", "", {"CMakeLists.txt": text})
     assert ["'headers' is installed" in one.message for one in found] == [True] * count
 
 
@@ -193,7 +193,7 @@ def test_a_package_that_the_build_skips(tmp_path: Path, mark: str, count: int) -
         "('share/ament_index/resource_index/packages', ['resource/arm'])])\n"
     )
     files = {"setup.py": setup, mark: ""}
-    assert len(reported(tmp_path / "arm", "PKG005", "a.launch", "", files)) == count
+    assert len(reported(tmp_path / "arm", "PKG008", "a.launch", "", files)) == count
 
 
 MACRO = """macro(attach robot out)

@@ -142,7 +142,7 @@ def test_a_project_whose_name_ends_in_a_variable(tmp_path: Path, project: str, c
     """A driver for several cameras, whose name the command line completes."""
     text = f"project({project})\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
     files = {"CMakeLists.txt": text}
-    assert len(of_launch(tmp_path / "arm", "PKG005", "a.launch", "", files)) == count
+    assert len(of_launch(tmp_path / "arm", "PKG007", "a.launch", "", files)) == count
 
 
 @pytest.mark.parametrize(("declared", "count"), [("", 1), ('<arg name="arm_id" default="a"/>', 0)])

@@ -1,4 +1,4 @@
-"""The package.xml or the build files of the robot's package are invalid.
+"""The package.xml of the robot's package is invalid.
 
 The package is not built or not found: no file of the robot is installed, and `package://` does not
 resolve.
@@ -6,36 +6,9 @@ resolve.
 - catkin and colcon stop at an invalid package.xml, or ignore the package: a required element is
   missing, a tag belongs to another format, or the file is not XML. A file with little more than a
   name is assumed to be the stub of a test.
-- The project in CMakeLists.txt or setup.py has another name than the package (warning). The build
-  installs the files below that name, or catkin stops: "package name does not match project name".
-- CMakeLists.txt finds ament_cmake and does not call `ament_package()`, which registers the package,
-  or calls it without a `find_package`.
-- CMakeLists.txt installs a missing file or directory, and the build fails: "file INSTALL cannot
-  find". A clone lacks empty directories, since git stores only files. Not reported in ROS 1:
-  catkin's devel space installs nothing.
-- CMakeLists.txt finds catkin in a package of type ament_cmake: ROS 2 does not have catkin.
-- CMakeLists.txt generates messages, services or actions, also those of a package on which this one
-  depends, and the build stops: a file does not exist, package.xml has no `<member_of_group>
-  rosidl_interface_packages`, or a package of DEPENDENCIES is not found.
-- CMakeLists.txt finds a package of the workspace that package.xml does not declare, so that colcon
-  may build it later (warning).
-- CMakeLists.txt registers a component under another name than the source, and no container finds
-  it: "Failed to find class with the requested plugin name".
 - The `<build_type>` needs another build file than the package has: colcon does not build it.
 - A package of ROS 2 depends on one that only ROS 1 has, such as rospy, or writes hyphens in the
   name of a ROS package (warning).
-- The executables of a Python package of ROS 2 are installed where `ros2 run` does not find them:
-  setup.cfg does not set `install_scripts` to `$base/lib/NAME`. Or their module or function does not
-  exist (warning).
-- The setup.py of a Python package of ROS 2 is not a Python program, or uses a name that it does not
-  import, such as `glob`. It names a directory of modules that does not exist; or `find_packages()`
-  misses a directory without `__init__.py`, or a pattern for installed files matches none (warning).
-  Or a file that it installs does not exist.
-- A Python package of ROS 2 is not registered. `ros2 launch`, `package://` and `$(find ...)` find it
-  only if setup.py installs an existing file of its name into
-  `share/ament_index/resource_index/packages`. If setup.py does not mention that directory, colcon
-  creates the file with a deprecation warning; a Debian package lacks it (warning).
-  Without `<build_type>ament_python</build_type>` in `<export>`, colcon looks for a CMakeLists.txt.
 
 Only launch files, with the packages of the nodes that they start, and descriptions that refer to
 packages are checked.
@@ -43,28 +16,17 @@ packages are checked.
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
     catkin_pkg, package.py: https://github.com/ros-infrastructure/catkin_pkg/blob/master/src/catkin_pkg/package.py
-    colcon/colcon-ros#79: https://github.com/colcon/colcon-ros/pull/79
-    CMake, install(DIRECTORY): https://cmake.org/cmake/help/latest/command/install.html#directory
-    ros2/rosidl, rosidl_generate_interfaces.cmake: https://github.com/ros2/rosidl/blob/rolling/rosidl_cmake/cmake/rosidl_generate_interfaces.cmake
-    andrewda/learm_ros2#2: https://github.com/andrewda/learm_ros2/issues/2
-    ROS 2, developing a package: https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html
 """
 
 import os
+import re
 
 from urdfkit.checks.package.build_files import (
-    finds_catkin,
-    is_ignored,
-    missing_directories,
-    not_begun,
-    not_finished,
-    not_registered,
-    other_build_type,
-    other_name,
-    undeclared_packages,
+    package_file,
+    packages_to_build,
+    packages_with_interfaces,
+    refers_to_packages,
 )
-from urdfkit.checks.package.component_names import unregistered_components
-from urdfkit.checks.package.interfaces import not_generated, packages_with_interfaces
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
@@ -72,13 +34,11 @@ from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.ros.catalog import data
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Element
-from urdfkit.text.file_kinds import is_launch
-from urdfkit.text.source import Source
+from urdfkit.text.source import Source, Span
 from urdfkit.text.xml_reader import read_xml
-from urdfkit.workspace.install_rules import build_file
 from urdfkit.workspace.manifest import REQUIRED, known_tags, nearest_manifest
-from urdfkit.workspace.package_references import have_references
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -97,6 +57,11 @@ _MANIFEST = b"""\
 """
 FILES = {"package.xml": _MANIFEST, "meshes/base.stl": PLATE}
 
+#: Of each build type its build file, and that of the other.
+_BUILT_BY = {
+    "ament_cmake": ("CMakeLists.txt", "setup.py"),
+    "ament_python": ("setup.py", "CMakeLists.txt"),
+}
 #: The codes of XML that is not well-formed.
 _BROKEN = ("XML001", "XML002")
 
@@ -104,45 +69,33 @@ _BROKEN = ("XML001", "XML002")
 @rule(Severity.ERROR, help="fix the package.xml")
 def check(context: Context) -> Findings:
     path, resolver = context.source.path, context.resolver
-    if not (is_launch(path) or have_references(context.document.sources)):
+    if not refers_to_packages(context):
         return
-    home = resolver.packages.enclosing(path)
-    packages = {home[0]: home[1]} if home else {}
-    for name, directory in (packages | _started(context)).items():
-        if not is_ignored(directory):
-            yield from _of_package(name, directory, resolver)
-    for directory in packages_with_interfaces(context) if home and not is_ignored(home[1]) else ():
-        yield from not_generated(directory)
-        yield from _of_manifest(os.path.join(directory, "package.xml"), resolver)
-    file = nearest_manifest(path)
-    if file is not None:
+    for directory in packages_to_build(context).values():
+        yield from _other_build_type(directory)
+    manifests = [os.path.join(home, "package.xml") for home in packages_with_interfaces(context)]
+    for file in filter(None, (*manifests, nearest_manifest(path))):
         yield from _of_manifest(file, resolver)
 
 
-def _started(context: Context) -> dict[str, str]:
-    """The packages of this workspace whose programs a launch file starts, with directories."""
-    started = context.launch.started if is_launch(context.source.path) else ()
-    names = sorted({node.package for node in started if not comes_with_ros(node.package)})
-    known = context.resolver.packages.known(context.source.path) if names else {}
-    return {name: known[name] for name in names if known.get(name)}
-
-
-def _of_package(name: str, directory: str, resolver: Resolver) -> Findings:
-    """Mistakes in the build file of a package."""
-    others = list(other_name(name, directory))
-    yield from others or not_registered(name, directory)  # which has the name of package.xml
-    yield from missing_directories(name, directory)
-    yield from finds_catkin(directory)
-    yield from not_begun(directory)
-    yield from not_finished(directory)
-    yield from other_build_type(directory)
-    if build_file(directory).endswith(".py"):
-        from urdfkit.checks.package.python_executables import not_runnable  # for few robots
-
-        yield from not_runnable(name, directory)
-    yield from undeclared_packages(name, directory, resolver)
-    yield from unregistered_components(directory, resolver)
-    yield from not_generated(directory)
+def _other_build_type(directory: str) -> Findings:
+    """A build type whose build file is missing, although that of another type exists."""
+    manifest = package_file(directory, "package.xml")
+    if manifest is None or b"<build_type" not in manifest.data:
+        return
+    data = bytes(blank_comments(manifest.data))
+    match = re.search(rb"<build_type\b[^<>]*>\s*(\w+)\s*<", data)
+    if match is None or len(re.findall(rb"<build_type\b", data)) > 1:
+        return
+    kind = match.group(1).decode()
+    needed, other = _BUILT_BY.get(kind, ("", ""))
+    has = {file: disk.exists(os.path.join(directory, file)) for file in (needed, other)}
+    if needed and not has[needed] and has[other]:
+        yield Finding(
+            Span(manifest, *match.span(1)),
+            f"build type {kind} needs a {needed}, and the package has a {other}",
+            "write " + next(command for command, (file, _) in _BUILT_BY.items() if file == other),
+        )
 
 
 def _of_manifest(file: str, resolver: Resolver) -> Findings:

@@ -1,6 +1,14 @@
-"""Messages, services and actions of a package that the build cannot generate.
+"""The build of a package with messages, services or actions stops.
 
-Source: ``rosidl_generate_interfaces.cmake`` of ros2/rosidl.
+A file does not exist, package.xml has no `<member_of_group> rosidl_interface_packages`, or
+CMakeLists.txt does not find a package of DEPENDENCIES. Packages on which that of the file depends
+are checked, too.
+
+Only launch files, with the packages of the nodes that they start, and descriptions that refer to
+packages are checked.
+
+Sources:
+    ros2/rosidl, rosidl_generate_interfaces.cmake: https://github.com/ros2/rosidl/blob/rolling/rosidl_cmake/cmake/rosidl_generate_interfaces.cmake
 """
 
 import os
@@ -9,17 +17,42 @@ import re
 from collections.abc import Iterator
 from itertools import takewhile
 
-from urdfkit.checks.package.build_files import is_ignored, is_missing, package_file
+from urdfkit.checks.package.build_files import (
+    INTERFACES,
+    is_missing,
+    package_file,
+    packages_to_build,
+    packages_with_interfaces,
+)
+from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest
-from urdfkit.lint.rules import Context, Finding, Findings
+from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
+from urdfkit.mesh.samples import PLATE
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.cmake import blank_cmake_comments
-from urdfkit.workspace.manifest import manifest_of
-from urdfkit.workspace.ros_packages import comes_with_ros
 
-_CALL = re.compile(rb"\brosidl_generate_interfaces\s*\(\s*[^\s()]+\s+([^()]*)\)")
+NAME = "urdf/bot.urdf"
+BAD = robot_of_package("bot_description")
+GOOD = BAD.replace("package://bot_description", "..")
+FILES = {
+    "package.xml": b"""\
+<package format="3">
+  <name>bot_description</name>
+  <member_of_group>rosidl_interface_packages</member_of_group>
+</package>
+""",
+    "CMakeLists.txt": b"""\
+project(bot_description)
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} "msg/Load.msg")
+ament_package()
+""",
+    "meshes/base.stl": PLATE,
+}
+
 _FOUND = re.compile(rb"\bfind_package\s*\(\s*([\w-]+)")
 #: What finds packages in another way, or creates files.
 _OTHER = re.compile(rb"\b(ament_auto_\w+|configure_file|file|foreach|include|macro)\s*\(")
@@ -34,25 +67,20 @@ _WITHOUT_OTHERS = re.compile(r"ament_\w+|rosidl_\w+|builtin_interfaces|std_msgs|
 _BROUGHT = ("action_msgs", "builtin_interfaces", "service_msgs", "unique_identifier_msgs")
 
 
-def packages_with_interfaces(context: Context) -> Iterator[str]:
-    """The directories of those on which the package of a file depends, in its workspace."""
-    manifest = manifest_of(context.resolver, context.source.path)
-    names = sorted(manifest.dependencies) if manifest and manifest.ros == 2 else ()
-    names = [name for name in names if not comes_with_ros(name)]
-    known = context.resolver.packages.known(context.source.path) if names else {}
-    for directory in filter(None, map(known.get, names)):
-        build = package_file(directory, "CMakeLists.txt")
-        if build and _CALL.search(build.data) and not is_ignored(directory):
-            yield directory
+@rule(Severity.ERROR, help="fix the CMakeLists.txt")
+def check(context: Context) -> Findings:
+    directories = (*packages_to_build(context).values(), *packages_with_interfaces(context))
+    for directory in dict.fromkeys(directories):
+        yield from _not_generated(directory)
 
 
-def not_generated(directory: str) -> Findings:
+def _not_generated(directory: str) -> Findings:
     """What stops the build of a package with interfaces."""
     build, manifest = (package_file(directory, file) for file in ("CMakeLists.txt", "package.xml"))
     if build is None or manifest is None:
         return
     text = blank_cmake_comments(build.data)
-    call = _CALL.search(text)
+    call = INTERFACES.search(text)
     if call is None:
         return
     words = list(_words(call, build))
