@@ -2,6 +2,7 @@
 
 import ast
 import warnings
+from collections.abc import Iterator
 from functools import lru_cache
 
 #: Files whose trees are cached: launch files include the same files often.
@@ -10,6 +11,7 @@ CACHE_SIZE = 64
 #: largest public launch files have 60 kB.
 MAX_BYTES = 256 * 1024
 
+_INNER = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 
 _trees: dict[tuple[bytes | str, str], ast.Module] = {}
 
@@ -44,6 +46,16 @@ def _parsed(text: bytes | str, path: str) -> ast.Module:
 def nodes(tree: ast.Module) -> tuple[ast.AST, ...]:
     """All nodes of a file, in the order of `ast.walk`."""
     return tuple(ast.walk(tree))
+
+
+def own_nodes(function: ast.FunctionDef) -> Iterator[ast.AST]:
+    """The nodes in the body of a function, without those of functions and classes in it."""
+    stack: list[ast.AST] = [*function.body]
+    while stack:  # an expression may be too deep for recursion
+        node = stack.pop()
+        if not isinstance(node, _INNER):
+            yield node
+            stack += ast.iter_child_nodes(node)
 
 
 def dotted_name(node: ast.AST) -> str:

@@ -1,8 +1,8 @@
 """Controllers that are defined for a launch file, or for all of its workspace."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
-from urdfkit.checks.bringup.workspace_launches import distinct_descriptions, workspace_launches
+from urdfkit.checks.bringup.workspace_launches import robots_of_workspace, workspace_launches
 from urdfkit.lint.rules import Context
 from urdfkit.ros.controllers import Controller, read
 from urdfkit.ros.launch.contents import Launch
@@ -29,9 +29,3 @@ def _defined(
     for robot in robots:
         controllers |= {controller.name: controller for _, controller in robot.controllers}
     return controllers
-
-
-def robots_of_workspace(context: Context) -> Iterator[Context]:
-    """The robots that launch files of the workspace describe; none if they are many."""
-    descriptions = distinct_descriptions(workspace_launches(context))
-    yield from (robot for _, robot in context.expanded(descriptions))

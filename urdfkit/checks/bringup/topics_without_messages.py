@@ -4,7 +4,7 @@ import os
 import re
 from collections.abc import Iterator
 
-from urdfkit.checks.bringup.workspace_launches import distinct_descriptions, workspace_launches
+from urdfkit.checks.bringup.workspace_launches import robots_of_workspace
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
@@ -81,10 +81,9 @@ def topics_without_messages(
 
 def _is_of_another_robot(context: Context, topic: BridgedTopic) -> bool:
     """True for a topic of a robot of another launch file of the workspace."""
-    others = context.expanded(distinct_descriptions(workspace_launches(context)))
     return any(
         gz.is_called(topic.topic) and not gz.is_unnamed
-        for _, robot in others
+        for robot in robots_of_workspace(context)
         for gz in topics(robot.model)
     )
 

@@ -16,7 +16,6 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.checks.bringup.defined_controllers import (
     controllers_of_workspace,
-    robots_of_workspace,
 )
 from urdfkit.checks.bringup.processes import is_silent_process
 from urdfkit.checks.bringup.unread_remappings import renamed_topics
@@ -24,6 +23,7 @@ from urdfkit.checks.bringup.workspace_launches import (
     all_launches,
     is_included,
     programs_of,
+    robots_of_workspace,
     workspace_launches,
 )
 from urdfkit.core.record import Record

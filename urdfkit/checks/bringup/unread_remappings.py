@@ -9,8 +9,8 @@ Sources: ros-controls/ros2_controllers#262 and #1246, ros-controls/ros2_control_
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.bringup.defined_controllers import defined_controllers, robots_of_workspace
-from urdfkit.checks.bringup.workspace_launches import stock_key
+from urdfkit.checks.bringup.defined_controllers import defined_controllers
+from urdfkit.checks.bringup.workspace_launches import robots_of_workspace, stock_key
 from urdfkit.core.suggest import did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related

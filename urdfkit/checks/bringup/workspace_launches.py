@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from urdfkit.lint.rules import Context
 from urdfkit.ros.launch import argument_checks
@@ -44,6 +44,12 @@ def distinct_descriptions(launches: Iterable[Launch]) -> list[LaunchedDescriptio
         for description in launch.descriptions
     }
     return list(distinct.values()) if len(distinct) <= _MAX_ROBOTS else []
+
+
+def robots_of_workspace(context: Context) -> Iterator[Context]:
+    """The robots that launch files of the workspace describe; none if they are many."""
+    descriptions = distinct_descriptions(workspace_launches(context))
+    yield from (robot for _, robot in context.expanded(descriptions))
 
 
 def is_included(context: Context) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.ros.launch.values import Values, called
 from urdfkit.text.diagnostic import Problem, Severity
+from urdfkit.text.python_source import own_nodes
 from urdfkit.text.source import Source, Span
 
 #: The function that launch calls.
@@ -41,17 +42,11 @@ def _name_of(function: ast.FunctionDef, source: Source) -> Span:
 
 def _returns_value(function: ast.FunctionDef) -> bool:
     """True if a function returns a value, or does not return."""
-    stack: list[ast.AST] = [*function.body]
-    while stack:  # an expression may be too deep for recursion
-        node = stack.pop()
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
-            continue  # a nested function
-        if isinstance(node, (ast.Raise, ast.Yield, ast.YieldFrom)):
-            return True
-        if isinstance(node, ast.Return) and node.value is not None:
-            return True
-        stack += ast.iter_child_nodes(node)
-    return False
+    return any(
+        isinstance(node, (ast.Raise, ast.Yield, ast.YieldFrom))
+        or (isinstance(node, ast.Return) and node.value is not None)
+        for node in own_nodes(function)
+    )
 
 
 def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem]:

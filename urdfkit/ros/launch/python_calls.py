@@ -9,7 +9,7 @@ from urdfkit.ros.launch.components import wrong_component, wrong_container
 from urdfkit.ros.launch.python_names import modules_with
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
-from urdfkit.text.python_source import dotted_name, nodes, string
+from urdfkit.text.python_source import dotted_name, nodes, own_nodes, string
 
 #: Arguments with a list of actions, by class or method.
 _HOLDERS = {
@@ -171,23 +171,12 @@ def _no_list(call: ast.Call, tree: ast.Module, values: Values) -> Iterator[Probl
     for node in tree.body:
         if not isinstance(node, ast.FunctionDef) or node.name != name:
             continue
-        for returned in _returned(node):
-            kind = called(values.resolved(returned))
-            if kind in _RETURNED:
+        for inner in own_nodes(node):
+            returned = inner.value if isinstance(inner, ast.Return) else None
+            kind = called(values.resolved(returned)) if returned else ""
+            if returned and kind in _RETURNED:
                 message = f"{name}() returns a {kind}, but launch expects a list of actions"
                 yield values.problem("LAU033", returned, message, "write it in [ ]")
-
-
-def _returned(function: ast.FunctionDef) -> Iterator[ast.expr]:
-    """The values that a function returns, without those of functions in it."""
-    stack: list[ast.AST] = [*function.body]
-    while stack:
-        node = stack.pop()
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
-            continue
-        if isinstance(node, ast.Return) and node.value is not None:
-            yield node.value
-        stack += ast.iter_child_nodes(node)
 
 
 def _output(call: ast.Call, values: Values) -> Iterator[Problem]:
