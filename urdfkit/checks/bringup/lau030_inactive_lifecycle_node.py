@@ -113,23 +113,8 @@ def _wrong_node_names(context: Context) -> Findings:
     nodes = {node.title: node for node in programs}
     if None in names or names.isdisjoint(nodes):
         return
-    executables = data("nodes")["lifecycle"].split()
-    for name, node in nodes.items():
-        is_of_nav2 = node.package.startswith("nav2_") and node.executable in executables
-        if is_of_nav2 and name not in names:
-            yield Finding(
-                node.at,
-                f"'{name}' stays unconfigured: no lifecycle manager has it in {_NAMES}",
-                f"add it to {_NAMES} of the lifecycle manager",
-            )
-    for name in sorted(filter(None, names.intersection(nodes))):
-        node = nodes[name]
-        if f"{node.package}/{node.executable}" in data("nodes")["plain"].split():
-            yield Finding(
-                node.at,
-                f"the lifecycle manager waits for '{name}' for ever, which is not a lifecycle node",
-                f"remove it from {_NAMES}",
-            )
+    yield from _not_managed(nodes, names)
+    yield from _without_lifecycle(nodes, names)
     started = {*nodes, *(node.title for node in programs_of(others))}
     own = (name for name in _managed(launch) if name and name not in started)
     missing = sorted(own) if _are_known(others) else []
@@ -139,6 +124,31 @@ def _wrong_node_names(context: Context) -> Findings:
             f"the lifecycle manager waits for {few(missing, _MAX_NAMED)}, which nothing starts",
             f"start them, or remove them from {_NAMES}",
         )
+
+
+def _not_managed(nodes: dict[str, StartedProgram], managed: set[str | None]) -> Findings:
+    """Lifecycle nodes of Nav2 that no manager has in its list."""
+    executables = data("nodes")["lifecycle"].split()
+    for name, node in nodes.items():
+        is_of_nav2 = node.package.startswith("nav2_") and node.executable in executables
+        if is_of_nav2 and name not in managed:
+            yield Finding(
+                node.at,
+                f"'{name}' stays unconfigured: no lifecycle manager has it in {_NAMES}",
+                f"add it to {_NAMES} of the lifecycle manager",
+            )
+
+
+def _without_lifecycle(nodes: dict[str, StartedProgram], managed: set[str | None]) -> Findings:
+    """Managed nodes that are not lifecycle nodes."""
+    for name in sorted(filter(None, managed.intersection(nodes))):
+        node = nodes[name]
+        if f"{node.package}/{node.executable}" in data("nodes")["plain"].split():
+            yield Finding(
+                node.at,
+                f"the lifecycle manager waits for '{name}' for ever, which is not a lifecycle node",
+                f"remove it from {_NAMES}",
+            )
 
 
 def _managed(*launches: Launch) -> set[str | None]:

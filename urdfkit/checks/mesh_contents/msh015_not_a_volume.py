@@ -26,6 +26,8 @@ Sources:
     measured: 380 of 1 513 public collision meshes are open
 """
 
+from collections.abc import Iterable
+
 from urdfkit.core.words import counted
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.mesh.samples import BOX, box, stl
@@ -53,9 +55,19 @@ OBLIQUE = 1e-3
 )
 def check(context: Context) -> Findings:
     defects = context.measured.defects
+    yield from _flat(context, defects.get(MeshDefect.FLAT, ()))
+    for target in context.given_facts:
+        if target.least_volume:
+            yield from _tiny(context, target)
+    yield from map(_open, defects.get(MeshDefect.OPEN, ()))
+    yield from map(_overlapping, defects.get(MeshDefect.OVERLAPPING, ()))
+    yield from map(_inverted, defects.get(MeshDefect.INVERTED, ()))
+
+
+def _flat(context: Context, uses: Iterable[MeshUse]) -> Findings:
     fatal = tuple(target.name for target in context.given_facts if target.least_volume)
     severity = Severity.ERROR if fatal else Severity.WARNING
-    for use in defects.get(MeshDefect.FLAT, ()):
+    for use in uses:
         x, y, z = use.edges
         size = f"{x:.3g} x {y:.3g} x {z:.3g} m"
         if min(use.edges) > OBLIQUE * use.longest:
@@ -68,26 +80,26 @@ def check(context: Context) -> Findings:
             targets=fatal,
             group_key="flat",
         )
-    for target in context.given_facts:
-        if target.least_volume:
-            yield from _tiny(context, target)
-    yield from map(_open, defects.get(MeshDefect.OPEN, ()))
-    for use in defects.get(MeshDefect.OVERLAPPING, ()):
-        yield Finding(
-            use.at,
-            f"{use.who} has {use.measures.bodies} pieces that overlap: a mass computed from it is "
-            f"{100 * use.measures.overlap:.0f} % too large",
-            "unite the pieces: urdfkit mesh repair --union FILE",
-            group_key="overlap",
-        )
-    for use in defects.get(MeshDefect.INVERTED, ()):
-        measures = use.measures
-        reason = "its triangles face inward"
-        if measures.bodies > 1 and measures.inverted_bodies:
-            reason = f"{measures.inverted_bodies} of its {measures.bodies} pieces face inward"
-        message = f"{use.who} is inside out: {reason}"
-        help = "urdfkit mesh repair FILE"
-        yield Finding(use.at, message, help, group_key="inside out", severity=Severity.WARNING)
+
+
+def _overlapping(use: MeshUse) -> Finding:
+    return Finding(
+        use.at,
+        f"{use.who} has {use.measures.bodies} pieces that overlap: a mass computed from it is "
+        f"{100 * use.measures.overlap:.0f} % too large",
+        "unite the pieces: urdfkit mesh repair --union FILE",
+        group_key="overlap",
+    )
+
+
+def _inverted(use: MeshUse) -> Finding:
+    measures = use.measures
+    reason = "its triangles face inward"
+    if measures.bodies > 1 and measures.inverted_bodies:
+        reason = f"{measures.inverted_bodies} of its {measures.bodies} pieces face inward"
+    message = f"{use.who} is inside out: {reason}"
+    help = "urdfkit mesh repair FILE"
+    return Finding(use.at, message, help, group_key="inside out", severity=Severity.WARNING)
 
 
 def _tiny(context: Context, target: TargetFacts) -> Findings:

@@ -30,6 +30,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Severity, reported, r
 from urdfkit.robot.assets.file_names import is_mistyped
 from urdfkit.robot.assets.mesh_files import MeshReference
 from urdfkit.robot.samples import xacro_xml
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
 from urdfkit.workspace.manifest import is_known_dependency, manifest_of
@@ -50,31 +51,7 @@ _MAX_PATH = 300
 def check(context: Context) -> Findings:
     problems = context.problems("XAC011")
     for problem, finding in zip(problems, reported(context, "XAC011"), strict=True):
-        (name,) = re.findall(_NAME, problem.message)
-        path = problem.span.source.path
-        known = context.resolver.packages.known(context.source.path)
-        alike = [
-            package
-            for package in known
-            if is_mistyped(name, package) or package.rstrip("0123456789") == name
-        ]
-        is_declared = is_known_dependency(name, path, context.resolver)
-        severity = None if alike and not is_declared else Severity.WARNING
-        reason = "is not found"
-        if not is_declared and manifest_of(context.resolver, path) is not None:
-            reason += " and not declared in package.xml"
-        if severity and context.reading.document is None:
-            is_part = context.part is not None
-            part = "only the rest of the robot is" if is_part else "the robot is not"
-            reason += f", so {part} checked"
-        yield finding._replace(
-            message=finding.message.replace("is not found", reason, 1),
-            help=finding.help
-            + ("" if severity else did_you_mean(name, alike))
-            + ("" if is_declared else _owner(name, _from(problem.span), known)),
-            group_key=name,
-            severity=severity,
-        )
+        yield _explained(context, problem, finding)
     if is_launch(context.source.path):
         yield from _launched(context)
         return
@@ -85,6 +62,35 @@ def check(context: Context) -> Findings:
     for name, meshes in missing.items():
         if name:
             yield _of_meshes(context, name, meshes)
+
+
+def _explained(context: Context, problem: Problem, finding: Finding) -> Finding:
+    """The finding with what is known of the package: a typo, its declaration, its file."""
+    (name,) = re.findall(_NAME, problem.message)
+    path = problem.span.source.path
+    known = context.resolver.packages.known(context.source.path)
+    alike = [
+        package
+        for package in known
+        if is_mistyped(name, package) or package.rstrip("0123456789") == name
+    ]
+    is_declared = is_known_dependency(name, path, context.resolver)
+    severity = None if alike and not is_declared else Severity.WARNING
+    reason = "is not found"
+    if not is_declared and manifest_of(context.resolver, path) is not None:
+        reason += " and not declared in package.xml"
+    if severity and context.reading.document is None:
+        is_part = context.part is not None
+        part = "only the rest of the robot is" if is_part else "the robot is not"
+        reason += f", so {part} checked"
+    return finding._replace(
+        message=finding.message.replace("is not found", reason, 1),
+        help=finding.help
+        + ("" if severity else did_you_mean(name, alike))
+        + ("" if is_declared else _owner(name, _from(problem.span), known)),
+        group_key=name,
+        severity=severity,
+    )
 
 
 def _from(span: Span) -> str:

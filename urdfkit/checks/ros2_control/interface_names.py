@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity
-from urdfkit.ros.catalog.ros_control import simulated_hardware, words
+from urdfkit.ros.catalog.ros_control import Hardware, simulated_hardware, words
 from urdfkit.ros.ros_control import (
     DEFAULT_SIM,
     Component,
@@ -53,16 +53,7 @@ def _interface(component: Component, part: ControlPart, interface: Interface) ->
     who = f"{part.kind} '{part.name}': {interface.direction} interface '{name}'"
     at = interface.at.attributes["name"]
     if simulated and is_joint:
-        known = simulated.commands if interface.direction == "command" else _SIMULATED_STATES
-        if name not in known:
-            is_extra = interface.direction == "state" and not _typo(name, known)
-            yield Finding(
-                at,
-                f"{who} is not one of {simulated.name} ({', '.join(known)})",
-                _HELP,
-                group_key=f"{simulated.name} {interface.direction}",
-                severity=Severity.INFO if is_extra else None,  # the real hardware may have it
-            )
+        yield from _simulated_interface(simulated, interface, who)
         return
     standard = [
         word
@@ -80,6 +71,21 @@ def _interface(component: Component, part: ControlPart, interface: Interface) ->
             _HELP,
             group_key=f"{simulated.name} sensor",
             severity=Severity.INFO,  # the real hardware may have it
+        )
+
+
+def _simulated_interface(simulated: Hardware, interface: Interface, who: str) -> Findings:
+    """An interface of a joint that the hardware of a simulation does not have."""
+    name = interface.name
+    known = simulated.commands if interface.direction == "command" else _SIMULATED_STATES
+    if name not in known:
+        is_extra = interface.direction == "state" and not _typo(name, known)
+        yield Finding(
+            interface.at.attributes["name"],
+            f"{who} is not one of {simulated.name} ({', '.join(known)})",
+            _HELP,
+            group_key=f"{simulated.name} {interface.direction}",
+            severity=Severity.INFO if is_extra else None,  # the real hardware may have it
         )
 
 

@@ -51,21 +51,16 @@ def missing_of_move_group(file: PythonLaunchFile, node: ast.Call) -> Iterator[Pr
         message = f"move_group gets no {_SEMANTIC}, and so no planning groups"
         help = f'add {{"{_SEMANTIC}": ...}} with the text of the SRDF'
         yield Problem("LAU029", values.span(node), message, help, severity=Severity.WARNING)
-    is_open = any(key.endswith(_SOLVER) for key in keys)  # as in Humble, see below
-    for name, (file_name, lost) in _SETTINGS.items() if _SEMANTIC in keys else ():
-        is_given = name in keys or (is_open and name == _KINEMATICS)
-        if not is_given and file_name in file.source.data:
-            message = f"move_group gets no {name}: {lost}"
-            help = f"add {name} with {file_name.decode()} to its parameters"
-            yield Problem("LAU029", values.span(node), message, help, severity=Severity.WARNING)
+    if _SEMANTIC in keys:
+        yield from _missing_settings(file, node, keys)
     for item in items:
         for name, place in reader.pipelines(item):
             plugins = (_OPEN, "planning_plugin", "planning_plugins")
-            if not keys.isdisjoint(f"{name}.{plugin}" for plugin in plugins):
-                continue
-            message = f"planning pipeline '{name}' has no planning plugin"
-            help = f'add "{name}" with planning_plugins, as in {name}_planning.yaml'
-            yield Problem("LAU029", values.span(place), message, help, severity=Severity.WARNING)
+            if keys.isdisjoint(f"{name}.{plugin}" for plugin in plugins):
+                message = f"planning pipeline '{name}' has no planning plugin"
+                help = f'add "{name}" with planning_plugins, as in {name}_planning.yaml'
+                at = values.span(place)
+                yield Problem("LAU029", at, message, help, severity=Severity.WARNING)
     if any(key.endswith(_SOLVER) and key.count(".") == 1 for key in keys):
         message = (
             f"the kinematics solvers are not in {_KINEMATICS}: from ROS 2 Iron on, no planning "
@@ -74,6 +69,18 @@ def missing_of_move_group(file: PythonLaunchFile, node: ast.Call) -> Iterator[Pr
         help = f'write {{"{_KINEMATICS}": ...}} around them'
         # MoveIt of Humble, for which a launch file may be, reads them there as well.
         yield Problem("LAU029", values.span(node), message, help, severity=Severity.INFO)
+
+
+def _missing_settings(file: PythonLaunchFile, node: ast.Call, keys: set[str]) -> Iterator[Problem]:
+    """Settings that the launch file mentions and move_group does not get."""
+    is_open = any(key.endswith(_SOLVER) for key in keys)  # as in Humble
+    for name, (file_name, lost) in _SETTINGS.items():
+        is_given = name in keys or (is_open and name == _KINEMATICS)
+        if not is_given and file_name in file.source.data:
+            message = f"move_group gets no {name}: {lost}"
+            help = f"add {name} with {file_name.decode()} to its parameters"
+            at = file.values.span(node)
+            yield Problem("LAU029", at, message, help, severity=Severity.WARNING)
 
 
 def missing_of_rviz(file: PythonLaunchFile, node: ast.Call) -> Iterator[Problem]:
