@@ -53,6 +53,33 @@ def test_a_macro_of_another_package_is_checked_with_its_own_build(tmp_path: Path
     assert found.span.source.path == str(lidar / "urdf" / "lidar.xacro")
 
 
+ROBOT = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["$(find arm)/control/c.xacro", "$(find ${package})/control/c.xacro", "../control/c.xacro"],
+)
+def test_an_included_file(tmp_path: Path, path: str) -> None:
+    """KUKA's iiwa: a property names the package."""
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "CMakeLists.txt").write_text(INSTALL)
+    for name in ("urdf", "control"):
+        (tmp_path / name).mkdir()
+    macro = '<xacro:macro name="c"><link name="base"/></xacro:macro>'
+    (tmp_path / "control" / "c.xacro").write_text(ROBOT.format(macro))
+    package = '<xacro:property name="package" value="arm"/>'
+    robot = tmp_path / "urdf" / "r.urdf.xacro"
+    robot.write_text(
+        ROBOT.format(f'{package}\n<xacro:include filename="{path}"/>\n<xacro:c/>'),
+    )
+    (found,) = check(robot, select=["PKG002"]).diagnostics
+    assert found.message == naming("control/c.xacro", f"{tmp_path}/CMakeLists.txt")
+    assert (found.span.source.path, found.span.line) == (str(robot), 2)
+    (tmp_path / "CMakeLists.txt").write_text(INSTALL.replace("urdf", "urdf control"))
+    assert check(robot, select=["PKG002"]).diagnostics == ()
+
+
 def test_what_is_installed_or_is_not_there(tmp_path: Path) -> None:
     assert reported(tmp_path, "urdf/a.stl") == []
     assert reported(tmp_path, "meshes/b.stl") == [], "MSH001"

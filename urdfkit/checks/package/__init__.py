@@ -6,9 +6,11 @@ from urdfkit.workspace.package_references import have_references
 
 
 def applies(context: Context) -> bool:
-    """True for a launch file, and for a description that refers to packages."""
+    """True for a launch file, and for a description that refers to packages or includes files."""
     if is_launch(context.source.path) or context.problems("XAC011"):
         return True
     document = context.reading.document
     sources = document.sources if document else (context.source,)
-    return have_references(sources) or any(b"model://" in source.data for source in sources)
+    if len(sources) > 1 or have_references(sources):
+        return True
+    return any(b"model://" in source.data for source in sources)

@@ -51,7 +51,8 @@ def check(context: Context) -> Findings:
         if home := packages.enclosing(source.path):
             sources.setdefault(home, []).append(source)
     for home, own in sources.items():
-        yield from _uninstalled(context, *home, _referenced(own, home[0]))
+        used = (*_referenced(own, home[0]), *_included(context, home[1]))
+        yield from _uninstalled(context, *home, used)
 
 
 def _uninstalled(
@@ -91,6 +92,18 @@ def _referenced(sources: Iterable[Source], name: str) -> Iterator[tuple[str, Spa
         for mention in package_references(source):
             if mention.package == name and mention.relative.partition("/")[0]:
                 yield os.path.normpath(mention.relative), mention.span
+
+
+def _included(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
+    """The files of a package that other files include, by any path, relative to the package."""
+    xacro = context.reading.xacro
+    for definition in (*xacro.macros, *xacro.properties) if xacro else ():
+        frame, path = definition.frame, definition.tag.source.path
+        relative = os.path.relpath(path, directory)
+        if frame and frame.kind == "include" and not relative.startswith(os.pardir):
+            including = os.path.relpath(frame.call.source.path, directory)
+            if including.partition(os.sep)[0] != relative.partition(os.sep)[0]:
+                yield relative, frame.call.attribute_spans().get("filename", frame.call.span)
 
 
 def _launched(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
