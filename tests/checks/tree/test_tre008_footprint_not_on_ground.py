@@ -1,11 +1,14 @@
 from math import pi
+from pathlib import Path
 
 import pytest
 
+from tests import meshed
 from tests.conftest import MISSION
 from tests.naming import naming
 from tests.reported import messages, places, reported
 from urdfkit.lint import engine
+from urdfkit.mesh import samples
 
 LINK = (
     '<link name="{}"><collision><origin xyz="{}" rpy="{}"/><geometry>{}</geometry></collision>'
@@ -176,3 +179,35 @@ def test_the_fingers_of_a_robot_on_other_wheels() -> None:
             f'<parent link="{above}"/><child link="{side}"/>',
         )
     assert messages("TRE008", arms) == []
+
+
+#: A wheel of radius 0.1 m about its y axis.
+TYRE = samples.stl(samples.box((-0.1, -0.02, -0.1), (0.1, 0.02, 0.1)))
+
+
+def with_meshes(left: float, right: float) -> str:
+    """Two wheels at two heights, with meshes, and a caster on the ground."""
+    text = car(0.1, 0.05, "base_footprint")
+    text = text.replace('<cylinder radius="0.1" length="0.04"/>', '<mesh filename="tyre.stl"/>')
+    text = text.replace(f'rpy="{pi / 2} 0 0"', 'rpy="0 0 0"')
+    heights = {"0 0.2 0.1": f"0 0.2 {left}", "0 -0.2 0.1": f"0 -0.2 {right}"}
+    for old, new in heights.items():
+        text = text.replace(f'xyz="{old}"', f'xyz="{new}"')
+    return text
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "found"),
+    [
+        (0.1, 0.1, ""),
+        (0.085, 0.085, ""),  # the tread
+        (0.07, 0.07, naming("left", "0.03 m", "below", "base_footprint")),
+        (0.01, 0.1, naming("left", "0.09 m", "below", "base_footprint", "right")),
+    ],
+)
+def test_wheels_with_meshes(tmp_path: Path, left: float, right: float, found: str) -> None:
+    """Robotnik's AGVS: two wheels of four are 10 cm too low."""
+    pytest.importorskip("numpy")
+    files = {"tyre.stl": TYRE}
+    reports = meshed.reported(tmp_path, "TRE008", with_meshes(left, right), files)
+    assert [one.message for one in reports] == ([found] if found else [])

@@ -5,8 +5,8 @@ By convention (REP 120), `base_footprint` is the position of the robot on the fl
 If the robot extends below it, the robot starts stuck in the floor and is thrown out; if the robot
 ends above it, the robot drops. Give the joint between the two links the height of the lowest wheel
 or foot. If a caster extends lower than the wheels, the caster is wrong: the wheels do not touch the
-ground. Without a `base_footprint` this is reported if another link than a leg or arm extends at
-least 2 cm lower than all wheels.
+ground. So is a wheel that extends lower while others end on the ground. Without a `base_footprint`
+this is reported if another link than a leg or arm extends at least 2 cm lower than all wheels.
 
 Sources:
     REP 120, frames of humanoids: https://github.com/ros-infrastructure/rep/blob/master/rep-0120.rst
@@ -35,6 +35,8 @@ FIXED = GOOD = BAD.replace('fixed">', 'fixed">\n  <origin xyz="0 0 0.1"/>')
 
 #: Allowed distance from the ground, in m: tyres and rubber feet are soft.
 TOLERANCE = 0.005
+#: The same for meshes, which show the tread of a tyre before it is loaded.
+_MESH_TOLERANCE = 0.02
 
 #: Cosine of the angle to the vertical, below which an axis is horizontal.
 _MAX_COSINE_LEVEL = 0.1
@@ -60,20 +62,21 @@ def check(context: Context) -> Findings:
     footprints = [name for name in tree.frames if name.endswith("base_footprint")]
     if not footprints:
         root = tree.roots[0].name
-        hanging = _hanging_wheels(tree, root, list(tree.frames), _MIN_HANGING)
+        hanging = _hanging_wheels(context, root, list(tree.frames), _MIN_HANGING)
         if hanging and not is_carried_by_rotors(tree.model):
             yield _hanging(tree, *hanging)
     for name in footprints[:MAX_FOOTPRINTS]:
         # Some make the footprint a child of the base; the robot is then everything else.
         joints = tree.children[name] or tree.parents[name]
         robot = tree.below(name) if tree.children[name] else list(tree.frames)
-        if joints and (lowest := _lowest(tree, name, robot)):
+        if joints and (lowest := _lowest(context, name, robot)):
             height, link, is_known = lowest
             if height > 0 and context.part is not None:
                 continue  # the wheels may be in a package that is not found
             side = "below" if height < 0 else "above"
-            gaps = _gaps(tree, name, robot, height)
+            gaps = _gaps(context, name, robot, height)
             lifted_wheels = _lifted_wheels(gaps, link)
+            standing = _standing_wheels(gaps, link, height)
             rise = round(-height, 4)
             is_too_low = is_known and tree.children[name] == joints[:1]
             # If not all wheels reach the ground, it is unknown which wheel is wrong.
@@ -82,13 +85,15 @@ def check(context: Context) -> Findings:
             yield Finding(
                 joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
-                f"'{name}', which by convention lies on the ground{lifted_wheels}",
-                _help(name, link, height, bool(tree.children[name]), bool(lifted_wheels)),
+                f"'{name}', which by convention lies on the ground{lifted_wheels}{standing}",
+                f"raise '{link}' to the height of the other wheels"
+                if standing
+                else _help(name, link, height, bool(tree.children[name]), bool(lifted_wheels)),
                 fix=Fix.of(f"raise the robot by {rise:g} m", _raised(joints[0].at, rise))
                 if is_too_low
                 else None,
             )
-        elif joints and (hanging := _hanging_wheels(tree, name, robot)):
+        elif joints and (hanging := _hanging_wheels(context, name, robot)):
             yield _hanging(tree, *hanging)
 
 
@@ -125,27 +130,28 @@ def _raised(joint: Element, height: float) -> tuple[Edit, ...] | None:
     return None if z is None else replace_value(written, f"{parts[0]} {parts[1]} {z + height:.6g}")
 
 
-def _lowest(
-    tree: KinematicTree, footprint: str, robot: list[str]
-) -> tuple[float, str, bool] | None:
+def _lowest(context: Context, footprint: str, robot: list[str]) -> tuple[float, str, bool] | None:
     """Height in m and link of the lowest point, and whether all shapes were measured.
 
     None if the lowest point may be on the ground, or is on a leg or arm: all joints are at zero,
-    which is not the pose in which such a robot stands. Meshes, and links with a visual but without
-    collision, are not measured, and may extend lower.
+    which is not the pose in which such a robot stands. Links with a visual but without collision,
+    and meshes that cannot be measured, may extend lower.
     """
-    heights, unknown = _heights(tree, footprint, robot)
+    heights, unknown = _heights(context, footprint, robot)
     lowest = min(heights, default=(0.0, ""))
-    if lowest[1] in _limbs(tree):
+    if not heights or lowest[1] in _limbs(context.tree):
         return None
-    is_above = lowest[0] > TOLERANCE and not unknown
-    return (*lowest, not unknown) if is_above or lowest[0] < -TOLERANCE else None
+    bodies = context.model.links_by_name[lowest[1]].collisions
+    allowed = _MESH_TOLERANCE if any(body.is_mesh for body in bodies) else TOLERANCE
+    is_above = lowest[0] > allowed and not unknown
+    return (*lowest, not unknown) if is_above or lowest[0] < -allowed else None
 
 
 def _heights(
-    tree: KinematicTree, footprint: str, robot: list[str]
+    context: Context, footprint: str, robot: list[str]
 ) -> tuple[list[tuple[float, str]], bool]:
     """Heights above the footprint in m, with their links, and whether a shape was not measured."""
+    tree = context.tree
     ground = tree.frames[footprint]
     up = rotate(ground.rotation, Z_AXIS)
     heights: list[tuple[float, str]] = []
@@ -154,7 +160,7 @@ def _heights(
         link = tree.model.links_by_name[name]
         unknown |= bool(link.visuals) and not link.collisions and name != footprint
         for body in link.collisions:
-            bottom = _bottom(body, tree.frames[name], up)
+            bottom = _bottom(context, body, tree.frames[name], up)
             if bottom is None:
                 unknown = True
             else:
@@ -163,17 +169,17 @@ def _heights(
 
 
 def _hanging_wheels(
-    tree: KinematicTree, footprint: str, robot: list[str], least_gap: float = 0.0
+    context: Context, footprint: str, robot: list[str], least_gap: float = 0.0
 ) -> tuple[float, list[str], str] | None:
     """Wheels at one height above the ground on which another link stands: gap, wheels and link.
 
     Args:
         least_gap: in m, where the ground is at the lowest link; 0 if it is at the footprint.
     """
-    heights, _ = _heights(tree, footprint, robot)
+    heights, _ = _heights(context, footprint, robot)
     height, standing = min(heights, default=(TOLERANCE, ""))
-    limbs = _limbs(tree)  # with fingers, which also turn about level axes
-    gaps = _gaps(tree, footprint, [name for name in robot if name not in limbs], height)
+    limbs = _limbs(context.tree)  # with fingers, which also turn about level axes
+    gaps = _gaps(context, footprint, [name for name in robot if name not in limbs], height)
     least = min(gaps.values(), default=0.0)
     is_on_ground = not _is_wheel(standing) if least_gap else abs(height) < TOLERANCE
     is_standing = is_on_ground and standing not in limbs
@@ -190,7 +196,7 @@ def _is_wheel(name: str) -> bool:
     return any(word in words for word in ("wheel", "tire", "tyre", "track")) and "cast" not in words
 
 
-def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) -> dict[str, float]:
+def _gaps(context: Context, footprint: str, robot: list[str], height: float) -> dict[str, float]:
     """Height of each wheel above the lowest point, in m, by link name.
 
     Wheels are links of continuous joints with a horizontal axis.
@@ -199,6 +205,7 @@ def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) 
         robot: names of the links of the robot.
         height: height of the lowest point above the footprint, in m.
     """
+    tree = context.tree
     ground = tree.frames[footprint]
     up = rotate(ground.rotation, Z_AXIS)
     gaps: dict[str, float] = {}
@@ -210,7 +217,7 @@ def _gaps(tree: KinematicTree, footprint: str, robot: list[str], height: float) 
         if abs(dot(up, rotate(frame.rotation, direction(above[0])))) > _MAX_COSINE_LEVEL:
             continue
         for body in tree.model.links_by_name[name].collisions:
-            bottom = _bottom(body, frame, up)
+            bottom = _bottom(context, body, frame, up)
             if bottom is not None:
                 gap = bottom - dot(up, ground.position) - height
                 gaps[name] = min(gap, gaps.get(name, gap))
@@ -226,6 +233,14 @@ def _lifted_wheels(gaps: dict[str, float], lowest: str) -> str:
     return f"; the wheels {', '.join(wheels)} are {least:.3g} m higher"
 
 
+def _standing_wheels(gaps: dict[str, float], lowest: str, height: float) -> str:
+    """Text about wheels on the ground, if another wheel extends lower; else empty."""
+    wheels = [name for name, gap in gaps.items() if abs(gap + height) < 2 * TOLERANCE]
+    if lowest not in gaps or lowest in wheels or not wheels:
+        return ""
+    return f"; the wheels {', '.join(wheels)} end there"
+
+
 def _limbs(tree: KinematicTree) -> set[str]:
     """The links below two or more revolute joints, such as links of legs."""
     counts = dict.fromkeys(tree.frames, 0)
@@ -234,7 +249,12 @@ def _limbs(tree: KinematicTree) -> set[str]:
     return {name for name, count in counts.items() if count > 1}
 
 
-def _bottom(body: Body, link: Transform, up: Vector) -> float | None:
-    """Height of the lowest point of a primitive, in m; None for other shapes."""
-    shape = primitive(body._replace(origin=link @ body.origin))
-    return None if shape is None else -shape.reach(vector(-part for part in up))
+def _bottom(context: Context, body: Body, link: Transform, up: Vector) -> float | None:
+    """Height of the lowest point of a shape, in m; None for one that cannot be measured."""
+    down = vector(-part for part in up)
+    if shape := primitive(body._replace(origin=link @ body.origin)):
+        return -shape.reach(down)
+    mesh = context.mesh_solid(body)
+    if mesh is None:
+        return None
+    return dot(up, link.position) - mesh.reach(rotate(link.inverse.rotation, down))
