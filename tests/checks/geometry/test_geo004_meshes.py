@@ -1,5 +1,6 @@
 """GEO004 with a mesh: a sign of an origin, the mesh of another link, a diameter."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -67,6 +68,67 @@ def test_the_collision_of_another_link(tmp_path: Path) -> None:
     assert found.message.endswith("; the collision is the mesh of 'upper'")
     assert found.help == "name the mesh of 'lower'"
     assert found.span.text.startswith("<collision>")
+
+
+def test_the_collision_of_another_link_in_another_format(tmp_path: Path) -> None:
+    """A collision in STL for each visual in OBJ."""
+    files = {f"{name}.obj": OBJECT for name in ("upper", "lower")} | FILES
+    own, other = (
+        meshed.reported(
+            tmp_path,
+            "GEO004",
+            re.sub(r"(<visual>\S+ filename=.\w+\.)stl", r"\1obj", arm("lower.stl", collision=name)),
+            files,
+        )
+        for name in ("lower.stl", "upper.stl")
+    )
+    assert not any("the mesh of" in found.message for found in own)
+    (found,) = [found for found in other if "'lower'" in found.message.partition(":")[0]]
+    assert found.message.endswith("; the collision is the mesh of 'upper'")
+
+
+@pytest.mark.parametrize(
+    ("visual", "collision", "files", "unused"),
+    [
+        ("thumb_r.stl", "thumb_l_collision.stl", "thumb_r_collision.stl", "thumb_r_collision.stl"),
+        ("thumb_r.stl", "thumb_r_collision.stl", "thumb_l_collision.stl", ""),
+        ("thumb_r.stl", "thumb_l_collision.stl", "", ""),  # one collision for both sides
+        ("thumb_r.stl", "palm_l_collision.stl", "thumb_r_collision.stl", ""),
+    ],
+)
+def test_the_collision_of_the_other_side(
+    tmp_path: Path, visual: str, collision: str, files: str, unused: str
+) -> None:
+    """The right hand of qbrobotics."""
+    robot = meshed.link(meshed.mesh(visual, "visual"), meshed.mesh(collision), name="thumb")
+    meshes = dict.fromkeys(filter(None, (visual, collision, files)), meshed.SOUND)
+    found = meshed.messages(tmp_path, "GEO004", robot, meshes)
+    assert found == ([naming("thumb", collision, visual, unused)] if unused else [])
+
+
+@pytest.mark.parametrize(
+    ("scale", "others", "is_found"),
+    [
+        ("1.1 1.1 1.1", ("upper", "lower"), True),
+        ("1 -1 1", ("upper", "lower"), True),
+        ("1 1 1", ("upper", "lower"), False),
+        ("1.1 1.1 1.1", ("upper",), False),  # nothing to compare with
+        ("1.1 1.1 1.1", (), False),
+    ],
+)
+def test_one_mesh_at_two_scales(
+    tmp_path: Path, scale: str, others: tuple[str, ...], is_found: bool
+) -> None:
+    robot = meshed.link(
+        meshed.mesh("hand.stl", "visual"), meshed.mesh("hand.stl", more=f' scale="{scale}"')
+    )
+    for name in others:
+        file = f"{name}.stl"
+        robot += meshed.link(meshed.mesh(file, "visual"), meshed.mesh(file), name=name)
+        robot += joint("arm", name, "revolute")
+    found = meshed.reported(tmp_path, "GEO004", robot, FILES | {"hand.stl": meshed.SOUND})
+    at_scale = [one.message for one in found if "scale" in one.message]
+    assert at_scale == ([naming("arm", "collision", scale, "visual", "1 1 1")] if is_found else [])
 
 
 OBJECT = b"v 0 0 0\nv 0.2 0 0\nv 0 0.12 0\nv 0 0 0.05\nf 1 2 3\nf 1 3 4\n"

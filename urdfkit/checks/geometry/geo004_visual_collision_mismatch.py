@@ -14,7 +14,8 @@ The rule compares the bounding box of all collisions of a link with that of all 
   collision around the same centre is not reported, nor is a primitive that replaces a part of a
   mesh.
 - A link has the visual mesh of its left or right counterpart, no link uses the mesh file of its own
-  side, and other pairs have a mesh for each side.
+  side, and other pairs have a mesh for each side. Or its collision is named after the other side
+  than its visual, and no link uses the file of its own side.
 - A radius is exactly 10, 100 or 1000 times that of the same shape in the other. An info is exactly
   twice, or about twice that of a mesh: a diameter.
 
@@ -26,15 +27,20 @@ Sources:
     measured: of 579 public robots, nine differ in size, eight of them by a scale
 """
 
+import os
 from math import isclose
 
-from urdfkit.checks.geometry.other_side import meshes_of_the_other_side
+from urdfkit.checks.geometry.other_side import (
+    collisions_of_the_other_side,
+    meshes_of_the_other_side,
+)
 from urdfkit.core.spatial import Z_AXIS, Transform, cross, length, minus, rotate
-from urdfkit.core.words import rounded
+from urdfkit.core.words import rounded, spaced
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.robot.assets.visual_collision import (
     LEAST_OVERLAP,
+    SIMILAR_UNIT,
     Mismatch,
     VisualCollisionPair,
     VisualCollisionPairs,
@@ -74,6 +80,9 @@ _DIAMETER_TOLERANCE, _MAX_WIDTH_RATIO = 1.05, 1.5
 #: Ratios of two radii by a diameter, and by a decimal point.
 _RADIUS_FACTORS = (2, 10, 100, 1000)
 
+#: Least number of links with one mesh at one scale next to the one at two scales.
+_CONSISTENT_LINKS = 2
+
 #: Relative tolerance of a factor of units: visual and collision are rarely equal.
 _UNIT_TOLERANCE = 1.08
 
@@ -90,6 +99,7 @@ def check(context: Context) -> Findings:
             yield _of_size(pair, wrong)
     for pair in pairs.mismatches.get(Mismatch.ROTATION, ()):
         yield _rotated(pair, pairs.of_another_link(pair))
+    yield from _other_scale(context)
     yield from _diameters(context)
     for pair in pairs.each():
         yield from _diameter_of_mesh(pair)
@@ -101,6 +111,16 @@ def check(context: Context) -> Findings:
             f"'{copied.unused}'",
             f"write the path of '{copied.unused}'",
             related=(Related(copied.correct.at.span, f"the mesh of '{side}'"),),
+            confidence=Confidence.INFERRED,
+        )
+    for copied in collisions_of_the_other_side(context):
+        seen, used = (os.path.basename(mesh.at.value) for mesh in (copied.correct, copied.wrong))
+        yield Finding(
+            copied.wrong.at,
+            f"link '{copied.wrong.link.name}': the collision '{used}' is of the other side than "
+            f"the visual '{seen}', and no link uses '{copied.unused}'",
+            f"write the path of '{copied.unused}'",
+            related=(Related(copied.correct.at.span, "the visual"),),
             confidence=Confidence.INFERRED,
         )
 
@@ -210,6 +230,35 @@ def _rotated(pair: VisualCollisionPair, foreign: tuple[Body, str] | None) -> Fin
         confidence=Confidence.INFERRED,
         weight=turn.overlap - pair.overlap,
     )
+
+
+def _other_scale(context: Context) -> Findings:
+    """The only link that has one mesh at two scales, which are not those of two units."""
+    same, other = 0, []
+    for link in context.model.links:
+        if len(link.visuals) != 1 or len(link.collisions) != 1:
+            continue
+        visual, collision = link.visuals[0].shape, link.collisions[0].shape
+        if not visual or not collision or not visual.filename or not collision.filename:
+            continue
+        if visual.filename.value == collision.filename.value:
+            if visual.scale == collision.scale:
+                same += 1
+            else:
+                other.append((link, visual, collision))
+    if len(other) != 1 or same < _CONSISTENT_LINKS:
+        return
+    ((link, visual, collision),) = other
+    ratios = [a / b if b else 0.0 for a, b in zip(visual.scale, collision.scale, strict=True)]
+    if all(1 / SIMILAR_UNIT < abs(ratio) < SIMILAR_UNIT for ratio in ratios):
+        yield Finding(
+            collision.at,
+            f"link '{link.name}': the scale of the collision is {spaced(collision.scale)}, that of "
+            f"the visual, which is the same mesh, {spaced(visual.scale)}",
+            "write the same scale for both",
+            related=(Related(visual.at.span, "the visual"),),
+            confidence=Confidence.INFERRED,
+        )
 
 
 def _diameters(context: Context) -> Findings:

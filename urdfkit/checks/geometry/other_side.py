@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 
 from urdfkit.core.grouping import by_key
@@ -16,10 +17,10 @@ _CONSISTENT_PAIRS = 2
 
 
 class MeshOfOtherSide(Record):
-    """A visual with the mesh of the other side."""
+    """A visual or collision with the mesh of the other side."""
 
     wrong: MeshReference
-    correct: MeshReference  # of the counterpart
+    correct: MeshReference  # of the counterpart, or the visual of the same link
     unused: str  # name of the file of its own side
 
 
@@ -47,6 +48,33 @@ def meshes_of_the_other_side(context: Context) -> Iterator[MeshOfOtherSide]:
             copied += _with_unused_file(context, first, second, used)
     if len(copied) == 1 and consistent >= _CONSISTENT_PAIRS:
         yield copied[0]
+
+
+def collisions_of_the_other_side(context: Context) -> Iterator[MeshOfOtherSide]:
+    """Collisions with the mesh of the other side than the visual of their link.
+
+    The file of their own side must exist, and no link use it.
+    """
+    of_link = by_key((mesh.link.name, mesh) for mesh in context.files.meshes if mesh.located.path)
+    used = {mesh.located.path for mesh in context.files.meshes}
+    for meshes in of_link.values():
+        if sorted(mesh.role for mesh in meshes) != ["collision", "visual"]:
+            continue
+        collision, visual = sorted(meshes, key=lambda mesh: mesh.role)
+        path, seen = collision.located.path or "", _part(visual.located.path or "")
+        if not pairs((seen, _part(path))):
+            continue
+        directory = os.path.dirname(path)
+        for other in context.resolver.directories.entries(directory) or ():
+            if _part(other) == seen and os.path.join(directory, other) not in used:
+                yield MeshOfOtherSide(collision, visual, other)
+                break
+
+
+def _part(path: str) -> str:
+    """The name of the part that a mesh file shows, in any role and format."""
+    name = os.path.basename(path).partition(".")[0].lower()
+    return re.sub(r"_?(collision|visual)_?", "", name)
 
 
 def _with_unused_file(

@@ -302,11 +302,17 @@ class VisualCollisionPairs:
 
     @cached_property
     def _users(self) -> dict[str, dict[Tag, str]]:
-        """The links that have each mesh as a visual, by the tag of the mesh in its file."""
+        """The links that have each mesh as a visual, by the tag of the mesh in its file.
+
+        Or as a collision whose visual has the same name, such as ``arm.stl`` and ``arm.dae``.
+        """
         users: dict[str, dict[Tag, str]] = {}
         for link in self._model.links:
-            for body in link.visuals:
-                if body.shape and body.file:
+            seen = {body.file.value for body in link.visuals if body.file}
+            names = {_stem(body) for body in link.visuals}
+            for body in link.bodies:
+                is_own = body in link.visuals or (body.file and body.file.value not in seen)
+                if body.shape and body.file and is_own and _stem(body) in names:
                     users.setdefault(body.file.value, {})[body.shape.at.tag_at] = link.name
         return users
 
