@@ -169,6 +169,29 @@ def test_cameras_that_do_not_move() -> None:
     ]
 
 
+def casters(rear_right: str) -> str:
+    """Four casters, of which the front ones and the left rear one are mirror images."""
+    places = {"fl": "0.3 0.2 -0.1", "fr": "0.3 -0.2 -0.1", "rl": "-0.3 0.2 -0.1", "rr": rear_right}
+    parts = (PART.format(side=side, xyz=xyz, rpy="0 0 0") for side, xyz in places.items())
+    return '<link name="base"/>' + "".join(parts).replace("continuous", "fixed")
+
+
+@pytest.mark.parametrize(
+    ("place", "reason"),
+    [
+        ("-0.3 -0.2 -0.1", ""),
+        ("-0.3 -0.2 -0.05", "higher"),
+        ("-0.3 -0.2 -0.2", "lower"),
+        ("-0.25 -0.2 -0.1", "not as far"),
+        ("-0.25 -0.2 -0.05", ""),  # differs in two coordinates
+        ("-0.3 -0.25 -0.1", ""),
+    ],
+)
+def test_the_odd_one_of_four_corners(place: str, reason: str) -> None:
+    expected = naming("rr_joint", f"{place} m", reason, "rl_joint", "-0.3 0.2 -0.1 m")
+    assert messages("JNT025", casters(place)) == ([expected] if reason else [])
+
+
 @pytest.mark.parametrize(
     ("right", "shift"),
     [("0.13 -0.2 -0.05", ("0.03 m", "forward")), ("0.1 -0.2 -0.15", ("0.1 m", "down"))],

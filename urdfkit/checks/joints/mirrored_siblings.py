@@ -32,6 +32,30 @@ def misplaced_siblings(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
         if reason := _wrong_position(first, second):
             is_left = is_left_misplaced(model, first, second)
             yield (second, first, reason) if is_left else (first, second, reason)
+    for first, second in siblings:
+        if first.kind == "fixed" and (corner := _odd_corner(first, second, mirrored)):
+            yield corner
+
+
+def _odd_corner(
+    left: Joint, right: Joint, mirrored: list[tuple[Joint, Joint]]
+) -> tuple[Joint, Joint, str] | None:
+    """The one of four corners, such as casters, that differs from the other three in x or z."""
+    (x, y, z), (a, b, c) = left.origin.position, right.origin.position
+    is_moved = (abs(abs(x) - abs(a)) >= TOLERANCE) != (abs(z - c) >= TOLERANCE)
+    if abs(y) < TOLERANCE or abs(y + b) >= TOLERANCE or not is_moved or x * a < 0:
+        return None
+    for correct, wrong in ((left, right), (right, left)):
+        x, y, z = correct.origin.position
+        opposite = (-x, y, z)
+        for pair in mirrored:
+            is_there = any(is_equal(joint.origin.position, opposite) for joint in pair)
+            if is_there and pair[0].parent_name == left.parent_name and abs(x) >= TOLERANCE:
+                height = wrong.origin.position[2] - z
+                if abs(height) < TOLERANCE:
+                    return correct, wrong, "is not as far from the middle as"
+                return correct, wrong, f"is {'higher' if height > 0 else 'lower'} than"
+    return None
 
 
 def _wrong_position(left: Joint, right: Joint) -> str:
