@@ -44,6 +44,12 @@ def test_disabled_pair_or_no_matrix(tmp_path: Path, matrix: str) -> None:
     assert reported(tmp_path, matrix) == []
 
 
+@pytest.mark.parametrize(("near", "severity"), [(0.198, "warning"), (0.1995, "info")])
+def test_an_overlap_by_rounding_is_an_info(tmp_path: Path, near: float, severity: str) -> None:
+    (found,) = reported(tmp_path, SOME, near=near)
+    assert found.severity.value == severity
+
+
 def test_separate_links_are_accepted(tmp_path: Path) -> None:
     assert reported(tmp_path, SOME, near=0.21) == []
 

@@ -4,8 +4,9 @@
   fixed joints are between them, or if one of them has no collision geometry). The pair is never
   checked for collisions. Links are also adjacent if only links without collision geometry are
   between them, or if both are next to the same link without collision geometry.
-- A pair that a joint connects overlaps at the zero pose and is not disabled (info). MoveIt finds
-  the collision in every pose, and cannot plan. An SRDF without any matrix is not reported.
+- A pair that a joint connects overlaps at the zero pose and is not disabled (warning; an info if
+  the overlap is less than 1 mm). MoveIt finds the collision in every pose, and cannot plan. An SRDF
+  without any matrix is not reported.
 
 The matrix is older than the links, or was edited by hand; `urdfkit collisions -o` updates it.
 
@@ -38,6 +39,8 @@ FILES = srdf_files(
 
 #: In m: bodies that only touch are not reported.
 _MIN_DEPTH = 1e-4
+#: In m: bodies that overlap by more do so in other poses, too.
+_DEEP = 1e-3
 
 
 @rule(
@@ -60,6 +63,7 @@ def check(context: Context) -> Findings:
                 srdf.root,
                 f"connected links '{first}' and '{second}' overlap by "
                 f"{1000 * pair.contact.depth:.3g} mm, but their collisions are not disabled",
+                severity=Severity.WARNING if pair.contact.depth > _DEEP else None,
             )
 
 
