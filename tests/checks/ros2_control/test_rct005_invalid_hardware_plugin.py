@@ -142,3 +142,29 @@ def test_the_former_name_of_mock_hardware() -> None:
     )
     assert found.severity in (Severity.INFO, Severity.WARNING)  # of this directory's own files
     assert found.help.startswith("write mock_components/GenericSystem")
+
+
+@pytest.mark.parametrize(
+    ("hardware", "library", "more", "is_found"),
+    [
+        (GZ, "libgazebo_ros2_control.so", "", True),
+        (CLASSIC, "libgazebo_ros2_control.so", "", False),
+        (GZ, "libgazebo_ros2_control.so", plugin("gz_ros2_control-system"), False),
+        (GZ, "libgazebo_ros2_control.so", '<xacro:include filename="gz.xacro"/>', False),
+        (MOCK, "libgazebo_ros2_control.so", "", False),
+        (GZ, "libgazebo_ros_p3d.so", "", False),
+    ],
+)
+def test_hardware_that_an_argument_selects(
+    hardware: str, library: str, more: str, is_found: bool
+) -> None:
+    """KUKA's iiwa: the argument use_sim is false by default."""
+    choice = (
+        f'<xacro:if value="$(arg sim)"><plugin>{hardware}</plugin>{more}</xacro:if>'
+        f'<xacro:unless value="$(arg sim)">{PLUGIN}</xacro:unless>'
+    )
+    text = '<xacro:arg name="sim" default="false"/>' + GOOD.replace(PLUGIN, choice)
+    robot = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
+    found = reported("RCT005", robot.format(text + plugin(library)).encode(), "robot.xacro")
+    expected = [(naming(library, GZ), GZ, Severity.WARNING)] if is_found else []
+    assert [(one.message, one.span.text, one.severity) for one in found] == expected
