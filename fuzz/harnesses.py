@@ -379,24 +379,24 @@ def _lsp(data: bytes) -> None:
     workspace.set_text(path, data)
     workspace.check(path, thorough=False, is_cancelled=lambda: False)
     robot = workspace.robot(path)
-    page = robot.page(path)
-    outline.outline(robot, page)
+    markup = robot.markup(path)
+    outline.outline(robot, markup)
     outline.symbols([robot], "a")
-    list(navigation.links(robot, page))
-    list(inlay_hints.inlay_hints(robot, page, 0, len(data)))
+    list(navigation.links(robot, markup))
+    list(inlay_hints.inlay_hints(robot, markup, 0, len(data)))
     for _ in range(5):
         place = lsp.Position(random.randint(0, 60), random.randint(0, 80))
-        offset = PositionEncoding("utf-16").offset(page.source, place)
-        completion.complete(robot, page, offset)
-        hover.hover(robot, page, offset, workspace.diagnostics(path))
-        navigation.definitions(robot, page, offset)
-        navigation.references(robot, page, offset, definitions=True)
+        offset = PositionEncoding("utf-16").offset(markup.source, place)
+        completion.complete(robot, markup, offset)
+        hover.hover(robot, markup, offset, workspace.diagnostics(path))
+        navigation.definitions(robot, markup, offset)
+        navigation.references(robot, markup, offset, definitions=True)
         try:
-            navigation.rename(robot, page, offset, "other")
+            navigation.rename(robot, markup, offset, "other")
         except UrdfkitError:
             pass
     for found in workspace.diagnostics(path)[:3]:
-        list(actions.actions(page, found))
+        list(actions.actions(markup, found))
 
 
 def _write(name: str, data: bytes) -> None:

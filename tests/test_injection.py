@@ -416,19 +416,19 @@ def test_a_completion_inserts_a_name_as_text(payload: str, tmp_path: Path) -> No
     places = PositionEncoding("utf-16")
     for place, name in (("FILE", mesh), ("LINK", payload)):
         edited = Edited(tmp_path / "r.urdf.xacro", body.replace(place, "|"))
-        page, offset = edited.page, edited.offset
-        offers = completion.complete(edited.robot, page, offset)
+        markup, offset = edited.markup, edited.offset
+        offers = completion.complete(edited.robot, markup, offset)
         (offer,) = [one for one in offers if one.text == name]
-        item = features._item(places, page.source, offset, offer, snippets=True)
+        item = features._item(places, markup.source, offset, offer, snippets=True)
         assert item.text_edit is not None
         assert not _UNSAFE.search(item.label)
-        data, inserted = page.source.data, item.text_edit.new_text
+        data, inserted = markup.source.data, item.text_edit.new_text
         text = data[: offer.start].decode() + inserted + data[offset:].decode()
         if not _NOT_XML.search(payload):
             elements = list(ElementTree.fromstring(text).iter())
             assert len(elements) == 9
             assert name in [value for one in elements for value in one.attrib.values()]
-        for entry in outline.outline(edited.robot, page):
+        for entry in outline.outline(edited.robot, markup):
             assert not _UNSAFE.search(features._symbol(places, entry).name)
 
 
@@ -455,7 +455,7 @@ def test_a_hover_shows_names_as_they_are(name: str, tmp_path: Path) -> None:
     assert published
     assert not [one.message for one in published if _UNSAFE.search(one.message)]
     shown = {
-        hover(edited.robot, edited.page, offset, found)
+        hover(edited.robot, edited.markup, offset, found)
         for offset in range(0, len(text.encode()), 3)
     }
     assert any("pwned" in one or "a" in one for one in shown)

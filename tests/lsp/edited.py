@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 from tests.conftest import MISSION
-from urdfkit.lsp.markup import Page
+from urdfkit.lsp.markup import Markup
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.workspace import Workspace
 
@@ -37,8 +37,8 @@ class Edited:
         return self.workspace.robot(self.path)
 
     @property
-    def page(self) -> Page:
-        return self.robot.page(self.path)
+    def markup(self) -> Markup:
+        return self.robot.markup(self.path)
 
 
 def mission(before: str, after: str = "") -> str:

@@ -22,7 +22,7 @@ ARM = (
 
 def offers(tmp_path: Path, text: str, name: str = "r.urdf") -> dict[str, CompletionItem]:
     file = Edited(tmp_path / name, text)
-    return {offer.text: offer for offer in complete(file.robot, file.page, file.offset)}
+    return {offer.text: offer for offer in complete(file.robot, file.markup, file.offset)}
 
 
 @pytest.mark.parametrize(
@@ -146,7 +146,7 @@ def test_names_survive_a_text_that_breaks(tmp_path: Path) -> None:
     for broken in ('<joint name="j"><parent link="|', '<joint name="j"><child link="a|'):
         file.type(XACRO.format(body.format(broken)))
         assert file.robot.sources
-        found = {offer.text for offer in complete(file.robot, file.page, file.offset)}
+        found = {offer.text for offer in complete(file.robot, file.markup, file.offset)}
         assert "a_leg" in found
 
 

@@ -17,7 +17,7 @@ def reported(file: Edited, *, checked: bool = False) -> str:
     if checked:
         file.workspace.check(file.path)
         diagnostics = file.workspace.diagnostics(file.path)
-    return hover(file.robot, file.page, file.offset, diagnostics)
+    return hover(file.robot, file.markup, file.offset, diagnostics)
 
 
 def test_a_link_has_mass_and_inertia() -> None:

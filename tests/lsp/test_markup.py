@@ -5,15 +5,15 @@ import random
 import pytest
 
 from tests.conftest import MISSION
-from urdfkit.lsp.markup import MAX_DEPTH, Cursor, Page, cursor
+from urdfkit.lsp.markup import MAX_DEPTH, Cursor, Markup, cursor
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 
 
 def at(text: str) -> Cursor:
     before, _, after = text.partition("|")
-    page = Page(Source("r.urdf", (before + after).encode()))
-    return cursor(page, len(before.encode()))
+    markup = Markup(Source("r.urdf", (before + after).encode()))
+    return cursor(markup, len(before.encode()))
 
 
 @pytest.mark.parametrize(
@@ -55,8 +55,8 @@ def test_where_the_cursor_is(text: str, place: str, node: str | None, attribute:
 
 
 def test_a_tag_that_is_being_written_takes_nothing_in() -> None:
-    page = Page(Source("r.urdf", b'<robot><link name="a" <joint name="b"/></robot>'))
-    assert [(node.name, node.parent and node.parent.name) for node in page.nodes] == [
+    markup = Markup(Source("r.urdf", b'<robot><link name="a" <joint name="b"/></robot>'))
+    assert [(node.name, node.parent and node.parent.name) for node in markup.nodes] == [
         ("robot", None),
         ("link", "robot"),
         ("joint", "robot"),
@@ -68,7 +68,7 @@ def test_it_agrees_with_expat_on_what_is_xml() -> None:
     source = Source.read(MISSION)
     document, _ = read_xml(source)
     assert document is not None
-    nodes = Page(source).nodes
+    nodes = Markup(source).nodes
     for node, element in zip(nodes, document.root.walk(), strict=True):
         assert node.name == element.tag
         assert node.span == element.tag_at.whole_span
@@ -90,11 +90,11 @@ def test_any_damage_is_read() -> None:
         junk = bytes(chance.choices(b"<>/\"'=! -${}\n\x00\xff", k=chance.randrange(8)))
         damaged = data[:start][-2000:] + junk + data[end:][:2000]
         source = Source("r.xacro", damaged)
-        page = Page(source)
-        for node in page.nodes:
+        markup = Markup(source)
+        for node in markup.nodes:
             assert 0 <= node.start < node.tag_end <= node.end <= len(source.data)
         for offset in chance.choices(range(len(source.data) + 1), k=20):
-            found = cursor(page, offset)
+            found = cursor(markup, offset)
             assert found.node is None or found.node.start <= offset <= found.node.end
 
 
@@ -103,6 +103,6 @@ def test_any_damage_is_read() -> None:
     [one * 20_000 for one in ("<", "<a ", "<a>", '<a b="', "<!--", "<?", "<!DOCTYPE[", "?><?")],
 )
 def test_hostile_texts_are_read_soon(text: str) -> None:
-    page = Page(Source("r.urdf", text.encode()))
-    assert max((node.depth for node in page.nodes), default=0) <= MAX_DEPTH
-    cursor(page, len(text))
+    markup = Markup(Source("r.urdf", text.encode()))
+    assert max((node.depth for node in markup.nodes), default=0) <= MAX_DEPTH
+    cursor(markup, len(text))

@@ -46,7 +46,7 @@ def lines(spans: list[Span]) -> list[tuple[int, str]]:
 
 def found(file: Edited) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:
     """Definitions, and all places that are no definitions."""
-    at = (file.robot, file.page, file.offset)
+    at = (file.robot, file.markup, file.offset)
     return lines(definitions(*at)), lines(references(*at, definitions=False))
 
 
@@ -84,10 +84,10 @@ def test_a_name_of_an_included_file(tmp_path: Path) -> None:
     (tmp_path / "legs.xacro").write_text(MACRO.replace("<xacro:leg ", "<xacro:leg_ "))
     text = XACRO.format('<xacro:include filename="legs.xacro"/>\n<xacro:leg prefix="a"/>')
     file = Edited(tmp_path / "r.xacro", text.replace("<xacro:leg ", "<xacro:l|eg "))
-    (span,) = definitions(file.robot, file.page, file.offset)
+    (span,) = definitions(file.robot, file.markup, file.offset)
     assert (Path(span.source.path).name, span.line) == ("legs.xacro", 4)
     file.type(text.replace("legs.xacro", "legs|.xacro"))
-    (span,) = definitions(file.robot, file.page, file.offset)
+    (span,) = definitions(file.robot, file.markup, file.offset)
     assert Path(span.source.path).name == "legs.xacro"
 
 
@@ -95,11 +95,11 @@ def test_the_mesh_and_its_package_can_be_opened() -> None:
     text = ARM.read_text()
     assert "package://two_link_arm/" in text
     file = Edited(ARM, text.replace("package://two", "package://tw|o", 1))
-    (span,) = definitions(file.robot, file.page, file.offset)
+    (span,) = definitions(file.robot, file.markup, file.offset)
     assert Path(span.source.path) == ARM.parents[1] / "package.xml"
     mesh = text.partition("package://two_link_arm/")[2].partition('"')[0]
     file.type(text.replace(mesh, f"{mesh[:5]}|{mesh[5:]}", 1))
-    (span,) = definitions(file.robot, file.page, file.offset)
+    (span,) = definitions(file.robot, file.markup, file.offset)
     assert Path(span.source.path) == ARM.parents[1] / mesh
 
 
@@ -125,7 +125,7 @@ def with_srdf(tmp_path: Path) -> Edited:
 
 
 def test_the_srdf_of_a_robot_uses_its_names(with_srdf: Edited) -> None:
-    at = (with_srdf.robot, with_srdf.page, with_srdf.offset)
+    at = (with_srdf.robot, with_srdf.markup, with_srdf.offset)
     used = [
         (Path(span.source.path).suffix, span.line) for span in references(*at, definitions=False)
     ]
@@ -144,7 +144,7 @@ def test_a_name_in_the_srdf_leads_to_the_robot(with_srdf: Edited) -> None:
     file = Edited(
         srdf, srdf.read_text().replace('joint name="hip"', 'joint name="h|ip"'), workspace
     )
-    (span,) = definitions(file.robot, file.page, file.offset)
+    (span,) = definitions(file.robot, file.markup, file.offset)
     assert (Path(span.source.path).suffix, span.text) == (".urdf", "hip")
 
 
@@ -152,9 +152,9 @@ def test_a_name_in_the_srdf_leads_to_the_robot(with_srdf: Edited) -> None:
 
 
 def renamed(file: Edited, new: str) -> str:
-    edits = rename(file.robot, file.page, file.offset, new)
+    edits = rename(file.robot, file.markup, file.offset, new)
     assert {edit.span.source.path for edit in edits} == {file.path}
-    return apply_edits(file.page.source.data, edits).decode()
+    return apply_edits(file.markup.source.data, edits).decode()
 
 
 @pytest.mark.parametrize(
@@ -226,7 +226,7 @@ def test_renaming_reaches_uses_of_a_namespace(tmp_path: Path, before: str, after
     file = Edited(
         place, XACRO.replace("{}", part.replace(f'"{before}{after}"', f'"{before}|{after}"'))
     )
-    edits = rename(file.robot, file.page, file.offset, "other")
+    edits = rename(file.robot, file.markup, file.offset, "other")
     expected = _expanded(tmp_path, text)
     for path in (place, tmp_path / "r.xacro"):
         own = [edit for edit in edits if Path(edit.span.source.path).name == path.name]
@@ -264,7 +264,7 @@ def test_a_property_that_a_macro_forwards_is_not_renamed(tmp_path: Path, name: s
     file = Edited(tmp_path / "r.xacro", text)
     file.offset = text.index("length", text.index(name))
     with pytest.raises(CannotRename, match=r"the macro at r\.xacro:2 forwards 'length'"):
-        rename(file.robot, file.page, file.offset, "other")
+        rename(file.robot, file.markup, file.offset, "other")
 
 
 def _expanded(directory: Path, text: str) -> str:
@@ -298,13 +298,13 @@ def test_renaming_a_link_of_the_mission_renames_it_everywhere() -> None:
 def test_what_cannot_be_renamed_is_refused(tmp_path, before, after, new, why) -> None:
     file = edited(tmp_path, before, after)
     with pytest.raises(CannotRename, match=why):
-        rename(file.robot, file.page, file.offset, new)
+        rename(file.robot, file.markup, file.offset, new)
 
 
 def test_a_name_that_is_given_nowhere_is_not_renamed(tmp_path: Path) -> None:
     file = edited(tmp_path, "sq", "rt", text=MACRO.replace("2 * mass", "sqrt(mass)"))
     with pytest.raises(CannotRename, match="'sqrt' is not defined"):
-        rename(file.robot, file.page, file.offset, "x")
+        rename(file.robot, file.markup, file.offset, "x")
 
 
 LAUNCH = """\
@@ -343,5 +343,5 @@ def test_from_a_launch_file_to_the_files_that_it_names(
     (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
     assert before + after in text
     here = Edited(tmp_path / "launch" / file, text.replace(before + after, f"{before}|{after}", 1))
-    found = [span.source.path for span in definitions(here.robot, here.page, here.offset)]
+    found = [span.source.path for span in definitions(here.robot, here.markup, here.offset)]
     assert found == ([str(tmp_path / expected)] if expected else [])

@@ -11,7 +11,7 @@ from urdfkit.lsp.outline import MAX_DEPTH, OutlineEntry, outline
 def shape(file: Edited) -> list[tuple[int, str, str, str]]:
     """Depth, kind, name and detail of all entries."""
     reported = []
-    stack = [(0, entry) for entry in reversed(outline(file.robot, file.page))]
+    stack = [(0, entry) for entry in reversed(outline(file.robot, file.markup))]
     while stack:
         depth, entry = stack.pop()
         reported.append((depth, entry.kind, entry.name, entry.detail))
@@ -39,7 +39,7 @@ def test_the_mission() -> None:
 
 def test_what_a_macro_makes_is_at_its_call(tmp_path: Path) -> None:
     file = Edited(tmp_path / "r.xacro", MACRO)
-    (base,) = [entry for entry in outline(file.robot, file.page) if entry.name == "base"]
+    (base,) = [entry for entry in outline(file.robot, file.markup) if entry.name == "base"]
     assert [(joint.name, joint.span.line) for joint in base.children] == [
         ("left_hip", 12),
         ("right_hip", 13),
@@ -98,6 +98,6 @@ def depth(entry: OutlineEntry) -> int:
 def test_a_chain_of_any_length_has_a_bounded_depth(tmp_path: Path) -> None:
     chain = [(f"l{i}", f"l{i + 1}") for i in range(1200)]
     file = Edited(tmp_path / "r.urdf", robot(*chain))
-    entries = outline(file.robot, file.page)
+    entries = outline(file.robot, file.markup)
     assert max(map(depth, entries)) <= MAX_DEPTH + 2
     assert len(shape(file)) == 2401

@@ -87,7 +87,7 @@ def renamed(path: Path, before: str, after: str, new: str) -> None:
     text = path.read_text(encoding="utf-8")
     assert before + after in text
     file = Edited(path, text.replace(before + after, f"{before}|{after}", 1))
-    edits = rename(file.robot, file.page, file.offset, new)
+    edits = rename(file.robot, file.markup, file.offset, new)
     for source in {edit.span.source for edit in edits}:
         mine = [edit for edit in edits if edit.span.source is source]
         Path(source.path).write_bytes(apply_edits(source.data, mine))
@@ -105,7 +105,7 @@ def test_renaming_reaches_yaml_and_launch_files(tmp_path: Path) -> None:
 def test_references_tell_the_places(tmp_path: Path) -> None:
     path = package(tmp_path)
     file = Edited(path, ROBOT.replace('joint name="le', 'joint name="le|'))
-    spans = references(file.robot, file.page, file.offset, definitions=False)
+    spans = references(file.robot, file.markup, file.offset, definitions=False)
     assert sorted((Path(s.source.path).name, s.line, s.text) for s in spans) == [
         ("controllers.yaml", 4, "left"),
         ("controllers.yaml", 7, "left"),
@@ -137,11 +137,11 @@ def sharing(directory: Path) -> Edited:
 def test_renaming_reaches_all_robots_that_share_a_file(tmp_path: Path) -> None:
     file = sharing(tmp_path)
     others = file.workspace.other_robots(file.path)
-    edits = rename(file.robot, file.page, file.offset, "flange", others)
+    edits = rename(file.robot, file.markup, file.offset, "flange", others)
     places = ["b.urdf.xacro", "c.yaml", "common.xacro"]
     assert sorted(Path(edit.span.source.path).name for edit in edits) == places
     with pytest.raises(CannotRename, match="there is already a link 'g'"):
-        rename(file.robot, file.page, file.offset, "g", others)
+        rename(file.robot, file.markup, file.offset, "g", others)
 
 
 @pytest.mark.parametrize("text", ["", "\0", "[", "- " * 500, "a: &x [*x]", "joints: [left]\xff"])
@@ -158,7 +158,7 @@ def test_a_yaml_file_leads_to_the_robot(tmp_path: Path) -> None:
     yaml = tmp_path / "config" / "controllers.yaml"
     text = yaml.read_text().replace('["left"]', '["le|ft"]')
     file = Edited(yaml, text)
-    at = (file.robot, file.page, file.offset)
+    at = (file.robot, file.markup, file.offset)
     (given,) = definitions(*at)
     assert (given.source.path, given.line, given.text) == (str(path), 4, "left")
     assert len(references(*at, definitions=False)) == 4
@@ -167,7 +167,7 @@ def test_a_yaml_file_leads_to_the_robot(tmp_path: Path) -> None:
     edits = rename(*at, "port")
     assert {edit.span.source.path for edit in edits} >= {str(path), str(yaml)}
     nothing = Edited(yaml, text.replace("|", "").replace("side: left", "side: le|ft"))
-    assert definitions(nothing.robot, nothing.page, nothing.offset) == []
+    assert definitions(nothing.robot, nothing.markup, nothing.offset) == []
 
 
 def test_yaml_of_no_robot_has_nothing_to_say(tmp_path: Path) -> None:

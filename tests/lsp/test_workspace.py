@@ -64,7 +64,7 @@ def test_a_text_is_expanded_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     monkeypatch.setattr("urdfkit.xacro.expand_repeatedly", counted)
     file.workspace.check(file.path)
     file.workspace.check(file.path, thorough=True)
-    file.workspace.robot(file.path).page(file.path)
+    file.workspace.robot(file.path).markup(file.path)
     assert len(expanded) == 1
     file.workspace.set_text(file.path, XACRO.format('<link name="${2}"/>').encode())
     file.workspace.check(file.path)
@@ -186,7 +186,7 @@ def test_every_prefix_of_a_text_is_checked_without_an_error(thorough: bool) -> N
         checked = file.workspace.check(file.path, thorough=thorough)
         assert checked.failure == ""
         assert checked.diagnostics[file.path]
-        assert file.robot.page(file.path).source.data == text[:end].encode()
+        assert file.robot.markup(file.path).source.data == text[:end].encode()
 
 
 def test_directories_are_listed_once_until_files_on_disk_change(

@@ -41,7 +41,7 @@ class Reading(Record):
     @property
     def missing_arguments(self) -> tuple[str, ...]:
         """The arguments without which a xacro cannot be expanded."""
-        return tuple(dict.fromkeys(problem.argument for problem in self.lacking))
+        return tuple(dict.fromkeys(problem.argument for problem in self.missing_argument_problems))
 
     @property
     def arguments_to_pass(self) -> tuple[str, ...]:
@@ -50,7 +50,7 @@ class Reading(Record):
         return self.missing_arguments or tuple(dict.fromkeys(early))
 
     @property
-    def lacking(self) -> list[Problem]:
+    def missing_argument_problems(self) -> list[Problem]:
         """The problems that are arguments without a value."""
         return [
             problem for problem in self.problems if problem.argument and problem.code != TOO_EARLY
@@ -59,7 +59,7 @@ class Reading(Record):
     @property
     def missing_argument_codes(self) -> frozenset[str]:
         """The codes of the problems that are arguments without a value."""
-        return frozenset(problem.code for problem in self.lacking)
+        return frozenset(problem.code for problem in self.missing_argument_problems)
 
     @property
     def is_fragment(self) -> bool:

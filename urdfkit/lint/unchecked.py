@@ -18,7 +18,7 @@ from urdfkit.xacro import Xacro
 
 def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple[str, str]:
     """The reason why a description is not checked, and an instruction."""
-    names = tuple(dict.fromkeys(problem.argument for problem in reading.lacking))
+    names = tuple(dict.fromkeys(problem.argument for problem in reading.missing_argument_problems))
     if not names or reading.xacro is None:
         errors = (p for p in reading.problems if get(p.code).severity is Severity.ERROR)
         first = next((p for p in errors if p.code != TOO_EARLY), None)

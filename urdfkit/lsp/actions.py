@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.lint.ignore_comments import CommentPlaces
-from urdfkit.lsp.markup import Page
+from urdfkit.lsp.markup import Markup
 from urdfkit.text.diagnostic import Diagnostic, Edit, Fix
 
 
@@ -19,7 +19,7 @@ class QuickFix(Record):
     preferred: bool = False  # True if the fix is safe
 
 
-def actions(page: Page, diagnostic: Diagnostic) -> Iterator[QuickFix]:
+def actions(markup: Markup, diagnostic: Diagnostic) -> Iterator[QuickFix]:
     """The code actions for a finding.
 
     Args:
@@ -29,7 +29,7 @@ def actions(page: Page, diagnostic: Diagnostic) -> Iterator[QuickFix]:
     if fix is not None:
         title = fix.title[:1].upper() + fix.title[1:]
         yield QuickFix(title, fix.edits, diagnostic, fix.safe)
-    places = CommentPlaces(page.source)
+    places = CommentPlaces(markup.source)
     element = places.element(diagnostic.span.start)
     if element is not None:
         edit = places.edit(element, [diagnostic.code])

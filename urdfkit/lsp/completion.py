@@ -14,7 +14,7 @@ from urdfkit.lsp.completion_in_text import (
     named_items,
 )
 from urdfkit.lsp.grammar import REFERRING_ELEMENTS, grammar_of, kind_of_reference
-from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
+from urdfkit.lsp.markup import Cursor, Markup, TagNode, cursor
 from urdfkit.lsp.names import macro_name, parameters, path_in, plugin_parameters
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.ros.catalog import extensions, materials, plugins, sensors
@@ -35,11 +35,11 @@ _XACRO_TAGS = {
 _BOOLEANS = ("true", "false")
 
 
-def complete(robot: OpenRobot, page: Page, offset: int) -> list[CompletionItem]:
+def complete(robot: OpenRobot, markup: Markup, offset: int) -> list[CompletionItem]:
     """All completions at an offset, not filtered by the typed prefix."""
-    if page.source.path.endswith(".py"):
+    if markup.source.path.endswith(".py"):
         return []  # a launch file: '<' is not a tag
-    here = cursor(page, offset)
+    here = cursor(markup, offset)
     node = here.node
     if node is None:
         return []
@@ -47,23 +47,23 @@ def complete(robot: OpenRobot, page: Page, offset: int) -> list[CompletionItem]:
     if here.place == "tag":
         items = _tags(robot, node)
     elif here.place == "end":
-        start = page.end_name_at(offset) or offset
+        start = markup.end_name_at(offset) or offset
         items = [CompletionItem(node.name, "tag", "end tag", start)]
     elif here.place == "attribute":
         items = _attributes(robot, here, node)
     elif here.place in ("value", "text"):
-        items = _values_or_text(robot, page, here, node)
+        items = _values_or_text(robot, markup, here, node)
     return list({item.text: item for item in items}.values())
 
 
 def _values_or_text(
-    robot: OpenRobot, page: Page, here: Cursor, node: TagNode
+    robot: OpenRobot, markup: Markup, here: Cursor, node: TagNode
 ) -> Iterable[CompletionItem]:
     """Completions in the value of an attribute, or in the text of an element."""
     value = here.attribute.value_span if here.attribute else None
     start = value.start if value else node.tag_end
-    before = page.source.data[: here.offset]
-    if items := list(in_text(robot, page, before[start:], start)):
+    before = markup.source.data[: here.offset]
+    if items := list(in_text(robot, markup, before[start:], start)):
         return items
     if here.place == "text":
         return _contents(robot, node, here.offset - len(last_word(before)))

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 
 from urdfkit.core.record import Record
-from urdfkit.lsp.markup import Page
+from urdfkit.lsp.markup import Markup
 from urdfkit.lsp.names import parameters
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.workspace.directories import Directories
@@ -41,14 +41,16 @@ class CompletionItem(Record):
     required: bool = False  # True for required elements and attributes, which are offered first
 
 
-def in_text(robot: OpenRobot, page: Page, before: bytes, start: int) -> Iterator[CompletionItem]:
+def in_text(
+    robot: OpenRobot, markup: Markup, before: bytes, start: int
+) -> Iterator[CompletionItem]:
     """Completions in ``${...}``, ``$(...)`` and package URIs; ``before`` begins at ``start``."""
     end = start + len(before)
     word = end - len(last_word(before))
-    packages = robot.resolver.packages.known(page.source.path)
+    packages = robot.resolver.packages.known(markup.source.path)
     if _IN_EXPRESSION.search(before):
         yield from named_items(robot.defined("property"), "name", "property", word)
-        yield from _macro_parameters(page, end, word)
+        yield from _macro_parameters(markup, end, word)
         yield from named_items(_BUILT_IN, "word", "built in", word)
     elif match := _IN_FOUND.search(before) or _IN_PACKAGE.search(before):
         directory = packages.get(match[1].decode("utf-8", "replace"))
@@ -76,9 +78,9 @@ def _command_arguments(
         yield from named_items(sorted(packages), "name", "package", word)
 
 
-def _macro_parameters(page: Page, offset: int, word: int) -> Iterator[CompletionItem]:
+def _macro_parameters(markup: Markup, offset: int, word: int) -> Iterator[CompletionItem]:
     """The parameters of the macro around an offset."""
-    node = page.node_at(offset)
+    node = markup.node_at(offset)
     for macro in (node, *node.ancestors()) if node else ():
         if macro.name == "xacro:macro":
             yield from named_items(parameters(macro), "name", "parameter", word)

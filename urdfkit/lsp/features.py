@@ -112,9 +112,9 @@ def _add_pull(server: Server) -> None:
 
 
 def _hover(server: Server, params: lsp.HoverParams) -> lsp.Hover | None:
-    robot, page, offset = server.at(params.text_document.uri, params.position)
+    robot, markup, offset = server.at(params.text_document.uri, params.position)
     diagnostics = server.robots.diagnostics(server.path(params.text_document.uri))
-    text = hover.hover(robot, page, offset, diagnostics)
+    text = hover.hover(robot, markup, offset, diagnostics)
     return lsp.Hover(lsp.MarkupContent(lsp.MarkupKind.Markdown, text)) if text else None
 
 
@@ -134,24 +134,24 @@ def _references(server: Server, params: lsp.ReferenceParams) -> list[lsp.Locatio
 
 
 def _symbols(server: Server, params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
-    robot, page = server.page(params.text_document.uri)
-    return [_symbol(server.encoding, entry) for entry in outline.outline(robot, page)]
+    robot, markup = server.markup(params.text_document.uri)
+    return [_symbol(server.encoding, entry) for entry in outline.outline(robot, markup)]
 
 
 def _links(server: Server, params: lsp.DocumentLinkParams) -> list[lsp.DocumentLink]:
-    robot, page = server.page(params.text_document.uri)
+    robot, markup = server.markup(params.text_document.uri)
     return [
         lsp.DocumentLink(server.encoding.range(span), to_uri(path))
-        for span, path in navigation.links(robot, page)
+        for span, path in navigation.links(robot, markup)
     ]
 
 
 def _inlay_hints(server: Server, params: lsp.InlayHintParams) -> list[lsp.InlayHint]:
-    robot, page, start = server.at(params.text_document.uri, params.range.start)
-    end = server.encoding.offset(page.source, params.range.end)
+    robot, markup, start = server.at(params.text_document.uri, params.range.start)
+    end = server.encoding.offset(markup.source, params.range.end)
     return [
-        lsp.InlayHint(server.encoding.position(page.source, offset), text, padding_left=True)
-        for offset, text in inlay_hints(robot, page, start, end)
+        lsp.InlayHint(server.encoding.position(markup.source, offset), text, padding_left=True)
+        for offset, text in inlay_hints(robot, markup, start, end)
     ]
 
 
@@ -169,9 +169,9 @@ def _workspace_symbols(
 
 
 def _completions(server: Server, params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
-    robot, page, offset = server.at(params.text_document.uri, params.position)
-    offers = completion.complete(robot, page, offset)
-    encoding, source, snippets = server.encoding, page.source, server.supports_snippets
+    robot, markup, offset = server.at(params.text_document.uri, params.position)
+    offers = completion.complete(robot, markup, offset)
+    encoding, source, snippets = server.encoding, markup.source, server.supports_snippets
     return [_item(encoding, source, offset, offer, snippets=snippets) for offer in offers]
 
 
@@ -202,13 +202,13 @@ def _actions(server: Server, params: lsp.CodeActionParams) -> list[lsp.CodeActio
     path = server.path(params.text_document.uri)
     if any(kind.startswith("source") for kind in params.context.only or ()):
         return _fix_all(server, path)
-    _, page, start = server.at(params.text_document.uri, params.range.start)
-    end = server.encoding.offset(page.source, params.range.end)
+    _, markup, start = server.at(params.text_document.uri, params.range.start)
+    end = server.encoding.offset(markup.source, params.range.end)
     return [
         _action(server, action)
         for diagnostic in server.robots.diagnostics(path)
         if diagnostic.span.start <= end and start <= diagnostic.span.end
-        for action in actions.actions(page, diagnostic)
+        for action in actions.actions(markup, diagnostic)
     ]
 
 

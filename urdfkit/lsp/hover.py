@@ -8,7 +8,7 @@ from urdfkit.errors import UnknownRule, UrdfkitError
 from urdfkit.lint import rule_index
 from urdfkit.lint.ignore_comments import ignores
 from urdfkit.lsp.grammar import grammar_of
-from urdfkit.lsp.markup import Cursor, Page, TagNode, cursor
+from urdfkit.lsp.markup import Cursor, Markup, TagNode, cursor
 from urdfkit.lsp.names import NameUse, plugin_parameters
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.mesh.io.sniff import sniff_file
@@ -29,12 +29,12 @@ MAX_SHOWN = 6
 MAX_MESH = 5_000_000
 
 
-def hover(robot: OpenRobot, page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> str:
+def hover(robot: OpenRobot, markup: Markup, offset: int, diagnostics: Iterable[Diagnostic]) -> str:
     """Markdown for an offset; empty without information."""
-    here = cursor(page, offset)
-    parts = [*_values(robot, here), *_name(robot, page, offset), *_mesh(robot, here)]
+    here = cursor(markup, offset)
+    parts = [*_values(robot, here), *_name(robot, markup, offset), *_mesh(robot, here)]
     parts += [*_plugin(here), *_grammar(here)]
-    parts += _rules(page, offset, diagnostics)
+    parts += _rules(markup, offset, diagnostics)
     return "\n\n---\n\n".join(parts)
 
 
@@ -78,8 +78,8 @@ def _origin(origin: Origin) -> str:
 # ---------------------------------------------------------------------- names
 
 
-def _name(robot: OpenRobot, page: Page, offset: int) -> Iterator[str]:
-    name = robot.names.at(page.source, offset)
+def _name(robot: OpenRobot, markup: Markup, offset: int) -> Iterator[str]:
+    name = robot.names.at(markup.source, offset)
     if name is None:
         return
     if name.kind in ("link", "joint", "frame"):
@@ -96,7 +96,7 @@ def _name(robot: OpenRobot, page: Page, offset: int) -> Iterator[str]:
                 text = use.node.get("value") or use.node.get("default")
                 yield f"**{name.kind}** `{_code(name.text)}` = `{_code(text)}`, {_place(use.span)}"
     elif name.kind == "package":
-        packages = robot.resolver.packages.known(page.source.path)
+        packages = robot.resolver.packages.known(markup.source.path)
         directory = packages.get(name.text)
         location = f"`{_code(directory)}`" if directory else "not found"
         yield f"**package** `{_code(name.text)}`: {location}"
@@ -238,10 +238,10 @@ def _grammar(here: Cursor) -> Iterator[str]:
 # ---------------------------------------------------------------------- rules
 
 
-def _rules(page: Page, offset: int, diagnostics: Iterable[Diagnostic]) -> Iterator[str]:
+def _rules(markup: Markup, offset: int, diagnostics: Iterable[Diagnostic]) -> Iterator[str]:
     """The explanations of the rules with findings at an offset, or in an ignore comment there."""
     codes = [each.code for each in diagnostics if each.span.start <= offset <= max(each.span[1:])]
-    for comment in ignores(page.source):
+    for comment in ignores(markup.source):
         codes += [code for code, span in comment.codes if span.start <= offset <= span.end]
     for code in list(dict.fromkeys(codes))[:MAX_SHOWN]:
         try:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from urdfkit.core.words import few
-from urdfkit.lsp.markup import Page
+from urdfkit.lsp.markup import Markup
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.text.terminal import printable
 
@@ -11,7 +11,9 @@ from urdfkit.text.terminal import printable
 MAX_VALUES, MAX_LETTERS = 3, 40
 
 
-def inlay_hints(robot: OpenRobot, page: Page, start: int, end: int) -> Iterator[tuple[int, str]]:
+def inlay_hints(
+    robot: OpenRobot, markup: Markup, start: int, end: int
+) -> Iterator[tuple[int, str]]:
     """The values of attributes with expressions, one for each call of a macro.
 
     Args:
@@ -21,7 +23,7 @@ def inlay_hints(robot: OpenRobot, page: Page, start: int, end: int) -> Iterator[
     Yields:
         The offset of the byte after a hint, and its text.
     """
-    for node in page.nodes:
+    for node in markup.nodes:
         if node.tag_end < start or end < node.start:
             continue
         for written in node.attributes:

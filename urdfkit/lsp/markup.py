@@ -95,7 +95,7 @@ class TagNode:
         return next((node for node in self.ancestors() if node.name in names), None)
 
 
-class Page:
+class Markup:
     """The elements of a text."""
 
     def __init__(self, source: Source) -> None:
@@ -172,13 +172,13 @@ class Cursor(Record):
     attribute: WrittenAttribute | None = None  # the attribute of the name or value
 
 
-def cursor(page: Page, offset: int) -> Cursor:
-    if page.is_comment(offset):
+def cursor(markup: Markup, offset: int) -> Cursor:
+    if markup.is_comment(offset):
         return Cursor(offset, None, "comment")
-    node = page.node_at(offset)
+    node = markup.node_at(offset)
     if node is None:
         return Cursor(offset, None, "nowhere")
-    if page.end_name_at(offset) is not None:
+    if markup.end_name_at(offset) is not None:
         return Cursor(offset, node, "end")
     if offset <= node.name_span.end:
         return Cursor(offset, node, "tag")
@@ -188,7 +188,7 @@ def cursor(page: Page, offset: int) -> Cursor:
         value = written.value_span
         if value and value.start <= offset <= value.end:
             return Cursor(offset, node, "value", written)
-    data = page.source.data
+    data = markup.source.data
     is_inside = offset < node.tag_end or data[node.tag_end - 1 : node.tag_end] != b">"
     if is_inside and offset <= node.tag_end:
         return Cursor(offset, node, "attribute")

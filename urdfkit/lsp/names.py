@@ -13,7 +13,7 @@ from html import unescape
 
 from urdfkit.core.record import Record
 from urdfkit.lsp.grammar import REFERRING_ELEMENTS, kind_of_reference, kind_of_text
-from urdfkit.lsp.markup import Page, TagNode
+from urdfkit.lsp.markup import Markup, TagNode
 from urdfkit.ros.catalog import plugins
 from urdfkit.text.document import Document
 from urdfkit.text.schema import XACRO_TAGS
@@ -80,8 +80,8 @@ class NameIndex:
         document: the expanded document; None if the expansion fails.
     """
 
-    def __init__(self, pages: Iterable[Page], document: Document | None) -> None:
-        self.pages = {page.source.path: page for page in pages}
+    def __init__(self, markups: Iterable[Markup], document: Document | None) -> None:
+        self.markups = {markup.source.path: markup for markup in markups}
         self._document = document
 
     @cached_property
@@ -89,8 +89,8 @@ class NameIndex:
         """Macros by name; the last definition counts."""
         return {
             node.get("name").removeprefix("xacro:"): node
-            for page in self.pages.values()
-            for node in page.nodes
+            for markup in self.markups.values()
+            for node in markup.nodes
             if node.name == "xacro:macro"
         }
 
@@ -98,8 +98,8 @@ class NameIndex:
     def _namespaces(self) -> set[bytes]:
         return {
             node.get("ns").encode()
-            for page in self.pages.values()
-            for node in page.nodes
+            for markup in self.markups.values()
+            for node in markup.nodes
             if node.name == "xacro:include"
         }
 
@@ -107,8 +107,8 @@ class NameIndex:
     def all(self) -> tuple[NameUse, ...]:
         return tuple(
             name
-            for page in self.pages.values()
-            for node in page.nodes
+            for markup in self.markups.values()
+            for node in markup.nodes
             for name in self._in_node(node)
         )
 

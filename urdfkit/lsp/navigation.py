@@ -5,7 +5,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from urdfkit.errors import UrdfkitError
-from urdfkit.lsp.markup import Page, TagNode, WrittenAttribute
+from urdfkit.lsp.markup import Markup, TagNode, WrittenAttribute
 from urdfkit.lsp.names import NameUse
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.references import package_references, reference_at
@@ -21,15 +21,15 @@ class CannotRename(UrdfkitError):
     """The name cannot be changed by text edits; the message states the reason."""
 
 
-def definitions(robot: OpenRobot, page: Page, offset: int) -> list[Span]:
+def definitions(robot: OpenRobot, markup: Markup, offset: int) -> list[Span]:
     """Definitions of the name, package or file at an offset."""
-    if source := _file(robot, page, offset):
+    if source := _file(robot, markup, offset):
         return [Span(source, 0, 0)]
-    name = _name(robot, page, offset)
+    name = _name(robot, markup, offset)
     if name is None:
         return []
     if name.kind == "package":
-        directory = robot.resolver.packages.known(page.source.path).get(name.text)
+        directory = robot.resolver.packages.known(markup.source.path).get(name.text)
         manifest = os.path.join(directory or "", "package.xml")
         return [Span(robot.source(manifest), 0, 0)] if os.path.isfile(manifest) else []
     return [use.span for use in robot.names.occurrences(name) if use.is_definition]
@@ -37,7 +37,7 @@ def definitions(robot: OpenRobot, page: Page, offset: int) -> list[Span]:
 
 def references(
     robot: OpenRobot,
-    page: Page,
+    markup: Markup,
     offset: int,
     *,
     definitions: bool,
@@ -51,7 +51,7 @@ def references(
     robots = (robot, *others)
     spans: list[Span] = []
     for each in robots:
-        name = _name(each, each.page(page.source.path), offset)
+        name = _name(each, each.markup(markup.source.path), offset)
         if name is not None:
             same = each.names.occurrences(name)
             spans += [use.span for use in same if definitions or not use.is_definition]
@@ -65,11 +65,11 @@ def _distinct(spans: Iterable[Span]) -> list[Span]:
     return list(places.values())[::-1]
 
 
-def _name(robot: OpenRobot, page: Page, offset: int) -> NameUse | None:
+def _name(robot: OpenRobot, markup: Markup, offset: int) -> NameUse | None:
     """The name at an offset, also in a file that does not belong to the robot."""
-    reference = reference_at(page.source, offset)
+    reference = reference_at(markup.source, offset)
     if reference is None:
-        return robot.names.at(page.source, offset)
+        return robot.names.at(markup.source, offset)
     kind, span = reference
     defined = (use for use in robot.names.all if use.is_definition and use.kind == kind)
     nodes = [use.node for use in defined if span.text in robot.names.values(use)]
@@ -94,24 +94,24 @@ def _files_of(robots: Iterable[OpenRobot]) -> set[str]:
     return {path for state in states for path in state.sources}
 
 
-def _file(robot: OpenRobot, page: Page, offset: int) -> Source | None:
+def _file(robot: OpenRobot, markup: Markup, offset: int) -> Source | None:
     """The file that an include, mesh, texture or launch file references at an offset."""
-    name = robot.names.at(page.source, offset)
+    name = robot.names.at(markup.source, offset)
     if name is not None and name.kind == "package":
         return None  # the cursor is on the package
-    around = [link for link in links(robot, page) if link[0].start <= offset <= link[0].end]
+    around = [link for link in links(robot, markup) if link[0].start <= offset <= link[0].end]
     _, path = min(around, key=lambda link: link[0].end - link[0].start, default=(None, ""))
     return Source(path, b"") if path else None  # the editor opens it; only the path matters
 
 
-def links(robot: OpenRobot, page: Page) -> Iterator[tuple[Span, str]]:
+def links(robot: OpenRobot, markup: Markup) -> Iterator[tuple[Span, str]]:
     """References to existing files, each with the path."""
-    if is_launch(page.source.path):
+    if is_launch(markup.source.path):
         for file in robot.context.launch.files:
-            if file.exists and file.span.source.path == page.source.path:
+            if file.exists and file.span.source.path == markup.source.path:
                 yield file.span, file.path
         return
-    for node in page.nodes:
+    for node in markup.nodes:
         for written in node.attributes:
             path = _referenced_file(robot, node, written) if written.value_span else None
             if path and written.value_span:
@@ -131,13 +131,13 @@ def _referenced_file(robot: OpenRobot, node: TagNode, written: WrittenAttribute)
 # ------------------------------------------------------------------- renaming
 
 
-def renamable(robot: OpenRobot, page: Page, offset: int) -> NameUse:
+def renamable(robot: OpenRobot, markup: Markup, offset: int) -> NameUse:
     """The name at an offset, if it can be renamed.
 
     Raises:
         CannotRename: with the reason.
     """
-    name = _name(robot, page, offset)
+    name = _name(robot, markup, offset)
     if name is None or name.kind == "package":
         raise CannotRename("no name to rename here")
     same = robot.names.occurrences(name)
@@ -153,7 +153,7 @@ def renamable(robot: OpenRobot, page: Page, offset: int) -> NameUse:
 
 
 def rename(
-    robot: OpenRobot, page: Page, offset: int, new: str, others: Sequence[OpenRobot] = ()
+    robot: OpenRobot, markup: Markup, offset: int, new: str, others: Sequence[OpenRobot] = ()
 ) -> list[Edit]:
     """The edits that rename the name at an offset.
 
@@ -163,7 +163,7 @@ def rename(
     Raises:
         CannotRename: with the reason.
     """
-    name = renamable(robot, page, offset)
+    name = renamable(robot, markup, offset)
     if name.kind in ("macro", "property", "parameter", "arg") and not _IDENTIFIER.fullmatch(new):
         raise CannotRename(
             f"'{new}' is not a valid name for a {name.kind}: letters, digits and '_'"
@@ -172,18 +172,18 @@ def rename(
         raise CannotRename(f"'{new}' is not a valid name")
     robots = (robot, *others)
     for each in robots:
-        own = each.page(page.source.path)
+        own = each.markup(markup.source.path)
         if each is not robot and not _is_defined(each, own, offset):
             continue
         same = each.names.occurrences(renamable(each, own, offset))
         kinds = {use.kind for use in same if use.is_definition}
         if new in each.defined(*kinds):
             raise CannotRename(f"there is already a {name.kind} '{new}'")
-    spans = references(robot, page, offset, definitions=True, others=others)
+    spans = references(robot, markup, offset, definitions=True, others=others)
     return [Edit(span, new) for span in spans]
 
 
-def _is_defined(robot: OpenRobot, page: Page, offset: int) -> bool:
+def _is_defined(robot: OpenRobot, markup: Markup, offset: int) -> bool:
     """True if a robot defines the name at an offset."""
-    name = _name(robot, page, offset)
+    name = _name(robot, markup, offset)
     return name is not None and any(use.is_definition for use in robot.names.occurrences(name))

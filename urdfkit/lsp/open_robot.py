@@ -8,7 +8,7 @@ from functools import cached_property
 from urdfkit.core.grouping import by_key
 from urdfkit.lint.config import Config, RobotEntry
 from urdfkit.lint.context import Context
-from urdfkit.lsp.markup import Page
+from urdfkit.lsp.markup import Markup
 from urdfkit.lsp.names import NameIndex
 from urdfkit.robot.model import RobotModel
 from urdfkit.text.document import Attribute, Document
@@ -59,13 +59,13 @@ class OpenRobot:
     @cached_property
     def names(self) -> NameIndex:
         """The names in its texts, in its last readable texts, and in its SRDF."""
-        pages = [Page(source) for source in self.sources.values()]
+        markups = [Markup(source) for source in self.sources.values()]
         before = self.before.sources if self.before else {}
-        pages += [Page(self.source(path)) for path in before if path not in self.sources]
+        markups += [Markup(self.source(path)) for path in before if path not in self.sources]
         srdf = self.context.srdf if self.document else None
         if srdf is not None:
-            pages.append(Page(self.source(srdf.path)))
-        return NameIndex(pages, self.document)
+            markups.append(Markup(self.source(srdf.path)))
+        return NameIndex(markups, self.document)
 
     def source(self, path: str) -> Source:
         """The text of a file, even if the robot does not include it at the moment."""
@@ -75,12 +75,12 @@ class OpenRobot:
             source = self._other_sources[real] = self.resolver.read(path)
         return source
 
-    def page(self, path: str) -> Page:
+    def markup(self, path: str) -> Markup:
         source = self.source(path)
-        pages = self.names.pages
-        if source.path not in pages:
-            pages[source.path] = Page(source)
-        return pages[source.path]
+        markups = self.names.markups
+        if source.path not in markups:
+            markups[source.path] = Markup(source)
+        return markups[source.path]
 
     def defined(self, *kinds: str) -> list[str]:
         """Defined names of some kinds, including those of the last readable state."""

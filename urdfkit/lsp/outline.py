@@ -3,7 +3,7 @@
 import os
 from collections.abc import Iterable
 
-from urdfkit.lsp.markup import Page, TagNode
+from urdfkit.lsp.markup import Markup, TagNode
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Link
@@ -40,12 +40,12 @@ class OutlineEntry:
         self.children: list[OutlineEntry] = []
 
 
-def outline(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
-    top = [_definition(node) for node in page.nodes if _is_definition(node)]
+def outline(robot: OpenRobot, markup: Markup) -> list[OutlineEntry]:
+    top = [_definition(node) for node in markup.nodes if _is_definition(node)]
     if robot.document is None:
-        plain = [node for node in page.nodes if node.name in ("link", "joint") and _is_top(node)]
+        plain = [node for node in markup.nodes if node.name in ("link", "joint") and _is_top(node)]
         return top + [OutlineEntry(node.get("name"), "", node.name, node.span) for node in plain]
-    return [*_tree(robot, page), *top]
+    return [*_tree(robot, markup), *top]
 
 
 def symbols(robots: Iterable[OpenRobot], query: str) -> list[tuple[str, str, Span]]:
@@ -80,7 +80,7 @@ def _definition(node: TagNode) -> OutlineEntry:
     return OutlineEntry(name, " ".join(detail.split())[:80], _DEFINITIONS[node.name], node.span)
 
 
-def _tree(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
+def _tree(robot: OpenRobot, markup: Markup) -> list[OutlineEntry]:
     """The links and joints that a file creates, as a tree."""
     model, tree = robot.context.model, robot.context.tree
     tops: list[OutlineEntry] = []
@@ -92,19 +92,19 @@ def _tree(robot: OpenRobot, page: Page) -> list[OutlineEntry]:
         if name in visited:
             continue
         visited.add(name)
-        siblings = _add(siblings if depth < MAX_DEPTH else tops, model.links_by_name[name], page)
-        below = [(joint.child, _add(siblings, joint, page)) for joint in tree.children[name]]
+        siblings = _add(siblings if depth < MAX_DEPTH else tops, model.links_by_name[name], markup)
+        below = [(joint.child, _add(siblings, joint, markup)) for joint in tree.children[name]]
         stack += [(child.value, inner, depth + 2) for child, inner in reversed(below) if child]
     for joint in model.joints:
         ends = tree.ends(joint)
         if ends is None or ends[0] == ends[1]:
-            _add(tops, joint, page)
+            _add(tops, joint, markup)
     return tops
 
 
-def _add(siblings: list[OutlineEntry], part: Link | Joint, page: Page) -> list[OutlineEntry]:
+def _add(siblings: list[OutlineEntry], part: Link | Joint, markup: Markup) -> list[OutlineEntry]:
     """Add an entry if the file creates the part; return the list for its children."""
-    span = _span_in_page(part.at, page)
+    span = _span_in_page(part.at, markup)
     if span is None:
         return siblings
     if isinstance(part, Link):
@@ -115,9 +115,9 @@ def _add(siblings: list[OutlineEntry], part: Link | Joint, page: Page) -> list[O
     return entry.children
 
 
-def _span_in_page(element: Element, page: Page) -> Span | None:
+def _span_in_page(element: Element, markup: Markup) -> Span | None:
     """The span in a file that creates an element: the element, or the outermost call."""
-    path = os.path.realpath(page.source.path)
+    path = os.path.realpath(markup.source.path)
     for step in element.via:
         if step.kind != "include" and os.path.realpath(step.span.source.path) == path:
             return step.span

@@ -11,7 +11,7 @@ import re
 from collections.abc import Collection, Iterator
 
 from urdfkit.core.record import Record
-from urdfkit.lsp.markup import Page
+from urdfkit.lsp.markup import Markup
 from urdfkit.text import python_source
 from urdfkit.text.located_yaml import Key, Value, load
 from urdfkit.text.source import Source, Span
@@ -119,7 +119,7 @@ def _in_yaml(source: Source) -> Iterator[NameReference]:
 
 
 def _in_launch(source: Source) -> Iterator[NameReference]:
-    for node in Page(source).nodes:
+    for node in Markup(source).nodes:
         value, args = node.attribute("value"), node.attribute("args")
         if node.name == "param" and value and value.value_span:
             if kind := _kind(node.get("name")):

@@ -28,7 +28,7 @@ from urdfkit import __version__
 from urdfkit.core.grouping import by_key
 from urdfkit.errors import UrdfkitError
 from urdfkit.lsp.main_thread import MainThreadExecutor
-from urdfkit.lsp.markup import Page
+from urdfkit.lsp.markup import Markup
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.lsp.text import PositionEncoding, to_bytes, to_path, to_uri
 from urdfkit.lsp.workspace import Workspace, slow_rules
@@ -235,20 +235,20 @@ class Server(LanguageServer):
 
     # ---------------------------------------------------------------- answers
 
-    def at(self, uri: str, position: lsp.Position) -> tuple[OpenRobot, Page, int]:
+    def at(self, uri: str, position: lsp.Position) -> tuple[OpenRobot, Markup, int]:
         """The robot, the text and the offset of a position; runs in the main thread.
 
         Raises:
             UrdfkitError: the file is unreadable.
         """
-        robot, page = self.page(uri)
-        return robot, page, self.encoding.offset(page.source, position)
+        robot, markup = self.markup(uri)
+        return robot, markup, self.encoding.offset(markup.source, position)
 
-    def page(self, uri: str) -> tuple[OpenRobot, Page]:
+    def markup(self, uri: str) -> tuple[OpenRobot, Markup]:
         """The robot and the elements of a file; runs in the main thread."""
         path = self.path(uri)
         robot = self.robots.robot(path)
-        return robot, robot.page(path)
+        return robot, robot.markup(path)
 
     def locations(self, spans: list[Span]) -> list[lsp.Location]:
         return [self.encoding.location(span, self.uris) for span in dict.fromkeys(spans)]

@@ -23,7 +23,7 @@ def test_the_bound_is_all_mass_at_the_farthest_point() -> None:
 def test_the_farther_of_collision_and_visual_counts() -> None:
     both = link("a", shape("collision", BALL), shape("visual", BOX), inertial(1, (1, 1, 1)))
     assert link_inertia(both).reach == pytest.approx(sqrt(0.01 + 0.0225 + 0.0025))
-    assert link_inertia(both).outline.edges == pytest.approx((0.2, 0.3, 0.2))
+    assert link_inertia(both).bounds.edges == pytest.approx((0.2, 0.3, 0.2))
 
 
 def test_the_expected_tensor_is_along_the_axes_of_the_inertial() -> None:
@@ -82,8 +82,8 @@ def test_what_is_impossible(moments: tuple[float, ...], indefinite: bool, breaks
 
 
 def test_a_ball_of_a_milligram_is_no_noise() -> None:
-    assert not link_inertia(part("a", 1e-6, (4e-13, 4e-13, 4e-13), BALL)).is_noise
-    assert link_inertia(part("a", 1e-6, (NOISE, NOISE, NOISE), BALL)).is_noise
+    assert not link_inertia(part("a", 1e-6, (4e-13, 4e-13, 4e-13), BALL)).is_negligible
+    assert link_inertia(part("a", 1e-6, (NOISE, NOISE, NOISE), BALL)).is_negligible
 
 
 @pytest.mark.parametrize(
@@ -103,7 +103,7 @@ def test_what_people_write(
     moments: tuple[float, ...], diagonal: bool, rounded: bool, placeholder: bool
 ) -> None:
     found = link_inertia(part("a", 1, moments, BOX))
-    assert (found.is_diagonal, found.is_round, found.is_placeholder) == (
+    assert (found.is_diagonal, found.has_round_numbers, found.is_placeholder) == (
         diagonal,
         rounded,
         placeholder,

@@ -53,7 +53,7 @@ def check(context: Context) -> Findings:
         help,
         related=tuple(
             Related(problem.span, f"argument '{problem.argument}'")
-            for problem in context.reading.lacking
+            for problem in context.reading.missing_argument_problems
         ),
     )
 

@@ -106,7 +106,7 @@ def _finding(inertia: LinkInertia, joint: Joint, context: Context) -> Finding:
 def _from_counterpart(inertia: LinkInertia, context: Context) -> tuple[str, Fix | None] | None:
     """Help and fix with the tensor of the counterpart; None if the shape gives about the same."""
     other = context.masses.counterpart(inertia)
-    if other is None or other.is_noise or not is_possible(other.tensor):
+    if other is None or other.is_negligible or not is_possible(other.tensor):
         return None
     if _matches_shape(inertia, other):
         return None

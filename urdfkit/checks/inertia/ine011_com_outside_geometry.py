@@ -32,13 +32,13 @@ def check(context: Context) -> Findings:
         distance = center_is_outside(inertia)
         assert distance is not None
         mistake = center_mistake(inertia)
-        outline, center = inertia.outline, inertia.inertial.origin.position
+        bounds, center = inertia.bounds, inertia.inertial.origin.position
         yield Finding(
             inertia.inertial.at.child_or_self("origin"),
             f"link '{inertia.link.name}': the centre of mass at {spaced(center, 3)} m is "
-            f"{distance:.3g} m outside the shapes, which are {max(outline.edges):.3g} m long "
-            f"about {spaced(outline.center, 3)}{f'; it {mistake}' if mistake else ''}",
+            f"{distance:.3g} m outside the shapes, which are {max(bounds.edges):.3g} m long "
+            f"about {spaced(bounds.center, 3)}{f'; it {mistake}' if mistake else ''}",
             confidence=Confidence.INFERRED,
-            weight=distance / max(outline.edges) if any(outline.edges) else inf,
+            weight=distance / max(bounds.edges) if any(bounds.edges) else inf,
             group_key="outside",
         )

@@ -27,7 +27,7 @@ from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.ros.moveit.srdf_grammar import lacking, misspelt_names
+from urdfkit.ros.moveit.srdf_grammar import missing_attributes, misspelt_names
 from urdfkit.ros.moveit.srdf_reader import unreadable
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import rename_attribute, rename_element
@@ -81,7 +81,7 @@ def _misspelt(srdf: Srdf) -> Findings:
 
 
 def _incomplete(srdf: Srdf) -> Findings:
-    for element, name in lacking(srdf.root):
+    for element, name in missing_attributes(srdf.root):
         if element.tag == "group_state" and name == "group":
             reader, severity = "MoveIt ignores it", Severity.WARNING
         else:

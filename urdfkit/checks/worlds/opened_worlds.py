@@ -11,7 +11,7 @@ from urdfkit.lint.rules import Context, Findings, Location, Related
 from urdfkit.ros.gazebo.worlds import (
     World,
     default_systems,
-    holds_model,
+    has_model,
     read_world,
     shipped_worlds,
 )
@@ -78,7 +78,7 @@ def _opened(started: StartedWorld, context: Context) -> OpenedWorld | None:
         world, problems = read_world(path, context.resolver)
     except UnreadableFile:
         return None
-    if world is None and started.generation == GZ and holds_model(path, context.resolver):
+    if world is None and started.generation == GZ and has_model(path, context.resolver):
         return OpenedWorld(started, "", "default", None, default_systems())
     name = world.name if world is not None else os.path.basename(path)
     return OpenedWorld(started, path, name, world, frozenset(), tuple(problems))

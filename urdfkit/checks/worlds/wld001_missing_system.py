@@ -137,9 +137,9 @@ def _required(context: Context) -> list[tuple[Plugin, Sensor]]:
 def _without_defaults(context: Context, opened: OpenedWorld, loaded: frozenset[str]) -> Findings:
     """Default systems that a world with plugins lacks."""
     world = opened.world
-    if world is None or not own_systems(world) or world.adds_defaults():
+    if world is None or not own_systems(world) or world.loads_default_systems():
         return
-    until = "" if world.adds_defaults() is False else " (up to Gazebo Harmonic)"
+    until = "" if world.loads_default_systems() is False else " (up to Gazebo Harmonic)"
     missing = set(_required_defaults(context, opened)) - loaded
     for plugin in all_plugins():
         system = plugin.system

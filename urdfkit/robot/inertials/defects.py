@@ -101,7 +101,7 @@ def _defect(link: LinkInertia, is_significant: IsSignificant) -> InertiaDefect |
         return InertiaDefect.INDEFINITE
     if link.breaks_triangle:
         return InertiaDefect.TRIANGLE_INEQUALITY
-    if link.is_noise or not link.is_measured or link.body.is_ground:
+    if link.is_negligible or not link.is_measured or link.body.is_ground:
         return None
     if _is_of_unknown_size(link):
         return None
@@ -177,7 +177,7 @@ def center_is_outside(link: LinkInertia) -> float | None:
     # The bounding box of a part contains its centre, and its edges are at least longest / sqrt(3).
     if any(2 * dist(center, part.origin.position) <= part.longest for part in link.solid.parts):
         return None
-    distance, longest = _outside(center, link.outline), max(link.outline.edges)
+    distance, longest = _outside(center, link.bounds), max(link.bounds.edges)
     if link.is_marker and distance < FAR_FROM_MARKER:
         return None
     if distance > longest or (distance > OUTSIDE_BY_MISTAKE * longest and not link.is_marker):
@@ -187,9 +187,9 @@ def center_is_outside(link: LinkInertia) -> float | None:
 
 def center_mistake(link: LinkInertia) -> str:
     """The mistake that explains a centre of mass outside the shapes: a predicate on the centre."""
-    center, outline = link.inertial.origin.position, link.outline
+    center, bounds = link.inertial.origin.position, link.bounds
     if center == ORIGIN:
-        far = _outside(center, outline) > OUTSIDE_AT_ORIGIN * max(outline.edges)
+        far = _outside(center, bounds) > OUTSIDE_AT_ORIGIN * max(bounds.edges)
         is_heavy = link.mass > NOTICEABLE_MASS * link.body.mass
         return "was left at the origin of the link" if far and is_heavy else ""
     if any(_is_gltf(part) for solid in link.solids for part in solid.parts):
@@ -197,11 +197,11 @@ def center_mistake(link: LinkInertia) -> str:
     x, y, z = center
     turned = {"x": (-x, y, z), "y": (x, -y, z), "z": (x, y, -z)}
     for axis, point in turned.items():
-        if _outside(point, outline) <= 0:
+        if _outside(point, bounds) <= 0:
             return f"would be inside with the other sign of {axis}"
     swapped = {"x and y": (y, x, z), "x and z": (z, y, x), "y and z": (x, z, y)}
     for axes, point in swapped.items():
-        if _outside(point, outline) <= 0:
+        if _outside(point, bounds) <= 0:
             return f"would be inside with {axes} swapped"
     return ""
 
@@ -220,9 +220,9 @@ def _is_unlike_shape(link: LinkInertia) -> bool:
 
     A collision is only similar to an unmeasured mesh; then only round tensors are reported.
     """
-    if link.is_noise or link.body.is_ground or not link.differs or link.is_marker:
+    if link.is_negligible or link.body.is_ground or not link.differs or link.is_marker:
         return False
-    return not link.lengths_differ(MAX_LENGTH_RATIO) if link.is_measured else link.is_round
+    return not link.lengths_differ(MAX_LENGTH_RATIO) if link.is_measured else link.has_round_numbers
 
 
 def _sort_placeholders(

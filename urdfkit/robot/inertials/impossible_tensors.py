@@ -37,22 +37,22 @@ def diagnose_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
         if is_possible(mirrored):
             cause = f"of its counterpart '{counterpart.name}' is possible"
             return Diagnosis(cause, mirrored, Confidence.INFERRED)
-    if link.is_measured and (tensor := _with_another_moment(link)):
+    if link.is_measured and (tensor := _with_corrected_moment(link)):
         return Diagnosis("", tensor, Confidence.INFERRED)
-    for cause, tensor in _with_a_tenth(link):
+    for cause, tensor in _with_shifted_decimal_point(link):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
     if link.is_measured:
         return Diagnosis("", tensor_of_shape(link), Confidence.INFERRED)
     return Diagnosis("", None, Confidence.GUESSED)
 
 
-def _with_another_moment(link: LinkInertia) -> Tensor | None:
+def _with_corrected_moment(link: LinkInertia) -> Tensor | None:
     """A tensor of a CAD program with the one moment that does not go with the two others.
 
     These are the same multiple of those of the shape, such as 2 for a hollow part.
     """
     expected = link.expected
-    if expected is None or link.is_round:
+    if expected is None or link.has_round_numbers:
         return None
     keys = ("ixx", "iyy", "izz")
     ratios = {key: getattr(link.tensor, key) / getattr(expected, key) for key in keys}
@@ -98,7 +98,7 @@ def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
         yield "has products of inertia with the opposite sign", turned
 
 
-def _with_a_tenth(link: LinkInertia) -> Iterator[tuple[str, Tensor]]:
+def _with_shifted_decimal_point(link: LinkInertia) -> Iterator[tuple[str, Tensor]]:
     """A moment with the decimal point one digit too far to the right."""
     for key in ("ixx", "iyy", "izz"):
         if not link.at.attributes[key].literal:

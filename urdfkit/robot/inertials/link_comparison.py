@@ -92,7 +92,7 @@ class LinkInertia:
         return (self.tensor.ixx, self.tensor.iyy, self.tensor.izz)
 
     @property
-    def is_noise(self) -> bool:
+    def is_negligible(self) -> bool:
         """True if the tensor is practically zero."""
         return max(map(abs, self.moments)) <= NOISE
 
@@ -100,13 +100,13 @@ class LinkInertia:
     def is_indefinite(self) -> bool:
         """True if a principal moment is negative beyond rounding."""
         low, _, high = self.moments
-        return not self.is_noise and low < -ROUNDING * abs(high)
+        return not self.is_negligible and low < -ROUNDING * abs(high)
 
     @property
     def breaks_triangle(self) -> bool:
         """True if a principal moment exceeds the sum of the others beyond rounding."""
         low, middle, high = self.moments
-        return not self.is_noise and high > (low + middle) * (1 + ROUNDING)
+        return not self.is_negligible and high > (low + middle) * (1 + ROUNDING)
 
     @property
     def is_diagonal(self) -> bool:
@@ -114,7 +114,7 @@ class LinkInertia:
         return not (self.tensor.ixy or self.tensor.ixz or self.tensor.iyz)
 
     @property
-    def is_round(self) -> bool:
+    def has_round_numbers(self) -> bool:
         """True if no value has more than two significant digits."""
         return all(float(f"{value:.1e}") == value for value in self.tensor)
 
@@ -174,7 +174,7 @@ class LinkInertia:
         return bool(lengths) and max(lengths) > ratio * min(lengths)
 
     @cached_property
-    def outline(self) -> BoundingBox:
+    def bounds(self) -> BoundingBox:
         """The bounding box of the shapes along the axes of the link."""
         return BoundingBox.around(solid.bounds for solid in self.solids)
 
@@ -211,7 +211,7 @@ class LinkInertia:
         if self.expected is None or not self.is_diagonal:
             return False
         ratios = self.ratios(self.expected)
-        most = MAX_FACTOR if self.is_round else MAX_COMPUTED_FACTOR
+        most = MAX_FACTOR if self.has_round_numbers else MAX_COMPUTED_FACTOR
         return min(ratios) < MIN_FACTOR or max(ratios) > most
 
     @property
@@ -266,7 +266,7 @@ class LinkInertia:
         """
         if not self.is_measured:
             return None
-        if not self.link.collisions and max(self.outline.edges) <= LARGEST_PART:
+        if not self.link.collisions and max(self.bounds.edges) <= LARGEST_PART:
             return None
         if self.is_marker:
             return None

@@ -221,7 +221,7 @@ class Masses:
             for link in self.inertias
             if link.tensor not in reported
             and link.name not in self._with_shared_tensor
-            and not (link.is_noise or link.body.is_ground)
+            and not (link.is_negligible or link.body.is_ground)
         )
         return [
             group

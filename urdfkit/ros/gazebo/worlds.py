@@ -95,7 +95,7 @@ class World(Record):
         } or {top for model in self.at.all("model") if (top := _top_of_slab(model)) is not None}
         return heights.pop() if len(heights) == 1 else None
 
-    def adds_defaults(self) -> bool | None:
+    def loads_default_systems(self) -> bool | None:
         """True if it loads the systems of the server configuration, too; None: by version."""
         for policies in (child for child in self.at.children if child.tag.endswith(":policies")):
             written = policies.child("include_server_config_plugins")
@@ -118,7 +118,7 @@ def read_world(path: str, resolver: Resolver) -> tuple[World | None, list[Proble
     return (World(world, source) if world is not None else None), problems
 
 
-def holds_model(path: str, resolver: Resolver) -> bool:
+def has_model(path: str, resolver: Resolver) -> bool:
     """True for a file with a model and no world, which gz sim 7 and later load into ``default``.
 
     Source: gz-sim, Server.cc, gazebosim/gz-sim#1775.

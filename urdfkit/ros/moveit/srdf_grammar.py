@@ -63,7 +63,7 @@ def misspelt_names(root: Element) -> Iterator[SrdfDeviation]:
                     yield SrdfDeviation(attribute, element, attribute.name, suggested)
 
 
-def lacking(root: Element) -> Iterator[tuple[Element, str]]:
+def missing_attributes(root: Element) -> Iterator[tuple[Element, str]]:
     """Elements without a required attribute, and the attribute.
 
     Typos are ignored, and so are empty values of expressions, which may be arguments of the user.
