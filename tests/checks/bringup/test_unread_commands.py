@@ -12,6 +12,7 @@ MUX = NODE.format("twist_mux", "twist_mux", "{}")
 NAV2 = NODE.format("nav2_controller", "controller_server", "{}")
 TELEOP = NODE.format("teleop_twist_joy", "teleop_node", "{}")
 OPTIONAL = NODE.format("joy", "joy_node", "condition=IfCondition(LaunchConfiguration('joy'))")
+VIEWER = NODE.format("rviz2", "rviz2", "arguments=['-d', '{}/not_committed.rviz']")
 COMMANDS = NODE.format(
     "ros_gz_bridge",
     "parameter_bridge",
@@ -24,6 +25,7 @@ COMMANDS = NODE.format(
     [
         (MUX.format("") + COMMANDS, "/cmd_vel_out"),
         (MUX.format("") + COMMANDS + OPTIONAL, "/cmd_vel_out"),
+        (MUX.format("") + COMMANDS + VIEWER, "/cmd_vel_out"),
         (MUX.format("remappings=[('/cmd_vel_out', '/drive/cmd_vel')]") + COMMANDS, ""),
         (MUX.format("remappings=[('cmd_vel_out', x)]") + COMMANDS, ""),
         (MUX.format("") + COMMANDS.replace("]gz", "[gz"), ""),  # nothing reads any

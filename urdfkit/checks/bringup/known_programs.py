@@ -6,7 +6,7 @@ from urdfkit.checks.bringup.unread_commands import is_part_of_ros
 from urdfkit.lint.rules import Context
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.collect import UNKNOWN
-from urdfkit.ros.launch.contents import Launch, StartedProgram
+from urdfkit.ros.launch.contents import MAP, POSE_GRAPH, RVIZ, Launch, StartedProgram
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: Programs that publish neither a robot nor the time, and need nobody: whether they run is the
@@ -19,6 +19,8 @@ _OPTIONAL = frozenset(
         "controller_manager/spawner",
     )
 )
+#: Files that change no topic; maps are often not committed.
+_SILENT = (MAP, POSE_GRAPH, RVIZ)
 
 
 def known_programs(context: Context) -> tuple[StartedProgram, ...]:
@@ -62,5 +64,8 @@ def _is_whole(launch: Launch) -> bool:
         item.searched is None or comes_with_ros(item.name) or item.name in known
         for item in launch.packages
     )
-    files = (item.exists or item.path.startswith(f"{UNKNOWN}/") for item in launch.files)
+    files = (
+        item.exists or item.purpose in _SILENT or item.path.startswith(f"{UNKNOWN}/")
+        for item in launch.files
+    )
     return all(packages) and all(files)

@@ -24,6 +24,8 @@ MOVEIT = "MoveIt configuration"
 BRIDGE = "bridge configuration"
 #: Name of a map of slam_toolbox in messages.
 POSE_GRAPH = "pose graph"
+#: Name of a configuration of RViz in messages.
+RVIZ = "RViz configuration"
 #: Parameters of nodes that name a file, and what the file is.
 _FILE_PARAMETERS = {
     "yaml_filename": MAP,

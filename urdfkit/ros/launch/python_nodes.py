@@ -7,6 +7,7 @@ from itertools import pairwise
 from urdfkit.ros.launch.components import executable_of
 from urdfkit.ros.launch.contents import (
     PARAMETERS,
+    RVIZ,
     GivenParameters,
     StartedProgram,
     file_of,
@@ -116,7 +117,7 @@ def _package(file: PythonLaunchFile, call: ast.Call) -> str | None:
 def _record_rviz_configuration(file: PythonLaunchFile, words: ast.expr | None) -> None:
     for option, path in pairwise(file.values.items(words) if words else ()):
         if path and file.values.text(option) in ("-d", "--display-config"):
-            file.record_file(path, "RViz configuration")
+            file.record_file(path, RVIZ)
 
 
 def _record_parameter_files(file: PythonLaunchFile, parameters: ast.expr | None) -> None:

@@ -8,6 +8,7 @@ from urdfkit.ros.launch.collect import frame_at, path_from
 from urdfkit.ros.launch.components import executable_of
 from urdfkit.ros.launch.contents import (
     PARAMETERS,
+    RVIZ,
     GivenParameters,
     StartedProgram,
     file_of,
@@ -34,7 +35,7 @@ def start_node(file: XmlLaunchFile, element: Element) -> None:
         for option, path in pairwise(word.text for word in words):
             if arguments and option in ("-d", "--display-config") and path:
                 full_path = path_from(file.source, path)
-                file.collector.file(full_path, arguments.span, "RViz configuration")
+                file.collector.file(full_path, arguments.span, RVIZ)
     executable = element.attributes.get("exec") or element.attributes.get("type")
     program = StartedProgram(
         package or "",
