@@ -52,18 +52,26 @@ def xml_readers(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str,
     return readers
 
 
-def strings_in_programs(words: Collection[str], near: str, resolver: Resolver) -> set[str]:
+def strings_in_programs(
+    words: Collection[str], near: str, resolver: Resolver, containing: bytes = b""
+) -> set[str]:
     """The words that a program of a workspace, not a launch file, contains as a string.
 
     Args:
         words: such as the names of frames.
         near: path of a file in the workspace that is searched.
         resolver: finds the workspace, and decides which files may be read.
+        containing: a regular expression; only files that it matches count.
     """
     if not words:
         return set()
     files = _files_with_strings(words, b"/?", near, resolver)
-    return {word for path, _, strings in files if not is_launch(path) for word in strings}
+    return {
+        word
+        for path, data, strings in files
+        if not is_launch(path) and re.search(containing, data)
+        for word in strings
+    }
 
 
 def may_publish(package: str, message: str, near: str, resolver: Resolver) -> bool:

@@ -306,6 +306,43 @@ def test_two_topics_on_one(tmp_path: Path, ros: str, gz: str, words: str) -> Non
     assert [words in one.message for one in found] == [True] * bool(words)
 
 
+CLOCK = "arguments=['/clock@rosgraph_msgs/msg/Clock{}gz.msgs.Clock']"
+
+
+@pytest.mark.parametrize(
+    ("sign", "more", "count"),
+    [
+        ("[", "", 1),
+        ("]", "", 0),
+        ("[", ", remappings=[('/clock', '/other')]", 0),
+        ("[", ", namespace='bot'", 1),  # the name is absolute
+        ("[", ", condition=IfCondition(unknown)", 0),
+    ],
+)
+def test_the_clock_of_two_bridges(tmp_path: Path, sign: str, more: str, count: int) -> None:
+    text = NODE.format(CLOCK.format("[")) + NODE.format(CLOCK.format(sign) + more)
+    found = reported(tmp_path, "LAU020", "a.launch.py", text)
+    twice = [one for one in found if "is bridged twice" in one.message]
+    assert [one.span.line for one in twice] == [2] * count
+
+
+@pytest.mark.parametrize(("condition", "count"), [("", 1), (", condition=IfCondition(unknown)", 0)])
+def test_a_bridge_of_a_file_included_twice(tmp_path: Path, condition: str, count: int) -> None:
+    path = "get_package_share_directory('arm') + '/launch/bridge.launch.py'"
+    include = f"IncludeLaunchDescription(PythonLaunchDescriptionSource({path}){condition})\n"
+    files = {"launch/bridge.launch.py": NODE.format(CLOCK.format("["))}
+    found = reported(tmp_path, "LAU020", "a.launch.py", include * 2, files)
+    assert sum("is bridged twice" in one.message for one in found) == count
+
+
+@pytest.mark.parametrize(("topic", "count"), [("scan", 0), ("/scan", 1)])
+def test_a_relative_topic_of_robots_in_namespaces(tmp_path: Path, topic: str, count: int) -> None:
+    bridge = f"arguments=['{topic}@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan']"
+    text = NODE.format(bridge) * 2 + "PushRosNamespace('one')\n"
+    found = reported(tmp_path, "LAU020", "a.launch.py", text)
+    assert [one.span.line for one in found if "is bridged twice" in one.message] == [2] * count
+
+
 @pytest.mark.parametrize(
     ("contents", "count"),
     [

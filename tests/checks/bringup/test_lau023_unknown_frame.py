@@ -116,6 +116,19 @@ def test_rviz(tmp_path: Path, fixed: str, is_on: str, frame: str, started: str, 
     assert len(messages(tmp_path, PUBLISHER.format("") + started, v_rviz=view)) == count
 
 
+@pytest.mark.parametrize(
+    ("program", "count"),
+    [
+        ('goal.header.frame_id = "map"', 1),  # only names it
+        ('msg.header.frame_id = "map"\nTransformBroadcaster(self).sendTransform(msg)', 0),
+    ],
+)
+def test_a_map_that_a_program_publishes(tmp_path: Path, program: str, count: int) -> None:
+    view = VIEW.format("map", "true", "lidar")
+    text = PUBLISHER.format("") + RVIZ + SLIDERS
+    assert len(messages(tmp_path, text, v_rviz=view, node_py=program)) == count
+
+
 SLAM = "Node(package='slam_toolbox', executable='async_slam_toolbox_node')\n"
 
 

@@ -57,6 +57,16 @@ def test_upside_down_is_an_info(rpy: str) -> None:
     assert one.severity is Severity.INFO
 
 
+DRIVE = """<gazebo><plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
+<left_joint>w</left_joint></plugin></gazebo>"""
+
+
+def test_wheels_of_a_drive_may_have_any_name() -> None:
+    tilted = robot(rpy="0 0.3 0").replace("left_wheel", "drive_l")
+    assert messages("GAZ071", tilted) == []
+    assert len(messages("GAZ071", tilted + DRIVE)) == 1
+
+
 @pytest.mark.parametrize(
     "changed",
     [

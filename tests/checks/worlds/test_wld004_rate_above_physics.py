@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.worlds.started import INCLUDE, SENSOR, findings, messages
+from tests.checks.worlds.started import CLASSIC, INCLUDE, SENSOR, findings, messages
 from tests.naming import naming
 
 CODE = "WLD004"
@@ -57,5 +57,18 @@ def test_a_sensor_in_a_slow_world(tmp_path: Path) -> None:
     sensor = SENSOR.format("imu").replace(">30<", ">400<")
     (one,) = messages(tmp_path, CODE, world=PHYSICS.format("0.005"), robot=sensor)
     assert one == naming("s", "400 Hz", "hall", "200 Hz")
-    several = PHYSICS.format("0.005") + PHYSICS.format("0.001").replace('"p"', '"q"')
-    assert messages(tmp_path, CODE, world=several, robot=sensor) == []
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "launch", "count"),
+    [
+        ("0.005", "0.001", INCLUDE, 1),  # gz-sim takes the first
+        ("0.001", "0.005", INCLUDE, 0),
+        ("0.005", "0.001", CLASSIC, 0),
+    ],
+)
+def test_several_physics(first: str, second: str, launch: str, count: int, tmp_path: Path) -> None:
+    sensor = SENSOR.format("imu").replace(">30<", ">400<")
+    world = PHYSICS.format(first) + PHYSICS.format(second).replace('"p"', '"q"')
+    found = messages(tmp_path, CODE, world=world, robot=sensor, launch=launch)
+    assert found == [naming("s", "400 Hz", "hall", "200 Hz")] * count

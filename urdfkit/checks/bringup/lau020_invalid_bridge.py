@@ -18,13 +18,14 @@ Reported as a warning:
 - The bridge has parameters, but neither `config_file` nor topics as arguments.
 - The topic is bridged only in the wrong direction, such as `/clock` to Gazebo.
 - Two topics of sensors are bridged to one topic of ROS: images of two cameras alternate on it. Or
-  one is bridged twice.
+  one is bridged twice, also by two bridges, as the clock often is.
 - No sensor or system of the robot uses the message type, and the world contains no other model
   that may.
 
 Sources:
     ros_gz_bridge, parameter_bridge.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/src/parameter_bridge.cpp
     ros_gz_bridge, bridge_config.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/src/bridge_config.cpp
+    gazebosim/ros_gz#591: https://github.com/gazebosim/ros_gz/issues/591
     gazebosim/ros_gz#269: https://github.com/gazebosim/ros_gz/issues/269
     ros_gz_bridge, mappings.py: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_bridge/ros_gz_bridge/mappings.py
 """
@@ -80,8 +81,8 @@ _OF_TOPICS = ("bridge_names", "config_file")
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
+    yield from _merged(context)
     for program in context.launch.programs:
-        yield from _merged(program, context)
         yield from _without_topics(program)
         yield from _not_a_list(program, context)
     bridged = [
@@ -127,13 +128,16 @@ def _not_a_list(program: StartedProgram, context: Context) -> Findings:
         yield Finding(Location(key.span, program.frame), message, help)
 
 
-def _merged(program: StartedProgram, context: Context) -> Findings:
-    """Topics of Gazebo that a bridge publishes on one topic of ROS, of the same message."""
-    first: dict[tuple[str, str], BridgedTopic] = {}
-    for topic in bridged_topics(program, context.resolver):
-        if topic.direction != FROM_GAZEBO or topic.ros_type.rpartition("/")[2] not in _OF_SENSORS:
-            continue
-        other = first.setdefault((topic.ros_topic.strip("/"), topic.ros_type), topic)
+def _merged(context: Context) -> Findings:
+    """Topics of Gazebo that bridges publish on one topic of ROS, of the same message."""
+    first: dict[tuple[object, ...], BridgedTopic] = {}
+    for program, topic in _published(context):
+        is_absolute = topic.ros_topic.startswith("/")
+        is_named = is_absolute or not (context.launch.has_scopes or program.namespace is None)
+        # Another bridge may run instead of one with a condition, or in another namespace.
+        is_comparable = is_named and program.is_sure and not program.is_remapped
+        key = (topic.ros_topic.strip("/"), topic.ros_type, None if is_comparable else id(program))
+        other = first.setdefault(key, topic)
         if other is not topic and other.topic.strip("/") == topic.topic.strip("/"):
             yield Finding(
                 Location(topic.span, program.frame),
@@ -152,6 +156,15 @@ def _merged(program: StartedProgram, context: Context) -> Findings:
                 related=(Related(other.span, "the other one"),),
                 severity=Severity.WARNING,
             )
+
+
+def _published(context: Context) -> Iterator[tuple[StartedProgram, BridgedTopic]]:
+    """The topics of sensors, and the clock, that bridges publish in ROS."""
+    for program in context.launch.programs:
+        for topic in bridged_topics(program, context.resolver):
+            name = topic.ros_type.rpartition("/")[2]
+            if topic.direction == FROM_GAZEBO and name in (*_OF_SENSORS, "Clock"):
+                yield program, topic
 
 
 def _mistakes(topic: BridgedTopic) -> Iterator[tuple[str, str, str]]:

@@ -27,8 +27,9 @@ Checked are:
 The `frame_prefix` of robot_state_publisher counts, if it is the same everywhere.
 
 The robots are those of the launch file, otherwise those of the other launch files of the workspace.
-Frames that a program of the workspace names are not reported; nor, in the launch file of a driver,
-parents whose last word its program appends.
+Frames that a program of the workspace names are not reported, `map`, `odom` and `world` if it
+publishes transforms; nor, in the launch file of a driver, parents whose last word its program
+appends.
 
 Sources:
     REP 105, coordinate frames: https://www.ros.org/reps/rep-0105.html
@@ -106,6 +107,8 @@ _ODOMETRY_KEYS = ("odom_frame", "odom_frame_id", "odometry_frame")
 _SPAWNERS = ("spawn_entity.py", "spawn_model")
 #: An absolute name of several parts: tf2 rejects frames with a leading slash.
 _TOPIC = re.compile(r"/\w+/")
+#: What a program has that publishes transforms: others name `map` as the frame of their messages.
+_BROADCASTS = rb"TransformBroadcaster|sendTransform|TFMessage|tf2_msgs"
 #: Packages whose programs publish no frames of sensors, and those that need these frames.
 _PLAIN = re.compile(
     r"controller_manager|joint_state_publisher(_gui)?|joy(_linux)?|ros_gz_\w+|rviz2|tf2_ros"
@@ -155,7 +158,10 @@ def _unpublished(context: Context, frames: list[NamedFrame], known: frozenset[st
         parents = dict(_unknown_parents(launch, known, links_of_robots(context, (launch,))))
     suffixes = _suffixes(parents, launch)
     words = {*(frame.name for frame in unknown), *parents, *suffixes.values()}
-    elsewhere = strings_in_programs(words, context.source.path, context.resolver)
+    elsewhere = strings_in_programs(words - WELL_KNOWN, context.source.path, context.resolver)
+    elsewhere |= strings_in_programs(
+        words & WELL_KNOWN, context.source.path, context.resolver, _BROADCASTS
+    )
     yield from (_finding(frame, known) for frame in unknown if frame.name not in elsewhere)
     for name, finding in parents.items():
         if elsewhere.isdisjoint((name, suffixes.get(name, name))):

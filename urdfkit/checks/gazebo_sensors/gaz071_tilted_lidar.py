@@ -22,7 +22,7 @@ from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Finding, Findings, Severity, rule
 from urdfkit.robot.rigid_bodies import rigid_bodies
 from urdfkit.robot.samples import collision_xml, joint_xml, robot_xml
-from urdfkit.robot.tree import KinematicTree
+from urdfkit.ros.gazebo.drives import drive_of
 from urdfkit.ros.gazebo.samples import SCANNER, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.views import frame_of, planar_scan, tilt
@@ -43,7 +43,7 @@ GOOD = BAD.replace("0 0.3 0", "0 0 0.3")
 
 @rule(Severity.WARNING, help="level the <origin> of its joint, or the <pose> of the sensor")
 def check(context: Context) -> Findings:
-    if not context.tree.is_sound or not _rolls(context.tree):
+    if not context.tree.is_sound or not _rolls(context):
         return
     fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
     for sensor in sensors(context.model):
@@ -52,14 +52,15 @@ def check(context: Context) -> Findings:
             yield _finding(sensor, frame)
 
 
-def _rolls(tree: KinematicTree) -> bool:
+def _rolls(context: Context) -> bool:
     """True for a robot with wheels that is not fixed to the world."""
-    is_fixed = rigid_bodies(tree)[0].is_ground
+    if rigid_bodies(context.tree)[0].is_ground:
+        return False
     wheels = (
         joint.kind == "continuous" and "wheel" in joint.child_name.lower()
-        for joint in tree.model.joints
+        for joint in context.model.joints
     )
-    return not is_fixed and any(wheels)
+    return any(wheels) or any(map(drive_of, context.plugins))
 
 
 def _finding(sensor: Sensor, frame: Transform) -> Finding:

@@ -9,6 +9,7 @@ default) or a lower rate.
 Sources:
     gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/gz_ros2_control/src/gz_ros2_control_plugin.cpp
     gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/gazebo_ros2_control/src/gazebo_ros2_control_plugin.cpp
+    gz-sim, SimulationRunner.cc: https://github.com/gazebosim/gz-sim/blob/gz-sim8/src/SimulationRunner.cc
     SDF, physics: http://sdformat.org/spec?ver=1.9&elem=physics
 """
 
@@ -22,6 +23,7 @@ from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.gazebo.worlds import DEFAULT_STEP
 from urdfkit.ros.launch.samples import CART_LAUNCH, world_files
+from urdfkit.ros.launch.worlds import GZ
 from urdfkit.text.source import Span
 
 NAME = "launch/robot.launch.py"
@@ -46,7 +48,8 @@ def check(context: Context) -> Findings:
         world = opened.world
         if world is None and opened.path:
             continue
-        if world is not None and len(world.at.all("physics")) > 1:
+        is_gz = opened.started.generation == GZ  # which takes the first
+        if world is not None and len(world.at.all("physics")) > 1 and not is_gz:
             continue  # one of them is selected at run time
         step = world.step.value if world is not None else DEFAULT_STEP
         places = (Related(world.step.span, f"a step of {step:g} s"),) if world is not None else ()

@@ -75,8 +75,8 @@ class World(Record):
 
     @property
     def step(self) -> Placed[float]:
-        """Step of physics in s; located at the world if it is the default."""
-        for physics in self.at.all("physics"):
+        """Step of the first physics in s; located at the world if it is the default."""
+        for physics in self.at.all("physics")[:1]:
             written = physics.child("max_step_size")
             value = number(written.text.strip()) if written is not None else None
             if written is not None and value is not None and value > 0:
