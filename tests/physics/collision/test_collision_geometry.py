@@ -146,3 +146,20 @@ def test_a_vertex_with_more_edges_than_coal_can_count(tmp_path: Path) -> None:
         assert distance(spindle, sphere(0.05), 0, 0, 0.15 + gap) == pytest.approx(gap, abs=1e-6)
         assert distance(spindle, sphere(0.05), 0.15 + gap, 0, 0) == pytest.approx(gap, abs=1e-4)
     assert distance(spindle, sphere(0.05), 0, 0, 0.14) < 0
+
+
+def test_flanges_that_lie_on_one_another_need_no_triangles(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """cubemars: coal takes seconds for each pose of two discs that overlap by 15 micrometres."""
+    shells = mesh(cube(tmp_path / "o.stl", 0.5, 5)), mesh(cube(tmp_path / "o.stl", 0.5, 5))
+    query = DistanceQuery(*geometries(*shells))
+    query.is_exact = False  # as of a flange with holes
+    deep = np.array([0.3, 0.2, 0.9])
+    assert query.distance(SAME, deep, 0.0) < -TOUCH
+    monkeypatch.setattr(query, "_depth", None)
+    assert query.distance(SAME, np.array([0, 0, 1 - 1.5e-5]), 0.0) == pytest.approx(
+        -1.5e-5, abs=1e-6
+    )
+    with pytest.raises(TypeError):
+        query.distance(SAME, deep, 0.0)

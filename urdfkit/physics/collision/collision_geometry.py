@@ -18,6 +18,8 @@ from urdfkit.physics.collision.geometry_arrays import CollisionArrays
 MARGIN = 1e-6
 #: Contacts of two meshes from which the deepest is selected.
 _CONTACTS = 200
+#: Depth of the overlap of hulls, in m, below which it is that of the bodies.
+_SHALLOW = 1e-4
 #: Ratio of thickness to length below which a mesh is flat and has no hull.
 _FLAT = 1e-6
 #: Relative difference of volumes up to which a mesh is its own hull.
@@ -199,6 +201,7 @@ class DistanceQuery:
         """The signed distance in m; the negative penetration depth if the bodies overlap.
 
         Meshes that are not convex are surfaces: a body inside such a mesh does not overlap it.
+        Bodies whose hulls overlap by less than 0.1 mm are taken for their hulls.
 
         Args:
             rotation: (3, 3), of the second body in the frame of the first.
@@ -206,7 +209,9 @@ class DistanceQuery:
             limit: for larger distances, a lower bound is sufficient.
         """
         bound = self.hulls(rotation, translation)
-        if self.is_exact or bound >= max(limit, TOUCH):
+        # The triangles of two flanges that lie on one another take coal seconds in each pose.
+        is_shallow = -_SHALLOW < bound < -TOUCH
+        if self.is_exact or is_shallow or bound >= max(limit, TOUCH):
             return bound
         if bound <= TOUCH:
             depth = self._depth(self._one)
