@@ -4,7 +4,8 @@ urdfdom (RViz, MoveIt, Gazebo, Pinocchio) and Drake reject the robot, for materi
 have the same colour; MuJoCo rejects it for links, PyBullet for links and joints. It is a warning if
 all given targets accept the duplicate. The usual cause is a macro that is called twice without a
 prefix, a copied link, or two included files that define the same materials. Give one of them
-another name, and use it in the joints that refer to it; keep one of the materials.
+another name, and use it in the joints that refer to it; keep one of the materials. A robot of two
+arms whose prefixes are arguments that are empty by default is a warning: pass them.
 
 Visuals that give one material name two colours are a warning: urdfdom uses the first colour for all
 parts, with materials defined below `<robot>` before all others; other parsers use each part's own
@@ -22,6 +23,7 @@ from collections.abc import Iterable
 
 from urdfkit.core.grouping import repeated
 from urdfkit.core.words import spaced
+from urdfkit.lint.empty_arguments import prefixes_to_pass
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.link import Material
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -38,17 +40,17 @@ GOOD = BAD.replace('<link name="wheel"/>\n', "", 1)
 
 @rule(Severity.ERROR)
 def check(context: Context) -> Findings:
-    model = context.model
-    help = "give each {} its own name, in a macro by a prefix"
-    yield from _duplicates(context, (link.at for link in model.links), help.format("link"))
-    yield from _duplicates(context, (joint.at for joint in model.joints), help.format("joint"))
+    model, to_pass = context.model, prefixes_to_pass(context)
+    for parts in (model.links, model.joints):
+        for finding in _duplicates(context, (part.at for part in parts), to_pass):
+            yield finding._replace(severity=Severity.WARNING) if to_pass else finding
     materials = (material.at for material in model.materials)
     yield from _duplicates(context, materials, "keep one of them", group_key="material")
     yield from _redefined(context)
 
 
 def _duplicates(
-    context: Context, elements: Iterable[Element], help: str, group_key: str = ""
+    context: Context, elements: Iterable[Element], help: str = "", group_key: str = ""
 ) -> Findings:
     given = context.given_facts
     keyed = ((element.get("name"), element) for element in elements)
@@ -63,7 +65,7 @@ def _duplicates(
         yield Finding(
             name,
             f"duplicate {element.tag} '{name.value}'",
-            help,
+            help or f"give each {element.tag} its own name, in a macro by a prefix",
             related=(Related(first.span, "first defined here"),),
             group_key=group_key,
             severity=Severity.WARNING if is_taken else None,

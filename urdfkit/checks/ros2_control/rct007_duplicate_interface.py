@@ -15,9 +15,12 @@ Sources:
 
 from __future__ import annotations
 
+from itertools import chain
+
 from urdfkit.core.grouping import repeated
 from urdfkit.core.record import Record
 from urdfkit.core.words import few
+from urdfkit.lint.empty_arguments import prefixes_to_pass
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
@@ -37,9 +40,12 @@ _MAX_NAMED = 3
 
 @rule(Severity.ERROR, help="keep one of the two")
 def check(context: Context) -> Findings:
-    blocks = components(context.model)
-    yield from _duplicate_names(blocks)
-    yield from _duplicate_interfaces(blocks)
+    blocks, to_pass = components(context.model), prefixes_to_pass(context)
+    for finding in chain(_duplicate_names(blocks), _duplicate_interfaces(blocks)):
+        if to_pass:
+            yield finding._replace(help=to_pass, severity=Severity.WARNING)
+        else:
+            yield finding
 
 
 def _duplicate_names(blocks: list[Component]) -> Findings:

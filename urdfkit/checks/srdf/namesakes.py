@@ -12,6 +12,8 @@ from urdfkit.workspace.srdf_files import has_robot_name
 
 #: Most robots of launch files that are expanded.
 _MAX_STARTED = 32
+#: Most files next to an SRDF or a robot that may be robots of its name.
+_MAX_FILES = 60
 
 
 def launched_namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
@@ -26,6 +28,23 @@ def launched_namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
         robot = context.other_robot(description.path, description.arguments)
         if robot.is_readable and robot.model.name in (context.model.name, srdf.root.get("name")):
             yield robot
+
+
+def namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
+    """Those of launch files, and those in files next to the SRDF or to the robot.
+
+    The SRDF of a MoveIt configuration is for the xacro in there, and that of an arm for the one of
+    its URDFs that has its tool.
+    """
+    yield from launched_namesakes(context, srdf)
+    own, name = os.path.abspath(context.source.path), srdf.root.get("name") or ""
+    for directory in dict.fromkeys(map(os.path.dirname, (own, os.path.abspath(srdf.path)))):
+        files = sorted(context.resolver.directories.entries(directory) or ())[:_MAX_FILES]
+        for path in (os.path.join(directory, file) for file in files):
+            if path != own and has_robot_name(path, name):
+                robot = context.other_robot(path, {})
+                if robot.is_readable:
+                    yield robot
 
 
 def has_incomplete_namesake(context: Context, srdf: Srdf) -> bool:

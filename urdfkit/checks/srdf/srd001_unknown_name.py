@@ -19,7 +19,7 @@ Sources:
 import re
 from functools import cached_property
 
-from urdfkit.checks.srdf.namesakes import has_incomplete_namesake, launched_namesakes
+from urdfkit.checks.srdf.namesakes import has_incomplete_namesake, namesakes
 from urdfkit.core.suggest import SIMILAR, Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
@@ -80,8 +80,8 @@ def check(context: Context) -> Findings:
 
 
 def _names_in_namesakes(context: Context, srdf: Srdf) -> set[str]:
-    """Links and joints of robots of the same name in launch files of the workspace."""
-    models = (robot.model for robot in launched_namesakes(context, srdf))
+    """Links and joints of other robots of the same name."""
+    models = (robot.model for robot in namesakes(context, srdf))
     return {name for model in models for name in (*model.links_by_name, *model.joints_by_name)}
 
 

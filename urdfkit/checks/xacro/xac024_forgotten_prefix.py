@@ -21,6 +21,7 @@ Sources:
 import re
 from collections.abc import Iterator
 
+from urdfkit.lint.empty_arguments import empty_arguments
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.samples import xacro_xml
 from urdfkit.text.document import Attribute, CallFrame, Element
@@ -37,8 +38,6 @@ GOOD = BAD.replace('link="base"', 'link="$(arg prefix)base"')
 
 #: Value of the prefix in the second expansion.
 _PREFIX = "left_"
-#: Number of empty arguments that are tried as a prefix.
-_MAX_ARGUMENTS = 4
 _DEFINED = ("link", "joint")
 #: Attributes that refer to a link or joint; ``name`` refers to one in `_DEFINED` in other elements.
 _ATTRIBUTES = ("link", "joint", "reference")
@@ -59,7 +58,7 @@ def check(context: Context) -> Findings:
 
 def _forgotten_prefixes(context: Context) -> Findings:
     root = context.document.root
-    arguments = _empty_arguments(context)
+    arguments = empty_arguments(context)
     if not arguments:
         return
     prefixed = {name for name, at in _definitions(root) if not at.literal}
@@ -120,13 +119,6 @@ def _expression(argument: str, source: Source) -> str:
     """The value of an argument, as a file writes it: a macro without it has no such property."""
     used = re.search(rb"\$\{[^{}]*\b" + argument.encode() + rb"\b", source.data)
     return f"${{{argument}}}" if used else f"$(arg {argument})"
-
-
-def _empty_arguments(context: Context) -> list[str]:
-    """The arguments with an empty value; those whose name contains prefix come first."""
-    defaults = context.xacro.defaults
-    empty = [name for name in defaults if not context.arguments.get(name, defaults[name]).strip()]
-    return sorted(empty, key=lambda name: not name.endswith("prefix"))[:_MAX_ARGUMENTS]
 
 
 def _definitions(root: Element) -> Iterator[tuple[str, Attribute]]:

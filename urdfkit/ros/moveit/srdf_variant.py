@@ -4,8 +4,10 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
+from itertools import chain, combinations
 
 from urdfkit.core import disk
+from urdfkit.core.grouping import by_key
 from urdfkit.ros import RosDescription
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.ros.moveit.srdf_reader import neighbours
@@ -17,6 +19,8 @@ from urdfkit.workspace.file_head import read_head
 #: least part of these names that the other robot has.
 _UNKNOWN, _KNOWN = 0.25, 0.9
 _FEWEST = 3
+#: Most frequent prefixes that are tried.
+_MAX_PREFIXES = 4
 #: Bounds of the search for the other robot.
 _MAX_DIRECTORIES, _MAX_FILES, _MAX_XACROS = 200, 60, 10
 _MAX_BYTES = 4 * 1024 * 1024
@@ -39,6 +43,9 @@ def other_variant(description: RosDescription, srdf: Srdf) -> str:
     prefix = _prefix(known - srdf.named, unknown)
     if prefix:
         return f"{reported}; they begin with '{prefix}'"
+    if len(unknown) >= _KNOWN * len(srdf.named) and (prefixes := _prefixes(known, unknown)):
+        begins = " or ".join(f"'{prefix}'" for prefix in prefixes)
+        return f"{reported}; they begin with {begins}"
     others = (path for path, names in _other_robots(description) if _fits(unknown, names))
     other = next(others, "")
     return f"{reported}; they are in {shown(other)}" if other else ""
@@ -85,6 +92,18 @@ def _prefix(bare: AbstractSet[str], prefixed: AbstractSet[str]) -> str:
     # The shorter of two fitting prefixes, so that each name is complete.
     fitting = [begin for begin, count in begins.items() if count >= _KNOWN * len(bare)]
     return min(fitting, key=len, default="")
+
+
+def _prefixes(known: AbstractSet[str], unknown: AbstractSet[str]) -> tuple[str, ...]:
+    """One or two prefixes, as of two arms, with which nearly all names are those of a robot."""
+    made = by_key(
+        (name[:at], name) for name in unknown for at in range(1, len(name)) if name[at:] in known
+    )
+    most = sorted(made, key=lambda prefix: (-len(made[prefix]), len(prefix)))[:_MAX_PREFIXES]
+    for prefixes in chain(combinations(most, 1), combinations(most, 2)):
+        if len({name for prefix in prefixes for name in made[prefix]}) >= _KNOWN * len(unknown):
+            return tuple(sorted(prefixes))
+    return ()
 
 
 def _other_robots(description: RosDescription) -> Iterator[tuple[str, AbstractSet[str]]]:
