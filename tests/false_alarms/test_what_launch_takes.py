@@ -8,6 +8,7 @@ from tests.checks.bringup.nav2 import JAZZY
 from tests.launched import MANIFEST, reported
 from tests.naming import naming
 from tests.workspaces import add_file, add_package
+from urdfkit import check
 
 _IMPORTS = """\
 import os
@@ -158,3 +159,60 @@ def test_the_program_of_slam_toolbox_that_needs_no_activation(
     slam = f"Node(package='slam_toolbox', executable='{executable}')"
     other = "Node(package='p', executable='e', parameters=[os.path.join(HERE, '../config/c.yaml')])"
     assert len(_of(tmp_path, "LAU030", slam, other, c=JAZZY)) == count
+
+
+@pytest.mark.parametrize(("before", "count"), [('"\'{show: "', 0), ("'not '", 1)])
+def test_a_boolean_in_an_open_quote(tmp_path: Path, before: str, count: int) -> None:
+    """hydra_ros: the expression is a text in YAML, made of several pieces."""
+    text = (
+        "from launch.actions import DeclareLaunchArgument\n"
+        "from launch.substitutions import PythonExpression\n"
+        f"{_PROGRAM}"
+        f"    text = PythonExpression([{before}, LaunchConfiguration('show'), \"}}'\"])\n"
+        "    show = DeclareLaunchArgument('show', default_value='true')\n"
+        "    return LaunchDescription([show, Node(package='p', executable=text)])\n"
+    )
+    assert len(reported(tmp_path / "arm", "LAU034", "a.launch.py", text)) == count
+
+
+_GATHERED = """\
+def files(target, source):
+    for path in glob(f'{source}/*'):
+        if os.path.isdir(path):
+            files(f'{target}/{path}', path)
+setup(name='arm', data_files=[*files('share/arm/launch/ros2', 'launch/ros2')])
+"""
+
+
+@pytest.mark.parametrize(
+    ("setup", "count"), [(_GATHERED, 0), ("setup(name='arm', data_files=['launch/ros2'])\n", 1)]
+)
+def test_a_function_that_gathers_the_data_files(tmp_path: Path, setup: str, count: int) -> None:
+    """hexfellow: it goes through the directories itself."""
+    manifest = MANIFEST.replace(
+        "</license>", "</license><export><build_type>ament_python</build_type></export>"
+    )
+    add_file(tmp_path / "package.xml", manifest)
+    add_file(tmp_path / "setup.py", setup)
+    file = add_file(tmp_path / "launch/ros2/a.launch.py", f"{_PROGRAM}    return None\n")
+    assert len(check(file, select=["PKG002"]).diagnostics) == count
+
+
+def test_the_info_of_the_camera_with_the_image(tmp_path: Path) -> None:
+    """avone: of two cameras, that whose depth image is meant; the other one is named first."""
+    topics = ("front/camera_info", "left/depth_image", "left/camera_info")
+    kinds = {"camera_info": "CameraInfo", "depth_image": "Image"}
+    bridged = ", ".join(
+        f"'/{topic}@sensor_msgs/msg/{kind}[gz.msgs.{kind}'"
+        for topic in topics
+        for kind in (kinds[topic.rpartition("/")[2]],)
+    )
+    bridge = f"Node(package='ros_gz_bridge', executable='parameter_bridge', arguments=[{bridged}])"
+    scan = "Node(package='depthimage_to_laserscan', executable='depthimage_to_laserscan_node')"
+    found = _of(tmp_path, "LAU032", bridge, scan)
+    assert found == [
+        naming("depthimage_to_laserscan_node", "/depth", "/left/depth_image"),
+        naming(
+            "depthimage_to_laserscan_node", "/depth_camera_info", "CameraInfo", "/left/camera_info"
+        ),
+    ]

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from posixpath import dirname
 
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
 from urdfkit.checks.bringup.processes import is_silent_process
@@ -79,19 +80,20 @@ def unpublished_inputs(context: Context) -> Findings:
     of_workspace = workspace_launches(context)
     filtered = _outputs_of_filters(of_workspace)
     spawned = spawned_topics(context, (context.launch, *of_workspace))
-    served: set[str] = set()  # nodes that get one of their topics
+    served: dict[str, str] = {}  # the directories of the topics that nodes get, by node
     waiting: list[tuple[ReadTopic, dict[str, StartedProgram]]] = []
     for read in inputs:
         started = () if read.is_of_workspace else (context.launch,)
         published = _publishers(context, started, of_workspace, read.message, spawned)
         names = _names(read)
         if published and names & (published.keys() | filtered):
-            served.add(read.who)
+            served.setdefault(read.who, dirname(_absolute(read.topic)))
         elif published is not None and not names & filtered:
             may_be_filtered = None in filtered and read.message == _ODOMETRY
             waiting += [] if may_be_filtered else [(read, published)]
     types = _bridged_types(context, of_workspace) if waiting else {}
     sensors = sensors_of_workspace(context, of_workspace) if waiting else []
+    beside = dict(served)
     reported: set[str] = set()
     for read, published in waiting:
         name = _absolute(read.topic)
@@ -103,7 +105,9 @@ def unpublished_inputs(context: Context) -> Findings:
             if name in types and len(_names(read)) == 1:
                 yield from _other_type(read, *types[name])
             else:
-                yield _other_topic(read, published)
+                other = _other_topic(read, published, beside.get(read.who))
+                beside.setdefault(read.who, dirname(other))
+                yield _on_other(read, other, published[other])
         elif read.switch and read.who in served and not sensor:
             yield Finding(
                 read.at,
@@ -139,17 +143,24 @@ def _of_others(read: ReadTopic, published: dict[str, StartedProgram]) -> list[st
     return [topic for topic, node in published.items() if node.span != at]
 
 
-def _other_topic(read: ReadTopic, published: dict[str, StartedProgram]) -> Finding:
+def _other_topic(
+    read: ReadTopic, published: dict[str, StartedProgram], directory: str | None
+) -> str:
+    """The topic that is most likely meant: an image and its camera's info are in one directory."""
+    others = _of_others(read, published)
+    others = [topic for topic in others if dirname(topic) == directory] or others
+    return nearest(_absolute(read.topic), others, 0) or others[0]
+
+
+def _on_other(read: ReadTopic, other: str, publisher: StartedProgram) -> Finding:
     """A topic that nothing publishes, while such messages are on another one."""
     name = _absolute(read.topic)
-    others = _of_others(read, published)
-    other = nearest(name, others, 0) or others[0]
     return Finding(
         read.at,
         f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "
         f"are on '{other}'",
         f"{_STARTED.get(name.strip('/'), '')}{read.remedy}{other}",
-        related=(Related(published[other].span, "the publisher is started here"),),
+        related=(Related(publisher.span, "the publisher is started here"),),
     )
 
 

@@ -152,7 +152,7 @@ def reversed_remappings(context: Context) -> Findings:
                     node.at,
                     f"remapping of '{old}' has no effect: the topic of '{node.executable}' is "
                     f"'{new}'",
-                    f"write it the other way round: from {new} to {old}",
+                    f"remove it, or write it the other way round to read '{old}'",
                 )
 
 

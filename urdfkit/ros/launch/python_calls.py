@@ -303,16 +303,23 @@ def _evaluated(call: ast.Call, values: Values) -> Iterator[Problem]:
     """The text of a boolean argument in an expression of Python, which has no ``true``."""
     if called(call) != "PythonExpression":
         return
-    before: str | None = ""  # None if unknown
+    quote, is_known = "", True  # the open one, and whether it is known
     for item in values.items(argument(call, 0, "expression")):
         text = values.text(item)
-        is_open = before is not None and not before.rstrip().endswith(("'", '"'))
-        is_name = text in ("true", "false") and is_open
+        is_name = text in ("true", "false") and is_known and not quote
         if item is not None and is_name and _is_configuration(item, values):
             message = f"the expression contains {text}, which is no name of Python"
             help = "write it in quotes, and compare: \"'\", ..., \"' == 'true'\""
             yield values.problem("LAU034", item, message, help)
-        before = text
+        quote, is_known = _open_quote(quote, text or ""), text is not None
+
+
+def _open_quote(quote: str, text: str) -> str:
+    """The quote that is open behind a text; empty if none is."""
+    for character in text:
+        if character in "'\"" and quote in ("", character):
+            quote = "" if quote else character
+    return quote
 
 
 def _is_configuration(node: ast.expr, values: Values) -> bool:
