@@ -107,5 +107,10 @@ def test_the_srdf_of_a_configuration_with_its_own_robot(
     )
     group = '<group name="g"><link name="base"/><link name="fork"/></group>'
     add_file(moveit / "config" / "ada.srdf", f'<robot name="ada">{group}</robot>')
-    found = check(tmp_path, select=["SRD001"]).diagnostics
-    assert len({(one.span.line, one.message) for one in found}) == count
+    servo = "move_group_name: g\nee_frame_name: fork\ncommand_out_topic: c/joint_trajectory\n"
+    add_file(moveit / "config" / "servo.yaml", servo)
+    for code in ("SRD001", "SRD030"):
+        found = check(tmp_path, select=[code]).diagnostics
+        assert (
+            len({(one.span.line, one.message) for one in found if "fork" in one.message}) == count
+        )

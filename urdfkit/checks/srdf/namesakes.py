@@ -30,7 +30,7 @@ def launched_namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
             yield robot
 
 
-def namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
+def _namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
     """Those of launch files, and those in files next to the SRDF or to the robot.
 
     The SRDF of a MoveIt configuration is for the xacro in there, and that of an arm for the one of
@@ -45,6 +45,12 @@ def namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
                 robot = context.other_robot(path, {})
                 if robot.is_readable:
                     yield robot
+
+
+def names_in_namesakes(context: Context, srdf: Srdf) -> set[str]:
+    """Links and joints of other robots of the same name."""
+    models = (robot.model for robot in _namesakes(context, srdf))
+    return {name for model in models for name in (*model.links_by_name, *model.joints_by_name)}
 
 
 def has_incomplete_namesake(context: Context, srdf: Srdf) -> bool:

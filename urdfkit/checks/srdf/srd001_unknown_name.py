@@ -19,7 +19,7 @@ Sources:
 import re
 from functools import cached_property
 
-from urdfkit.checks.srdf.namesakes import has_incomplete_namesake, namesakes
+from urdfkit.checks.srdf.namesakes import has_incomplete_namesake, names_in_namesakes
 from urdfkit.core.suggest import SIMILAR, Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
@@ -56,7 +56,7 @@ def check(context: Context) -> Findings:
     if has_incomplete_namesake(context, srdf):
         elsewhere = set(srdf.unknown)
     elif srdf.unknown:
-        elsewhere = _names_in_namesakes(context, srdf) | names_of_namesakes(context)
+        elsewhere = names_in_namesakes(context, srdf) | names_of_namesakes(context)
     suggestions = _Suggestions(context, srdf)
     for kind, attribute in srdf.references():
         if kind != "group" and attribute.value in elsewhere:
@@ -77,12 +77,6 @@ def check(context: Context) -> Findings:
                     severity=Severity.WARNING,
                 )
     yield from _not_in_group(context, srdf)
-
-
-def _names_in_namesakes(context: Context, srdf: Srdf) -> set[str]:
-    """Links and joints of other robots of the same name."""
-    models = (robot.model for robot in namesakes(context, srdf))
-    return {name for model in models for name in (*model.links_by_name, *model.joints_by_name)}
 
 
 class _Uncalled:

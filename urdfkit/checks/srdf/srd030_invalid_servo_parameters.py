@@ -11,6 +11,7 @@ Sources:
 
 import os
 
+from urdfkit.checks.srdf.namesakes import names_in_namesakes
 from urdfkit.checks.srdf.trajectories import defined_controllers
 from urdfkit.core.suggest import did_you_mean
 from urdfkit.core.words import few
@@ -57,6 +58,7 @@ def _unknown_names(context: Context, srdf: Srdf) -> Findings:
         written = {key: values[key].text for key in known if key in values}
         lost = {name for key, name in written.items() if name and name not in known[key]}
         lost -= names_of_other_robots(context, srdf, lost)
+        lost -= names_in_namesakes(context, srdf) if lost else set()
         for key, name in written.items():
             if name in lost and known[key]:
                 message = f"{file}: unknown {key} '{name}'{did_you_mean(name, known[key])}"
