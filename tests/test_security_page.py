@@ -13,7 +13,7 @@ from urdfkit.cli import main
 from urdfkit.cli.group import COMMANDS, group
 from urdfkit.core.expansion_limits import Limits
 from urdfkit.mesh.io import assemble
-from urdfkit.scan import models
+from urdfkit.scan import archives
 from urdfkit.text import located_yaml, python_source, source, xml_reader
 from urdfkit.xacro import bounds, dom_builder, yaml_files
 from urdfkit.xacro.substitution import ENVIRONMENT
@@ -62,10 +62,10 @@ def _has_limits(command: click.Command | None) -> bool:
         f"Files: {source.MAX_BYTES // 2**20} MiB, YAML {located_yaml.MAX_BYTES // 2**20} MiB",
         f"Python launch files {python_source.MAX_BYTES // 1024} KiB",
         f"Meshes: {assemble.MAX_PARTS:,} surfaces",
-        f"or one for {models._BYTES_PER_MEMBER} bytes",
-        f"Archives of `scan`: {models._LARGE / 1e9:.0f} GB when extracted",
-        f"or {models._MAX_RATIO} times their size",
-        f"headers of a tar {models._MAX_HEADER // 2**20} MiB",
+        f"or one for {archives._BYTES_PER_MEMBER} bytes",
+        f"Archives of `scan`: {archives._LARGE / 1e9:.0f} GB when extracted",
+        f"or {archives._MAX_RATIO} times their size",
+        f"headers of a tar {archives._MAX_HEADER // 2**20} MiB",
         f"playground: {MOST_UNPACKED // 10**6} MB and {MOST_FILES:,} files when extracted",
         f"takes at most {Limits().seconds:g} s of processor time",
         f"adds at most {Limits().megabytes} MB to the process",

@@ -119,7 +119,7 @@ def test_entries_of_a_list_that_cannot_be_read_are_rows(zoo: Path) -> None:
 def test_a_bomb_is_not_extracted(
     suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("urdfkit.scan.models._LARGE", 10**6)
+    monkeypatch.setattr("urdfkit.scan.archives._LARGE", 10**6)
     (tmp_path / "zeros").write_bytes(bytes(2 * 10**6))
     archive = tmp_path / f"bomb{suffix}"
     if suffix == ".zip":
@@ -149,7 +149,7 @@ def test_holes_of_a_sparse_tar_count_as_bytes(tmp_path: Path) -> None:
 def test_an_archive_of_empty_files_is_not_extracted(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, suffix: str
 ) -> None:
-    monkeypatch.setattr("urdfkit.scan.models._MAX_MEMBERS", 100)
+    monkeypatch.setattr("urdfkit.scan.archives._MAX_MEMBERS", 100)
     number = 400 if name == "{}.txt" else 40
     archive = tmp_path / f"many{suffix}"
     if suffix == ".zip":
