@@ -24,7 +24,7 @@ from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.lint.rules import Rule
 from urdfkit.output import formats
-from urdfkit.robot.assets.visual_collision import VisualCollisionPairs
+from urdfkit.robot.assets.collision_mismatches import VisualCollisionPairs
 from urdfkit.robot.inertials.masses import Masses
 
 #: Something to say for rules of many kinds: a tensor, a mesh, a plugin, an unlike collision.

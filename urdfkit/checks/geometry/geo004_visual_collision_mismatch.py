@@ -37,13 +37,12 @@ from urdfkit.checks.geometry.other_side import (
 from urdfkit.core.spatial import Z_AXIS, Transform, cross, length, minus, rotate
 from urdfkit.core.words import rounded, spaced
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
+from urdfkit.robot.assets.collision_mismatches import Mismatch, VisualCollisionPairs
 from urdfkit.robot.assets.mesh_defects import MeshDefect
 from urdfkit.robot.assets.visual_collision import (
     LEAST_OVERLAP,
     SIMILAR_UNIT,
-    Mismatch,
     VisualCollisionPair,
-    VisualCollisionPairs,
 )
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Body, Link

@@ -6,13 +6,11 @@ axes of the link are compared, in m.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from enum import Enum
+from collections.abc import Iterator
 from functools import cached_property
 from itertools import permutations, product
-from math import hypot, log
+from math import log
 
-from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import (
     AXES,
@@ -27,9 +25,7 @@ from urdfkit.core.spatial import (
     to_rpy,
 )
 from urdfkit.robot.link import Body, Link, Shape
-from urdfkit.robot.model import RobotModel
-from urdfkit.robot.shapes import OTHER_UNIT, BoundingBox, LinkSolid, MeshSolid, solid
-from urdfkit.text.document import Tag
+from urdfkit.robot.shapes import OTHER_UNIT, BoundingBox, LinkSolid, MeshSolid
 
 #: Common volume by the volume of the union of both bounding boxes, below which they are apart. A
 #: body with its origin at one end in one box and in the middle in the other has 1/3, and a little
@@ -62,17 +58,8 @@ SAME_OVERLAP = 0.72
 #: Least increase of the overlap by a rotation.
 MIN_GAIN = 0.3
 
-#: Two meshes with this overlap after a rotation are one part; with an overlap above the second
-#: value, they are aligned.
-SAME_MESH, ALIGNED = 0.97, 0.85
-
-
-class Mismatch(Enum):
-    """The difference between the collision and the visual of a link."""
-
-    SIZE = "size"
-    ROTATION = "rotation"
-    APART = "apart"
+#: Two meshes with this overlap after a rotation are one part.
+SAME_MESH = 0.97
 
 
 class QuarterTurn(Record):
@@ -105,7 +92,10 @@ class VisualCollisionPair:
         """
         return any(
             max(one.bounds.edges) <= MARKER
-            and (not _is_mesh(one) or (_is_cube(one) and not _is_cube(other)))
+            and (
+                not _is_mesh(one)
+                or (_is_cube(one.bounds.edges) and not _is_cube(other.bounds.edges))
+            )
             for one, other in permutations((self.collision, self.visual))
         )
 
@@ -117,8 +107,9 @@ class VisualCollisionPair:
         """
         small, large = sorted((self.collision.bounds.edges, self.visual.bounds.edges), key=max)
         ratios = [a / b if b > 0 else 0.0 for a, b in zip(large, small, strict=True)]
-        is_cube = max(small) < CUBE * min(small)
-        return not is_cube and all(THOUSAND[0] <= ratio <= THOUSAND[1] for ratio in ratios)
+        return max(small) >= CUBE * min(small) and all(
+            THOUSAND[0] <= ratio <= THOUSAND[1] for ratio in ratios
+        )
 
     @cached_property
     def overlap(self) -> float:
@@ -228,95 +219,6 @@ class VisualCollisionPair:
         return visual if of_visual >= of_collision else collision
 
 
-class VisualCollisionPairs:
-    """The links of a robot that have both visuals and collisions.
-
-    Args:
-        mesh_solid: returns a mesh as a solid; None if it is not measured.
-        is_ambiguous: True for a visual or collision whose axes programs interpret differently.
-    """
-
-    def __init__(
-        self,
-        model: RobotModel,
-        mesh_solid: Callable[[Body], MeshSolid | None],
-        is_ambiguous: Callable[[Body], bool],
-    ) -> None:
-        self._model = model
-        self._mesh_solid = mesh_solid
-        self._is_ambiguous = is_ambiguous
-
-    @cached_property
-    def mismatches(self) -> dict[Mismatch, list[VisualCollisionPair]]:
-        """The links with each mismatch; each link has at most one."""
-        pairs = ((self._mismatch(pair), pair) for pair in self.each())
-        return by_key((mismatch, pair) for mismatch, pair in pairs if mismatch)
-
-    @property
-    def span(self) -> float:
-        """The longest distance between consecutive joints, in m."""
-        places = (joint.origin.position for joint in self._model.joints)
-        return max((hypot(*place) for place in places), default=0.0)
-
-    def each(self) -> Iterator[VisualCollisionPair]:
-        """The links whose visuals and collisions are measured and not the same."""
-        for link in self._model.links:
-            if link.visuals and link.collisions:
-                collision = solid(link.collisions, self._mesh_solid)
-                visual = solid(link.visuals, self._mesh_solid)
-                if collision and visual and collision.parts != visual.parts:
-                    yield VisualCollisionPair(link, collision, visual)
-
-    def _mismatch(self, pair: VisualCollisionPair) -> Mismatch | None:
-        if pair.overlap >= ALIGNED or (pair.is_marker and not pair.is_shrunk):
-            return None
-        if pair.factor:
-            return Mismatch.SIZE
-        if not pair.has_one_shape:  # otherwise the origins explain the difference
-            if any(map(self._is_ambiguous, pair.link.bodies)):
-                return None
-            if pair.turn:
-                return Mismatch.ROTATION
-        is_unlike = pair.overlap < LEAST_OVERLAP and not pair.is_nested
-        is_apart = pair.is_apart or (is_unlike and self.of_another_link(pair))
-        return Mismatch.APART if is_apart else None
-
-    def of_another_link(self, pair: VisualCollisionPair) -> tuple[Body, str] | None:
-        """The visual or the collision with the mesh of one other link, and the name of that link.
-
-        Only if it is the only one of its link whose mesh has this name: a pair of links, such as
-        wheels, has the same mesh for both.
-        """
-        if len(pair.link.visuals) > 1:
-            return None
-        bodies = (pair.link.visuals[0], *pair.link.collisions)
-        if not all(body.file for body in bodies):
-            return None
-        names = [_stem(body) for body in bodies]
-        for body in bodies if len(bodies) == 2 else bodies[:1]:
-            users = self._users.get(body.file.value if body.file else "", {})
-            others = [link for link in users.values() if link != pair.link.name]
-            if names.count(_stem(body)) == 1 and len(others) == 1 and len(users) <= 2:
-                return body, others[0]
-        return None
-
-    @cached_property
-    def _users(self) -> dict[str, dict[Tag, str]]:
-        """The links that have each mesh as a visual, by the tag of the mesh in its file.
-
-        Or as a collision whose visual has the same name, such as ``arm.stl`` and ``arm.dae``.
-        """
-        users: dict[str, dict[Tag, str]] = {}
-        for link in self._model.links:
-            seen = {body.file.value for body in link.visuals if body.file}
-            names = {_stem(body) for body in link.visuals}
-            for body in link.bodies:
-                is_own = body in link.visuals or (body.file and body.file.value not in seen)
-                if body.shape and body.file and is_own and _stem(body) in names:
-                    users.setdefault(body.file.value, {})[body.shape.at.tag_at] = link.name
-        return users
-
-
 def _quarters() -> Iterator[Rotation]:
     """The 23 rotations that map a cube onto itself, the smaller ones first."""
     rotations = []
@@ -338,18 +240,12 @@ def _overlap(a: BoundingBox, b: BoundingBox) -> float:
     return common / both if both > 0 else 0.0
 
 
-def _stem(body: Body) -> str:
-    """The name of a mesh without its directory and suffix; empty for other shapes."""
-    path = body.file.value if body.file else ""
-    return path.rpartition("/")[2].partition(".")[0].lower()
-
-
 def _is_mesh(solid: LinkSolid) -> bool:
     return any(isinstance(part, MeshSolid) for part in solid.parts)
 
 
-def _is_cube(solid: LinkSolid) -> bool:
-    return max(solid.bounds.edges) < CUBE * min(solid.bounds.edges)
+def _is_cube(edges: Vector) -> bool:
+    return max(edges) < CUBE * min(edges)
 
 
 def _geometry(shape: Shape) -> tuple[object, ...]:
