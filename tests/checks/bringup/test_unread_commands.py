@@ -217,6 +217,45 @@ def test_commands_of_an_included_navigation(
     assert messages == [expected] * count
 
 
+@pytest.mark.parametrize(
+    ("action", "count"),
+    [
+        ("PushRosNamespace('drive')", 0),
+        ("PushRosNamespace(LaunchConfiguration('other'))", 0),
+        ("PushRosNamespace('')", 1),
+        ("PushRosNamespace(LaunchConfiguration('ns'))", 1),
+        ("PushROSNamespace(condition=IfCondition('false'), namespace='drive')", 1),
+        ("SetRemap('/cmd_vel', '/drive/cmd_vel')", 0),
+        ("SetRemap('/cmd_vel', '/drive/cmd_vel', condition=IfCondition('false'))", 1),
+    ],
+)
+def test_namespaces_and_remappings_of_several_nodes(
+    tmp_path: Path, action: str, count: int
+) -> None:
+    text = f"DeclareLaunchArgument('ns', default_value='')\n{action}\n"
+    text += TELEOP.format("") + COMMANDS
+    assert len(reported(tmp_path, "LAU032", "a.launch.py", text)) == count
+
+
+@pytest.mark.parametrize(
+    ("group", "count"),
+    [
+        ('<group ns="drive">', 0),
+        ('<group ns="$(var ns)">', 1),
+        ('<group><push-ros-namespace namespace="drive"/>', 0),
+        ('<group><push-ros-namespace namespace="$(var ns)"/>', 1),
+        ('<group><set_remap from="/cmd_vel" to="/drive/cmd_vel"/>', 0),
+    ],
+)
+def test_groups_of_xml(tmp_path: Path, group: str, count: int) -> None:
+    text = f"""<arg name="ns" default=""/>{group}
+    <node pkg="teleop_twist_joy" exec="teleop_node"/>
+    <node pkg="ros_gz_bridge" exec="parameter_bridge"
+          args="/drive/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist"/>
+    </group>"""
+    assert len(reported(tmp_path, "LAU032", "a.launch.xml", text)) == count
+
+
 def test_a_navigation_with_a_namespace(tmp_path: Path) -> None:
     text = NAVIGATION.replace("{{'params", "{{'namespace': 'drive', 'params").format(tmp_path)
     files = {"nav2.yaml": "amcl: {ros__parameters: {alpha1: 0.2}}\n"}

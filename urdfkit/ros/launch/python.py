@@ -37,11 +37,10 @@ from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Span
 
+#: Actions that set the namespace of the nodes after them.
+_PUSHING = ("PushRosNamespace", "PushROSNamespace")
 #: Actions that apply to the nodes after them.
-_SCOPES = (
-    "PushRosNamespace", "PushROSNamespace", "SetParameter", "SetParametersFromFile", "SetRemap",
-    "SetUseSimTime",
-)  # fmt: skip
+_SCOPES = (*_PUSHING, "SetParameter", "SetParametersFromFile", "SetRemap", "SetUseSimTime")
 
 #: Functions of ``subprocess`` and ``os`` that return the output of a command.
 _PROCESSES = ("Popen", "check_output", "getoutput", "popen", "run")
@@ -152,9 +151,12 @@ class _PythonReader(PythonLaunchFile):
             start_node(self, call)
 
     def _scope(self, call: ast.Call) -> None:
-        name = self.values.text(argument(call, 0, "name"))
-        is_parameter = called(call) == "SetParameter" and name == SIM_TIME
-        self.collector.scope(of_sim_time=is_parameter or called(call) == "SetUseSimTime")
+        name = called(call)
+        first = self.values.text(argument(call, 0, "namespace" if name in _PUSHING else "name"))
+        if self.is_off(call) or (name in _PUSHING and first == ""):
+            return  # often the namespace of an argument that is empty by default
+        is_parameter = name == "SetParameter" and first == SIM_TIME
+        self.collector.scope(of_sim_time=is_parameter or name == "SetUseSimTime")
 
     def _container(self, call: ast.Call) -> None:
         if self._may_run(call):

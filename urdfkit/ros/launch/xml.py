@@ -133,8 +133,7 @@ class _XmlReader(XmlLaunchFile):
                 self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
                 continue
             self._check(element)
-            has_namespace = not {"ns", "namespace"}.isdisjoint(element.attributes)
-            if element.tag in SCOPES or (has_namespace and element.tag != "node"):
+            if self._is_scope(element):
                 is_parameter = element.tag == "set_parameter" and element.get("name") == SIM_TIME
                 self.collector.scope(of_sim_time=is_parameter or element.tag == "set_use_sim_time")
             self._mentions(element)
@@ -144,6 +143,14 @@ class _XmlReader(XmlLaunchFile):
                 handle(element)
                 self.unknown_conditions -= is_unknown
         self._level -= 1
+
+    def _is_scope(self, element: Element) -> bool:
+        """True for what applies to several nodes; an empty namespace does not."""
+        namespaces = filter(None, map(element.attributes.get, ("ns", "namespace")))
+        texts = [self.text(attribute) for attribute in namespaces]
+        if texts and element.tag != "node":
+            return any(text != "" for text in texts)
+        return element.tag in SCOPES
 
     def _mentions(self, element: Element) -> None:
         """Record paths in packages whose use is unknown, such as the path of a world."""
