@@ -3,8 +3,11 @@
 from pathlib import Path
 
 from tests.controls import reported_with_file
-from tests.gazebos import WHEELS
-from urdfkit import Diagnostic
+from tests.gazebos import WHEELS, plugin
+from tests.launched import MANIFEST, launch
+from tests.workspaces import add_files
+from urdfkit import Diagnostic, check
+from urdfkit.lint.rule_examples import whole_robot
 
 DRIVE = """\
 controller_manager:
@@ -27,6 +30,16 @@ def reported(
     """What a rule says about a robot with these controllers, whose manager has a namespace."""
     ros = f"<ros><namespace>{namespace}</namespace></ros>" if namespace else ""
     return reported_with_file(code, directory, text, "", robot, ros)
+
+
+def reported_in_ros_1(directory: Path, code: str, text: str) -> list[Diagnostic]:
+    """What a rule says about the robot if a launch file of ROS 1 loads these controllers."""
+    robot = whole_robot(WHEELS + plugin("libgazebo_ros_control.so"))
+    description = '<param name="robot_description" textfile="$(find arm)/r.urdf"/>'
+    start = launch(f'{description}\n<rosparam file="$(find arm)/c.yaml"/>')
+    files = {"r.urdf": robot, "c.yaml": text, "package.xml": MANIFEST, "launch/a.launch": start}
+    add_files(directory, files)
+    return list(check(directory, select=[code]).diagnostics)
 
 
 def place(found: Diagnostic) -> tuple[str, int, str]:

@@ -7,12 +7,14 @@ import pytest
 from tests.checks.bringup.nav2 import COSTMAP, messages, reported_of
 from tests.checks.worlds.started import INCLUDE
 from tests.checks.worlds.started import messages as of_world
+from tests.driving import reported as driven
 from tests.gazebos import BASE, block, sensor, wheel
 from tests.launched import reported as of_launch
 from tests.massive import inertial, joint, link, part, shape
 from tests.naming import naming
 from tests.reported import reported
 from tests.workspaces import add_package
+from tests.xacros import xacro
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
 
@@ -186,3 +188,51 @@ def test_the_wheels_are_lower_than_the_chassis(tmp_path: Path) -> None:
 <geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link></model>"""
     (found,) = of_world(tmp_path, "WLD003", robot=robot, launch=launch, world=plane)
     assert found == naming("0 m", "left", "0.2 m", "below")
+
+
+def test_hyphens_in_a_comment_of_a_world(tmp_path: Path) -> None:
+    """A plan of the rooms, +----+, as libsdformat 12 reads it."""
+    world = "<!-- +----+--+ -->\n<gravity>0 0 9.8</gravity>"
+    (found,) = of_world(tmp_path, "WLD002", launch=INCLUDE, world=world)
+    assert "gravity" in found
+
+
+@pytest.mark.parametrize(
+    ("rgba", "suggested"), [("0.278 0.255 12.95 1", ""), ("71 65 26 1", "0.278 0.255 0.102 1")]
+)
+def test_a_colour_of_which_one_formula_is_wrong(rgba: str, suggested: str) -> None:
+    """``${71/255} ${65/255} ${26/2} 1`` is not 0.001 0.001 0.05."""
+    robot = f'<material name="brass"><color rgba="{rgba}"/></material>' + link("base")
+    (found,) = reported("GEO007", robot)
+    assert (suggested in found.help, bool(found.fix)) == (True, bool(suggested))
+
+
+def test_the_noise_of_each_axis_of_an_imu() -> None:
+    noise = "<linear_acceleration><noise><mean>0</mean></noise></linear_acceleration>"
+    (found,) = reported("GAZ003", BASE + sensor("imu", f"<imu>{noise}</imu>"))
+    assert found.help == naming("<x>", "<y>", "<z>")
+
+
+def test_a_file_as_of_ros_1_that_a_plugin_of_ros_2_names(tmp_path: Path) -> None:
+    """The types are not those of ROS 1, whose parameters have other names."""
+    yaml = "robot:\n  drive:\n    type: diff_drive_controller/DiffDriveController\n"
+    assert driven(tmp_path, "RCT034", yaml) == []
+    (found,) = driven(tmp_path, "RCT026", yaml)
+    assert (found.span.text, found.message) == ("robot", naming("ROS 2", "ros__parameters"))
+
+
+def test_controllers_of_joints_whose_macro_is_not_called(tmp_path: Path) -> None:
+    """A robot with two arms: XAC002 says that ``<m_joint>`` lacks the prefix."""
+    macro = '<xacro:macro name="m_joint" params="name"/>'
+    names = [f"arm_joint{number}" for number in range(1, 6)]
+    yaml = "".join(
+        f"c_{name}:\n  type: effort_controllers/JointPositionController\n  joint: {name}\n"
+        for name in names
+    )
+    text = '<param name="robot_description" command="xacro $(find arm)/r.xacro"/>' + _LOAD
+    for tag, count in (("m_joint", 0), ("other", 1)):
+        calls = "".join(f'<{tag} name="{name}"/>' for name in names)
+        files = {"r.xacro": xacro(macro + BASE + wheel("left", 0.1) + calls), "c.yaml": yaml}
+        of_launch(tmp_path / "arm", "LAU013", "a.launch", text, files)
+        found = check(tmp_path / "arm", select=["RCT001"]).diagnostics
+        assert ["none of the" in one.message for one in found] == [True] * count

@@ -171,7 +171,8 @@ def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, Co
     """The controllers of the readable parameter files."""
     for file, source in readable_files(description):
         for controller in read(source, is_of_ros1=file.is_of_ros1):
-            yield file, controller
+            if file.element is None or controller.ros == 2:  # RCT026 reports the others
+                yield file, controller
 
 
 def by_file(

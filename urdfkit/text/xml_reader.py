@@ -11,6 +11,7 @@ import re
 from xml.parsers import expat
 
 from urdfkit.core.static_typing import TYPE_CHECKING
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Related, Severity
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
 from urdfkit.text.source import Source, Span
@@ -61,6 +62,18 @@ def read_xml(
     problems += builder.undeclared_prefixes() + builder.unexpanded()
     assert builder.root is not None
     return Document(builder.root, (source,)), problems
+
+
+def read_as_tinyxml(source: Source) -> tuple[Document | None, list[Problem]]:
+    """Read XML as TinyXML does, the parser of Gazebo and MoveIt.
+
+    It ends a comment at the first ``-->``, whatever the comment contains.
+    """
+    document, problems = read_xml(source)
+    if document is None and b"<!--" in source.data:
+        lenient = read_xml(Source(source.path, blank_comments(source.data)))
+        return lenient if lenient[0] is not None else (None, problems)
+    return document, problems
 
 
 def require_shallow_dtd(data: bytes) -> None:

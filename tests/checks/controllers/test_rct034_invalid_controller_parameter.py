@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.driving import DRIVE, place, reported
+from tests.driving import DRIVE, place, reported, reported_in_ros_1
 from tests.launched import MANIFEST, launch
 from tests.naming import naming
 from tests.workspaces import add_files, add_package
@@ -177,7 +177,7 @@ def test_parameters_that_may_be_elsewhere_are_accepted(tmp_path: Path, old: str,
 
 def test_wheel_names_are_required_in_ros_1(tmp_path: Path) -> None:
     text = "drive:\n  type: diff_drive_controller/DiffDriveController\n  left_wheel: left_joint\n"
-    (found,) = reported(tmp_path, "RCT034", text)
+    (found,) = reported_in_ros_1(tmp_path, "RCT034", text)
     assert place(found) == ("c.yaml", 1, "drive")
     assert found.message.endswith(": right_wheel")
 
@@ -192,15 +192,15 @@ def test_wheel_names_are_required_in_ros_1(tmp_path: Path) -> None:
 def test_several_joints_for_a_controller_of_one(tmp_path: Path, joint: str, help: str) -> None:
     """Arctos: `joints` for the controller of a single joint."""
     text = f"arm:\n  type: position_controllers/JointPositionController\n  {joint}\n"
-    (found,) = reported(tmp_path, "RCT034", text)
+    (found,) = reported_in_ros_1(tmp_path, "RCT034", text)
     assert found.message.endswith(": joint")
     assert found.help.startswith(help)
 
 
 def test_a_joint_twice_in_ros_1(tmp_path: Path) -> None:
     text = "arm:\n  type: effort_controllers/JointTrajectoryController\n  joints: [{}]\n"
-    assert reported(tmp_path, "RCT034", text.format("left_joint, right_joint")) == []
-    (found,) = reported(tmp_path, "RCT034", text.format("left_joint, left_joint"))
+    assert reported_in_ros_1(tmp_path, "RCT034", text.format("left_joint, right_joint")) == []
+    (found,) = reported_in_ros_1(tmp_path, "RCT034", text.format("left_joint, left_joint"))
     assert found.message == naming("arm", "left_joint", "twice")
     assert (place(found), found.severity) == (("c.yaml", 3, "left_joint"), Severity.WARNING)
     assert found.span.column == 24
@@ -227,7 +227,7 @@ def test_classes_that_ros_2_does_not_have(tmp_path: Path, kind: str, help: str) 
 
 def test_a_class_of_ros_2_in_ros_1(tmp_path: Path) -> None:
     text = "states:\n  type: joint_state_broadcaster/JointStateBroadcaster\n"
-    (found,) = reported(tmp_path, "RCT034", text)
+    (found,) = reported_in_ros_1(tmp_path, "RCT034", text)
     assert place(found) == ("c.yaml", 2, "joint_state_broadcaster/JointStateBroadcaster")
 
 
@@ -238,7 +238,7 @@ arm:
   type: effort_controllers/JointGroup{quantity}Controller
   joints: [left_joint]
 """
-    assert reported(tmp_path, "RCT034", text) == []
+    assert reported_in_ros_1(tmp_path, "RCT034", text) == []
 
 
 @pytest.mark.parametrize(

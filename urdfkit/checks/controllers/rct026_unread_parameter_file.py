@@ -22,11 +22,19 @@ Sources:
 import os
 import re
 from collections.abc import Iterator
+from itertools import islice
 
 from urdfkit.core.suggest import TYPO, hint_for, is_typo, nearest, nearest_file
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.ros.catalog.controllers import parameters_of
-from urdfkit.ros.controllers import MANAGER, ParameterFile, Section, parameter_files, readable_files
+from urdfkit.ros.controllers import (
+    MANAGER,
+    ParameterFile,
+    Section,
+    parameter_files,
+    read,
+    readable_files,
+)
 from urdfkit.ros.gazebo.samples import ARM, CONTROL, controller_yaml
 from urdfkit.ros.node_parameters import PARAMETERS, node_parameters
 from urdfkit.ros.ros_control import control_plugins, namespace_of
@@ -54,6 +62,8 @@ def check(context: Context) -> Findings:
             span, reason = error
             yield Finding(span, f"invalid YAML: {reason}", related=(file.note,))
         unread = _of_ros2 if file.is_of_ros1 else _unread_keys
+        if file.element and (controllers := read(source)) and controllers[0].ros == 1:
+            unread = _without_nodes
         for span, message, help in unread(load(source)):
             yield Finding(span, message, help, related=(file.note,))
     yield from _outside_namespace(context)
@@ -130,6 +140,13 @@ def _of_ros2(root: Node) -> Iterator[tuple[Span, str, str]]:
             if inner == PARAMETERS and any(scalar(part, "type") for _, part in items(inside)):
                 message = f"ROS 1 finds no controller below '{key}' and '{inner}', which are ROS 2"
                 yield inner.span, message, "write the controllers at the top level of the file"
+
+
+def _without_nodes(root: Node) -> Iterator[tuple[Span, str, str]]:
+    """A file as of ROS 1 that a plugin of ROS 2 names: location, message and help."""
+    for key, _ in islice(items(root), 1):
+        message = f"ROS 2 rejects the file: nothing in it is below '{PARAMETERS}'"
+        yield key.span, message, f"write '{MANAGER}: {PARAMETERS}: NAME: {{type: ...}}'"
 
 
 def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:

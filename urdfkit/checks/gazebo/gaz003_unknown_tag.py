@@ -34,6 +34,10 @@ _OF_ROBOT = ("ros2_control", "transmission", "gazebo")
 #: Tags of SDF that belong in a ``<collision>``.
 _OF_COLLISION = ("surface",)
 
+#: Parts of an IMU of which each axis has its own noise.
+_WITH_AXES = ("angular_velocity", "linear_acceleration")
+_OF_EACH_AXIS = "write it into <x>, <y> and <z>"
+
 #: Replacements for tags of a sensor that belong elsewhere.
 _INSTEAD = {
     "frame": "name the frame by <gz_frame_id> in the <sensor>",
@@ -110,7 +114,8 @@ def _in_sensor(
     child: Element, who: str, parent: str, known: Iterable[str], nested: str = ""
 ) -> Finding:
     message = f"{who}: unknown element <{child.tag}> in <{parent}> (ignored)"
-    if instead := _INSTEAD.get(child.tag) or nested:
+    instead = _OF_EACH_AXIS if parent in _WITH_AXES and child.tag == "noise" else ""
+    if instead := instead or _INSTEAD.get(child.tag) or nested:
         return Finding(child, message, instead, group_key=child.tag)
     intended = nearest(child.tag, known, TYPO)
     others = child.parent.children if child.parent else ()

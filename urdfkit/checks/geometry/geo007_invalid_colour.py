@@ -94,6 +94,8 @@ def _fixed(values: tuple[float, ...]) -> str:
     # Next to 255, a 1 is of the other unit: the colour is that of values cut off at 1.
     if max(color) <= _MAX_INACCURATE or 1.0 in color:
         return spaced(min(value, 1.0) for value in (*color, *alpha))
+    if any(0 < value < 1 for value in color):
+        return ""  # one of several formulas is wrong
     if max(values) <= _PERCENT and alpha and alpha[0] > 1:  # all of them in one unit
         return rounded([value / alpha[0] for value in values], 3) if alpha[0] in _FULL else ""
     parts = [value / 255 for value in color]

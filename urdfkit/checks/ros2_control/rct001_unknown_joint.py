@@ -168,6 +168,7 @@ def _controller_joints(context: Context) -> Findings:
     known = set(context.model.joints_by_name)
     for component in components(context.model):  # a controller may also command a GPIO
         known.update(part.name for part in component.parts)
+    known.update(_of_uncalled_macros(context))
     suggester = Suggester(known)
     joints = [(file, controller, _joints(controller)) for file, controller in context.controllers]
     uses = [_Use(*use, fits=any(joint.text in known for joint in use[-1])) for use in joints]
@@ -187,6 +188,16 @@ def _controller_joints(context: Context) -> Findings:
                 is_likely = is_of_robot or bool(hint)
                 if is_likely or not is_fitting:
                     yield _unknown_joint(use, joint, hint, context, is_likely=is_likely)
+
+
+def _of_uncalled_macros(context: Context) -> Iterator[str]:
+    """Names in calls of macros without the xacro: prefix (XAC002), which may be those of joints."""
+    expanded = context.reading.xacro
+    macros = {macro.name for macro in expanded.macros} if expanded else ()
+    for element in context.document.root.children if macros else ():
+        name = element.get("name") if element.tag in macros else None
+        if name:
+            yield name
 
 
 def _with_other_words(name: str, free: set[str]) -> str:

@@ -11,7 +11,7 @@ from urdfkit.errors import UrdfkitError
 from urdfkit.robot.values import numbers, vector
 from urdfkit.text.document import Element
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
+from urdfkit.text.xml_reader import read_as_tinyxml
 
 
 class Sdf:
@@ -22,7 +22,7 @@ class Sdf:
     """
 
     def __init__(self, source: Source) -> None:
-        document, _ = read_xml(source)
+        document, _ = read_as_tinyxml(source)
         model = document.root.child("model") if document else None
         if model is None:
             raise UrdfkitError(f"{source.path}: has no model")

@@ -16,7 +16,7 @@ from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Element
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
+from urdfkit.text.xml_reader import read_as_tinyxml
 from urdfkit.workspace.resolve import Resolver
 
 #: Default step of physics, in s.
@@ -112,7 +112,7 @@ def read_world(path: str, resolver: Resolver) -> tuple[World | None, list[Proble
         UnreadableFile: the file is missing, or cannot be read.
     """
     source = resolver.read(path)
-    document, problems = read_xml(source)
+    document, problems = read_as_tinyxml(source)
     root = document.root if document else None
     world = root.child("world") if root is not None and root.tag == "sdf" else None
     return (World(world, source) if world is not None else None), problems
@@ -123,7 +123,7 @@ def has_model(path: str, resolver: Resolver) -> bool:
 
     Source: gz-sim, Server.cc, gazebosim/gz-sim#1775.
     """
-    document, _ = read_xml(resolver.read(path))
+    document, _ = read_as_tinyxml(resolver.read(path))
     return document is not None and document.root.child("model") is not None
 
 

@@ -7,12 +7,11 @@ from itertools import islice
 from urdfkit.errors import UrdfkitError
 from urdfkit.ros import RosDescription
 from urdfkit.ros.moveit.srdf import Srdf, is_srdf
-from urdfkit.text.comments import blank_comments
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Document
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.source import Source
-from urdfkit.text.xml_reader import read_xml
+from urdfkit.text.xml_reader import read_as_tinyxml, read_xml
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.workspace.srdf_files import (
@@ -192,11 +191,5 @@ def _parsed(
 
 
 def _read(source: Source) -> Document | None:
-    """The document of a file, read as by TinyXML, MoveIt's parser; None if it is not well-formed.
-
-    TinyXML ends a comment at the first ``-->``, whatever the comment contains.
-    """
-    document = read_xml(source)[0]
-    if document is None and b"<!--" in source.data:
-        document = read_xml(Source(source.path, blank_comments(source.data)))[0]
-    return document
+    """The document of a file, read as by MoveIt's parser; None if it is not well-formed."""
+    return read_as_tinyxml(source)[0]
