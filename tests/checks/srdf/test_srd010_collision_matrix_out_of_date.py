@@ -39,7 +39,16 @@ def test_the_pair_and_the_depth(tmp_path: Path) -> None:
     assert found.span.source.path == str(tmp_path / "r.srdf")
 
 
-@pytest.mark.parametrize("matrix", [ALL, "", f'{SOME}<disable_default_collisions link="arm"/>'])
+@pytest.mark.parametrize(
+    "matrix",
+    [
+        ALL,
+        "",
+        f'{SOME}<disable_default_collisions link="arm"/>',
+        ALL.replace('"hand"', '"hand  "'),  # srdfdom trims names
+        f'{SOME}<disable_default_collisions link=" arm"/>',
+    ],
+)
 def test_disabled_pair_or_no_matrix(tmp_path: Path, matrix: str) -> None:
     assert reported(tmp_path, matrix) == []
 

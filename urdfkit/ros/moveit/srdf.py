@@ -52,7 +52,8 @@ class Srdf:
         if pair in self.disabled:
             return True
         links = {
-            element.get("link") or "" for element in self.root.all("disable_default_collisions")
+            (element.get("link") or "").strip()
+            for element in self.root.all("disable_default_collisions")
         }
         enabled = {pair_of(element) for element in self.root.all("enable_collisions")}
         return not links.isdisjoint(pair) and pair not in enabled
@@ -165,8 +166,8 @@ def is_srdf(root: Element) -> bool:
 
 
 def pair_of(element: Element) -> frozenset[str]:
-    """The pair of links of an element of the collision matrix."""
-    return frozenset((element.get("link1") or "", element.get("link2") or ""))
+    """The pair of links of an element of the collision matrix; srdfdom trims the names."""
+    return frozenset((element.get(key) or "").strip() for key in ("link1", "link2"))
 
 
 def _named(kind: str, element: Element, *keys: str) -> Iterator[tuple[str, Attribute]]:
