@@ -19,13 +19,6 @@ from urdfkit.ros.importers.facts import GAZEBO, IMPORTERS
 WRITTEN = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("benchmarks/*.md")])
 
 
-@pytest.mark.skipif(os.name == "nt", reason="README shows a Unix shell")
-@pytest.mark.parametrize("page", [transcripts.README, transcripts.CHINESE])
-def test_the_report_in_readme_is_what_is_printed(page: Path) -> None:
-    readme = page.read_text(encoding="utf-8")
-    assert transcripts.with_output(readme) == readme, "run: python docs/transcripts.py"
-
-
 def test_the_chinese_readme_says_the_same() -> None:
     """The same commands, programs, chapters and links; comments in commands are translated."""
     found = []
@@ -102,7 +95,11 @@ def test_every_rule_has_a_page() -> None:
     assert set(generate.pages()) == {"README.md"} | {f"{code}.md" for code in rule_index.codes()}
 
 
-@pytest.mark.parametrize("document", WRITTEN, ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "document",
+    [*WRITTEN, *ROOT.glob("docs/commands/*.md"), *ROOT.glob("examples/*/README.md")],
+    ids=lambda path: f"{path.parent.name}/{path.name}",
+)
 def test_links_lead_to_files_that_exist(document: Path) -> None:
     text = document.read_text(encoding="utf-8")
     targets = re.findall(r"\]\((?!https?:)([^)#]+)", text)

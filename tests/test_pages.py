@@ -24,7 +24,6 @@ else:
     import tomli as tomllib
 
 DOCS = ROOT / "docs"
-EXAMPLES = sorted(ROOT.glob("examples/*/README.md"))
 
 
 def blocks(page: str, language: str) -> list[str]:
@@ -33,16 +32,10 @@ def blocks(page: str, language: str) -> list[str]:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="the pages show a Unix shell")
-@pytest.mark.parametrize("page", sorted(DOCS.glob("*.md")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("page", transcripts.PAGES, ids=lambda path: path.stem)
 def test_what_a_page_shows_is_what_is_printed(page: Path) -> None:
     text = page.read_text(encoding="utf-8")
     assert transcripts.with_output(text) == text, "run: python docs/transcripts.py"
-
-
-@pytest.mark.parametrize("page", EXAMPLES, ids=lambda path: path.parent.name)
-def test_links_of_the_examples_lead_to_files_that_exist(page: Path) -> None:
-    targets = re.findall(r"\]\((?!https?:)([^)#]+)", page.read_text(encoding="utf-8"))
-    assert [target for target in targets if not (page.parent / target).exists()] == []
 
 
 # --- the configuration

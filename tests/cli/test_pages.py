@@ -2,7 +2,6 @@
 
 import ast
 import importlib
-import os
 import re
 import shlex
 import shutil
@@ -92,19 +91,6 @@ def test_names_of_options_agree() -> None:
         for flag in param.opts
     }
     assert written == {"-o", "--output"}
-
-
-@pytest.mark.skipif(os.name == "nt", reason="the pages show a Unix shell")
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_transcripts_of_pages_are_current(page: Path) -> None:
-    text = page.read_text(encoding="utf-8")
-    assert transcripts.with_output(text) == text, "run: python docs/transcripts.py"
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_links_lead_to_files_that_exist(page: Path) -> None:
-    targets = re.findall(r"\]\((?!https?:)([^)#]+)", page.read_text(encoding="utf-8"))
-    assert [target for target in targets if not (page.parent / target).exists()] == []
 
 
 # --- what pages show without its output

@@ -43,6 +43,35 @@ def test_a_parameter_that_the_launch_file_passes(tmp_path: Path, value: str, cou
 
 EARLY = XACRO.format('<xacro:arg name="model" default="r"/>' + BASE)
 
+PUBLISHED = """\
+import os
+from arm.descriptions import expanded
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import Command, LaunchConfiguration, ThisLaunchFileDir
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([
+        {}
+        Node(package='robot_state_publisher', executable='robot_state_publisher',
+             parameters=[{{'robot_description': {}}}])])
+"""
+
+
+def launched(directory: Path, robot: str, text: str, code: str) -> list[str]:
+    """The codes of a package with a robot and a launch file in Python."""
+    add_file(directory / "package.xml", MANIFEST.encode())
+    add_file(directory / "r.xacro", robot.encode())
+    add_file(directory / "launch" / "a.launch.py", text.encode())
+    return [one.code for one in check(directory, select=[code]).diagnostics]
+
+
+def published(description: str, *arguments: str) -> str:
+    """A launch file that publishes a description, with arguments."""
+    declared = [f"DeclareLaunchArgument({argument})," for argument in arguments]
+    return PUBLISHED.format(" ".join(declared), description)
+
 
 @pytest.mark.parametrize(("passed", "count"), [("model", 0), ("other", 1)])
 def test_an_argument_above_its_default_that_launch_files_pass(
@@ -85,8 +114,6 @@ def test_an_argument_above_its_default_that_is_known_at_run_time(
     tmp_path: Path, mappings: str, count: int
 ) -> None:
     """franka_arm.gazebo.xacro: a function of the launch file gets `robot_type` from the context."""
-    add_file(tmp_path / "package.xml", MANIFEST.encode())
-    add_file(tmp_path / "r.xacro", EARLY.encode())
     text = f"""\
 import os, xacro
 from ament_index_python.packages import get_package_share_directory
@@ -103,8 +130,7 @@ def start(context):
 def generate_launch_description():
     return LaunchDescription([DeclareLaunchArgument('model'), OpaqueFunction(function=start)])
 """
-    add_file(tmp_path / "launch" / "a.launch.py", text.encode())
-    assert len(check(tmp_path, select=["XAC020"]).diagnostics) == count
+    assert launched(tmp_path, EARLY, text, "XAC020") == ["XAC020"] * count
 
 
 @pytest.mark.parametrize("part", ["", '<xacro:include filename="$(find missing)/arm.xacro"/>'])
@@ -113,27 +139,14 @@ def test_an_argument_above_its_default_in_a_command_that_is_not_all_known(
     tmp_path: Path, passed: str, count: int, part: str
 ) -> None:
     """Universal Robots' `ur_rsp.launch.py`: `robot_ip` has no default, `name` is the model."""
-    add_file(tmp_path / "package.xml", MANIFEST.encode())
-    add_file(tmp_path / "r.xacro", EARLY.replace(BASE, part + BASE).encode())
-    text = f"""\
-from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument
-from launch.substitutions import Command, LaunchConfiguration, ThisLaunchFileDir
-from launch_ros.actions import Node
-
-def generate_launch_description():
-    description = Command(['xacro ', ThisLaunchFileDir(), '/../r.xacro robot_ip:=',
-                           LaunchConfiguration('robot_ip'), ' {passed}:=',
-                           LaunchConfiguration('model')])
-    return LaunchDescription([
-        DeclareLaunchArgument('robot_ip'),
-        DeclareLaunchArgument('model', choices=['small', 'large']),
-        Node(package='robot_state_publisher', executable='robot_state_publisher',
-             parameters=[{{'robot_description': description}}])])
-"""
-    add_file(tmp_path / "launch" / "a.launch.py", text.encode())
-    found = check(tmp_path, select=["XAC020"]).diagnostics
-    assert [one.code for one in found].count("XAC020") == count
+    text = published(
+        "Command(['xacro ', ThisLaunchFileDir(), '/../r.xacro robot_ip:=', "
+        f"LaunchConfiguration('robot_ip'), ' {passed}:=', LaunchConfiguration('model')])",
+        "'robot_ip'",
+        "'model', choices=['small', 'large']",
+    )
+    found = launched(tmp_path, EARLY.replace(BASE, part + BASE), text, "XAC020")
+    assert found.count("XAC020") == count
 
 
 @pytest.mark.parametrize(
@@ -143,26 +156,10 @@ def test_an_argument_above_its_default_that_a_function_takes(
     tmp_path: Path, name: str, passed: str, count: int
 ) -> None:
     """xArm's `xarm_device.urdf.xacro`: a function of another file calls xacro, with `dof`."""
-    add_file(tmp_path / "package.xml", MANIFEST.encode())
-    add_file(tmp_path / "r.xacro", EARLY.encode())
-    text = f"""\
-import os
-from arm.descriptions import expanded
-from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument
-from launch.substitutions import LaunchConfiguration
-from launch_ros.actions import Node
-
-def generate_launch_description():
-    path = os.path.join(os.path.dirname(__file__), '..', '{name}.xacro')
-    description = expanded(path, arguments={{'{passed}': LaunchConfiguration('model')}})
-    return LaunchDescription([
-        DeclareLaunchArgument('model', default_value='small'),
-        Node(package='robot_state_publisher', executable='robot_state_publisher',
-             parameters=[{{'robot_description': description}}])])
-"""
-    add_file(tmp_path / "launch" / "a.launch.py", text.encode())
-    assert len(check(tmp_path, select=["XAC020"]).diagnostics) == count
+    path = f"os.path.join(os.path.dirname(__file__), '..', '{name}.xacro')"
+    arguments = f"arguments={{'{passed}': LaunchConfiguration('model')}}"
+    text = published(f"expanded({path}, {arguments})", "'model', default_value='small'")
+    assert launched(tmp_path, EARLY, text, "XAC020") == ["XAC020"] * count
 
 
 SIZED = XACRO.replace("$(arg model)", "r").format(
@@ -177,27 +174,15 @@ def test_a_choice_that_does_not_expand_with_another_default(
     tmp_path: Path, default: str, codes: list[str], arm: str
 ) -> None:
     """Kinova's `kortex_control.launch.py`: `gen3_lite` has six joints; `dof` has no default."""
-    add_file(tmp_path / "package.xml", MANIFEST.encode())
-    add_file(tmp_path / "r.xacro", SIZED.replace("<xacro:arg", f"{arm}<xacro:arg", 1).encode())
     add_file(tmp_path / "gen3_7.xacro", b'<robot name="part"/>')
-    text = f"""\
-from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument
-from launch.substitutions import Command, LaunchConfiguration, ThisLaunchFileDir
-from launch_ros.actions import Node
-
-def generate_launch_description():
-    description = Command(['xacro ', ThisLaunchFileDir(), '/../r.xacro arm:=',
-                           LaunchConfiguration('arm'), ' dof:=', LaunchConfiguration('dof')])
-    return LaunchDescription([
-        DeclareLaunchArgument('arm', choices=['gen3', 'gen3_lite']),
-        DeclareLaunchArgument('dof'{default}),
-        Node(package='robot_state_publisher', executable='robot_state_publisher',
-             parameters=[{{'robot_description': description}}])])
-"""
-    add_file(tmp_path / "launch" / "a.launch.py", text.encode())
-    found = check(tmp_path, select=["XAC001"]).diagnostics
-    assert [one.code for one in found if one.code != "CFG003"] == codes
+    text = published(
+        "Command(['xacro ', ThisLaunchFileDir(), '/../r.xacro arm:=', "
+        "LaunchConfiguration('arm'), ' dof:=', LaunchConfiguration('dof')])",
+        "'arm', choices=['gen3', 'gen3_lite']",
+        f"'dof'{default}",
+    )
+    found = launched(tmp_path, SIZED.replace("<xacro:arg", f"{arm}<xacro:arg", 1), text, "XAC001")
+    assert [code for code in found if code != "CFG003"] == codes
 
 
 DUAL = XACRO.replace("$(arg model)", "r").format(

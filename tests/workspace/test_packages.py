@@ -11,14 +11,6 @@ from urdfkit.workspace.packages import Candidate, Packages
 from urdfkit.workspace.search_root import ScannedDirectory
 
 
-@pytest.fixture
-def tmp_path(tmp_path: Path) -> Path:
-    """So deep that the neighbours of one test are not those of another."""
-    deep = tmp_path / "a" / "b" / "c" / "d"
-    deep.mkdir(parents=True)
-    return deep
-
-
 def finder(
     environment: Mapping[str, str] | None = None, explicit: Mapping[str, str] | None = None
 ) -> Packages:

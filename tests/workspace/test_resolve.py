@@ -16,14 +16,6 @@ from urdfkit.workspace.resolve import Resolver
 
 
 @pytest.fixture
-def tmp_path(tmp_path: Path) -> Path:
-    """So deep that the neighbours of one test are not those of another."""
-    deep = tmp_path / "a" / "b" / "c" / "d"
-    deep.mkdir(parents=True)
-    return deep
-
-
-@pytest.fixture
 def arm(tmp_path: Path) -> Path:
     """A package with a model and two meshes."""
     package = add_package(tmp_path / "arm_description", "arm")
