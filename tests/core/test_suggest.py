@@ -44,6 +44,9 @@ def test_nearest(word: str, suggested: str | None) -> None:
         ("wxai.ros2_control.xacro", ["wxai.srdf.xacro", "wxai.urdf.xacro"], None),
         ("arm.ros2_contol.xacro", ["arm.ros2_control.xacro"], "arm.ros2_control.xacro"),
         (".rviz", ["arm.rviz"], None),
+        # delto_m_ros2: hands of four and of five fingers
+        ("dg4f.xacro", ["dg5f.xacro"], None),
+        ("dg4f.xacro", ["dgf.xacro"], "dgf.xacro"),
     ],
 )
 def test_nearest_file_name(name: str, known: list[str], suggested: str | None) -> None:

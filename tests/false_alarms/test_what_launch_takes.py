@@ -216,3 +216,15 @@ def test_the_info_of_the_camera_with_the_image(tmp_path: Path) -> None:
             "depthimage_to_laserscan_node", "/depth_camera_info", "CameraInfo", "/left/camera_info"
         ),
     ]
+
+
+@pytest.mark.parametrize(("end", "count"), [("'--', ", 0), ("", 1)])
+def test_options_behind_the_arguments_of_ros(tmp_path: Path, end: str, count: int) -> None:
+    """multi_robot_slam: ``--`` ends the arguments of ROS."""
+    words = f"'ros2', 'run', 'ros_gz_sim', 'create', '--ros-args', '-r', '__ns:=/', {end}"
+    text = (
+        "from launch.actions import ExecuteProcess\n"
+        f"{_PROGRAM}    spawn = ExecuteProcess(cmd=[{words}'-topic', 'robot_description'])\n"
+        "    return LaunchDescription([spawn])\n"
+    )
+    assert len(reported(tmp_path / "arm", "LAU016", "a.launch.py", text)) == count

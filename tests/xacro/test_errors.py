@@ -343,3 +343,11 @@ def test_a_property_without_prefix_is_one_problem(tmp_path: Path) -> None:
 def test_a_key_that_is_not_there(tmp_path: Path) -> None:
     (problem,) = run(tmp_path, "<a b=\"${dict(left=1)['']}\"/>").problems
     assert problem.message == "key '' does not exist in ${dict(left=1)['']}"
+
+
+def test_the_file_of_the_same_stem_instead_of_a_missing_one(tmp_path: Path) -> None:
+    """delto_m_ros2: a hand of five fingers is no hand of four."""
+    for file in ("dg4f.urdf", "dg5f.xacro"):
+        (tmp_path / file).touch()
+    (problem,) = run(tmp_path, '<xacro:include filename="dg4f.xacro"/>').problems
+    assert problem.help == "create it, or correct the path; available: dg4f.urdf"

@@ -119,14 +119,16 @@ def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
 
     Suffixes make no names similar: ``start_cameras.launch.xml`` is not ``start_driver.launch.xml``,
     and different ones make them different: ``arm.srdf.xacro`` is not ``arm.ros2_control.xacro``.
-    Nor do common words: ``chomp_planning.yaml`` is not ``ompl_planning.yaml``.
+    Nor do common words: ``chomp_planning.yaml`` is not ``ompl_planning.yaml``. Other numbers make
+    them different, too: ``dg4f.xacro``, a hand of four fingers, is not ``dg5f.xacro``.
     """
     kind = os.path.splitext(name)[1]
     stem, _, suffix = name.partition(".")
     stems: dict[str, str] = {}
     for other in sorted(known):
         first, _, rest = other.partition(".")
-        if _is_of_kind(suffix, rest) and (rest == suffix or first not in stems):
+        is_of_kind = _is_of_kind(suffix, rest) and not _differ_in_numbers(stem, first)
+        if is_of_kind and (rest == suffix or first not in stems):
             stems[first] = other
     for _ in range(_MAX_COMPARED):
         suggested = nearest(stem, stems)
@@ -134,6 +136,13 @@ def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
             return stems[suggested] if suggested else None
         del stems[suggested]
     return None
+
+
+def _differ_in_numbers(name: str, other: str) -> bool:
+    numbers, others = (
+        re.findall(r"(?<=[a-z])\d+(?=[a-z])", one.casefold()) for one in (name, other)
+    )
+    return len(numbers) == len(others) and numbers != others
 
 
 def _is_of_kind(suffix: str, other: str) -> bool:

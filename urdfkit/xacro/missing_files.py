@@ -86,12 +86,14 @@ def _from_parent(path: str) -> tuple[str, str] | None:
 
 
 def _other_file(name: str, siblings: Iterable[str]) -> str:
-    """The help for a missing file whose directory exists: few files of its kind, if there are any.
+    """The help for a missing file whose directory exists: few files of its stem, or of its kind.
 
     Often the name depends on an argument, and these are its valid values.
     """
     kinds = next((kinds for kinds in _KINDS if name.endswith(kinds)), (os.path.splitext(name)[1],))
-    files = sorted(sibling for sibling in siblings if sibling.endswith(kinds))
+    stem = name.partition(".")[0]
+    same = [sibling for sibling in siblings if sibling.partition(".")[0] == stem]
+    files = sorted(same or (sibling for sibling in siblings if sibling.endswith(kinds)))
     if 0 < len(files) <= _MAX_NAMED:
         return f"create it, or correct the path; available: {', '.join(files)}"
     return "create it, or correct the path; a relative one begins at the directory of its file"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
@@ -42,14 +43,12 @@ def options(program: StartedProgram, spawner: ModelSpawner) -> tuple[dict[str, W
     """Options with the words of their values; the boolean is False if some may be unknown."""
     found_options: dict[str, Word] = {}
     is_known = True
-    words = iter(program.words)
+    words = _without_ros_arguments(program.words)
     for word in words:
         text = word.text
         if text is None or not text.startswith("-") or _NUMBER.match(text):
             is_known = is_known and text is not None
             continue
-        if text.startswith("--ros-args"):
-            break
         option, _, value = text.lstrip("-").partition("=")
         if spawner.is_strict and (match := _WITH_NUMBER.match(text)):
             option, value = match.groups()
@@ -59,6 +58,19 @@ def options(program: StartedProgram, spawner: ModelSpawner) -> tuple[dict[str, W
         if option in spawner.valued and not value:
             found_options[option] = next(words, word)
     return found_options, is_known
+
+
+def _without_ros_arguments(words: Iterable[Word]) -> Iterator[Word]:
+    """The words that are not between ``--ros-args`` and ``--``."""
+    is_of_ros = False
+    for word in words:
+        text = word.text or ""
+        if text.startswith("--ros-args"):
+            is_of_ros = True
+        elif is_of_ros:
+            is_of_ros = text != "--"
+        else:
+            yield word
 
 
 def spawn_option(program: StartedProgram, name: str) -> Word | None:
