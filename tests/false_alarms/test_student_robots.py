@@ -13,7 +13,7 @@ from tests.launched import reported as of_launch
 from tests.massive import inertial, joint, link, part, shape
 from tests.naming import naming
 from tests.reported import reported
-from tests.workspaces import add_package
+from tests.workspaces import add_file, add_package
 from tests.xacros import xacro
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
@@ -236,3 +236,83 @@ def test_controllers_of_joints_whose_macro_is_not_called(tmp_path: Path) -> None
         of_launch(tmp_path / "arm", "LAU013", "a.launch", text, files)
         found = check(tmp_path / "arm", select=["RCT001"]).diagnostics
         assert ["none of the" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("plugin", "tag", "text", "severity", "help"),
+    [
+        ("ros1", "odometrySource", "WORLD", Severity.WARNING, "one of these words"),
+        ("ros1", "odometrySource", "ENCODER", Severity.ERROR, "one of these words"),
+        ("ros2", "odometry_source", "world", Severity.ERROR, "write 1"),
+        ("ros2", "odometry_source", "gps", Severity.ERROR, "write a number"),
+    ],
+)
+def test_the_source_of_odometry(
+    plugin: str, tag: str, text: str, severity: Severity, help: str
+) -> None:
+    """A word that is unknown to ROS 1 stays at world; ROS 2 reads a number."""
+    names = ("leftJoint", "rightJoint") if plugin == "ros1" else ("left_joint", "right_joint")
+    tags = "".join(
+        f"<{name}>{side}_joint</{name}>"
+        for name, side in zip(names, ("left", "right"), strict=True)
+    )
+    robot = BASE + wheel("left", 0.1) + wheel("right", -0.1)
+    tags += f"<{tag}>{text}</{tag}>"
+    robot += block(f'<plugin name="d" filename="libgazebo_ros_diff_drive.so">{tags}</plugin>', "")
+    (found,) = reported("GAZ004", robot)
+    assert (found.severity, help in found.help) == (severity, True)
+
+
+def test_the_mesh_of_another_link_is_not_that_of_a_forearm(tmp_path: Path) -> None:
+    robot = "".join(
+        link(name, shape("visual", f'<mesh filename="{name}.stl"/>'))
+        for name in ("l_arm_pitch", "l_forearm_pitch")
+    )
+    add_file(tmp_path / "l_arm_pitch.stl")
+    (found,) = reported("MSH001", robot, str(tmp_path / "robot.urdf"))
+    assert "l_arm_pitch" not in found.help
+    add_file(tmp_path / "l_forearm.stl")
+    (found,) = reported("MSH001", robot, str(tmp_path / "robot.urdf"))
+    assert found.help == naming("l_forearm.stl")
+
+
+@pytest.mark.parametrize(("axis", "count"), [("0 1 0", 0), ("0 0 1", 1)])
+def test_a_gripper_does_not_stand_on_its_fingers(axis: str, count: int) -> None:
+    """But a robot on jacks does."""
+    box, moments = '<box size="0.08 0.04 0.06"/>', (1e-3, 1e-3, 1e-3)
+    robot = link("base", inertial(3, moments), shape("collision", '<box size="0.08 0.04 0.04"/>'))
+    for name, y in (("left", 0.03), ("right", -0.03)):
+        slide = joint("base", name, "prismatic", f"0.1 {y} 0")
+        robot += part(name, 0.1, moments, box)
+        robot += slide.replace("<limit", f'<axis xyz="{axis}"/><limit')
+    assert len(reported("DYN004", robot)) == count
+
+
+@pytest.mark.parametrize(("last", "count"), [("0.3 -0.35 0", 0), ("0.4 -0.35 0", 1)])
+def test_bumpers_that_are_numbered_round_the_robot(last: str, count: int) -> None:
+    """The first of the left is in front, and that of the right behind: all have mirror images."""
+    places = {
+        "left_bumper1": "0.3 0.35 0",
+        "left_bumper2": "-0.3 0.35 0",
+        "right_bumper1": "-0.3 -0.35 0",
+        "right_bumper2": last,
+    }
+    robot = link("base") + "".join(
+        link(name) + joint("base", name, xyz=xyz) for name, xyz in places.items()
+    )
+    assert len(reported("JNT025", robot)) == count
+
+
+@pytest.mark.parametrize(("interface", "reader"), [("", "Drake"), ("Effort", "ignored")])
+def test_a_transmission_in_the_form_of_drake(interface: str, reader: str) -> None:
+    """The arms of a humanoid, in the directory `drake` of a package of ROS 1."""
+    inside = f"<hardwareInterface>{interface}</hardwareInterface>" * bool(interface)
+    robot = (
+        BASE
+        + wheel("left", 0.1)
+        + f"""<transmission type="SimpleTransmission">
+<joint name="left_joint">{inside}</joint><actuator name="left_motor"/></transmission>"""
+    )
+    (found,) = reported("RCT024", robot, targets=("ros1",))
+    severity = Severity.ERROR if interface else Severity.WARNING
+    assert (found.severity, reader in found.message) == (severity, True)

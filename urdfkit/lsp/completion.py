@@ -215,7 +215,9 @@ def _contents(robot: OpenRobot, node: TagNode, start: int) -> Iterator[Completio
             yield from named_items(robot.defined("joint"), "name", "joint", start)
         elif parameter.type == "bool":
             yield from named_items(_BOOLEANS, "word", "", start)
-        yield from named_items(parameter.words, "word", entry.generation, start)
+        numbers = [str(number) for number, _ in enumerate(parameter.words)]
+        words = numbers if parameter.type == "int" else parameter.words
+        yield from named_items(words, "word", entry.generation, start)
 
 
 def _word_start(node: TagNode, offset: int) -> int:

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Transform, Vector
+from urdfkit.core.spatial import Transform, Vector, rotate
 from urdfkit.robot import Robot
 from urdfkit.robot.contact_points import lowest_points, touching_points
 from urdfkit.robot.joint_limits import BOUNDED
-from urdfkit.robot.kinematics import frames
+from urdfkit.robot.kinematics import direction, frames
 from urdfkit.robot.link import Shape
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
@@ -21,6 +21,8 @@ from urdfkit.robot.tree import KinematicTree
 
 #: In m: contacts that are narrower are on a line, apart from rounding.
 MIN_WIDTH = 1e-3
+#: A joint whose axis rises less, per m, slides along the ground.
+_MAX_SLOPE = 0.1
 
 #: Descriptions of the verdicts, by their machine-readable names.
 VERDICTS = {
@@ -221,7 +223,7 @@ def collision_meshes(model: RobotModel) -> list[Shape]:
 
 
 def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
-    """True for a robot on wheels or casters; False if only its base or its legs touch the ground.
+    """True for a robot on wheels or casters; False if its base alone, legs or fingers touch it.
 
     Args:
         links: in contact with the ground.
@@ -231,10 +233,18 @@ def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
     return (
         not root.is_ground
         and not fixed.issuperset(links)
-        and not any(_is_leg(tree, name) for name in links)
+        and not any(_is_leg(tree, name) or _is_finger(tree, name) for name in links)
     )
 
 
 def _is_leg(tree: KinematicTree, link: str) -> bool:
     """True for the end of a leg; a wheel may have a joint for steering and one for suspension."""
     return sum(joint.kind in BOUNDED for joint in tree.path(link)) > 2
+
+
+def _is_finger(tree: KinematicTree, link: str) -> bool:
+    """True for a link that slides along the ground, as the fingers of a gripper do."""
+    path = tree.path(link)
+    if not path or path[-1].kind != "prismatic":
+        return False
+    return abs(rotate(tree.frames[link].rotation, direction(path[-1]))[2]) < _MAX_SLOPE

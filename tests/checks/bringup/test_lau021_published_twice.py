@@ -332,6 +332,12 @@ drive: {{ros__parameters: {{{}}}}}
         ("base_frame_id: base", "map", "base", naming("map", "odom")),
         ("base_frame_id: base", "odom", "/base", naming("static_transform_publisher")),
         ("base_frame_id: base, odom_frame_id: o", "map", "base", naming("map to o")),
+        (
+            "base_frame_id: base",
+            "base_footprint",
+            "base",
+            "let controller 'drive' publish odom -> base_footprint",
+        ),
         ("base_frame_id: base, enable_odom_tf: false", "map", "base", ""),
         ("base_frame_id: base", "map", "odom", ""),
         ("", "map", "base_link", naming("map", "odom")),

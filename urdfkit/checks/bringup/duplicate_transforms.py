@@ -173,13 +173,17 @@ def static_odometry(context: Context, programs: list[StartedProgram]) -> Finding
     for node, transform in static:
         if odometry := by_child.get(transform.child.name):
             parent = transform.parent.name
-            remove = "remove the static_transform_publisher"
-            move = f"publish that from {parent} to {odometry.parent}"
+            if parent == odometry.parent:
+                help = "remove the static_transform_publisher"
+            elif "base" in parent.lower():
+                help = f"let {odometry.publisher} publish {odometry.parent} -> {parent}"
+            else:
+                help = f"publish that from {parent} to {odometry.parent}"
             yield Finding(
                 Location(transform.child.span, node.frame),
                 f"the transform of '{odometry.child}' is published twice: by this node, and by "
                 f"{odometry.publisher}",
-                remove if parent == odometry.parent else move,
+                help,
                 related=(Related(odometry.at.span, "published here"),),
             )
 

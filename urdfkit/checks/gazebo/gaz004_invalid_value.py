@@ -27,11 +27,11 @@ Sources:
     measured: what libsdformat 12.3 rejects
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from math import isnan
 
 from urdfkit.checks.gazebo.sensor_values import invalid_in_sensors
-from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.suggest import hint_for, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
@@ -136,13 +136,15 @@ def _problem(parameter: Parameter, text: str) -> tuple[str, str] | None:
     if parameter.type in ("float", "int"):
         read, rest = leading(text)
         if not read:
-            return "not a number", "write a number"
+            right = _number_of(text, parameter.words)
+            return "not a number", f"write {right}" if right else "write a number"
         return (f"which reads as {read}", f"write {corrected(text)}") if rest else None
     if parameter.words and parameter.type == "string" and text not in parameter.words:
-        hint = did_you_mean(text, parameter.words)
+        suggested = nearest(text, parameter.words)
+        hint = hint_for(suggested)
         if parameter.other_words:
             hint = f"{_OTHER}{parameter.other_words}{hint}"
-        elif not hint and parameter.default:
+        elif parameter.default and suggested in (None, parameter.default):
             hint = f"{_DEFAULT}{parameter.default}"
         return f"must be {' or '.join(parameter.words)}{hint}", "write one of these words"
     if parameter.name == "ros/remapping" and ":=" not in text:
@@ -154,3 +156,8 @@ def _problem(parameter: Parameter, text: str) -> tuple[str, str] | None:
         if len(read_parts) < length or "" in read_parts:
             return f"not {length} numbers", f"write {length} numbers with spaces between"
     return None
+
+
+def _number_of(text: str, words: Sequence[str]) -> str:
+    """The number of one of the words, which are counted from 0; else empty."""
+    return str(words.index(text.lower())) if text.lower() in words else ""

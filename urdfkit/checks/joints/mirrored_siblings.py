@@ -29,7 +29,8 @@ def misplaced_siblings(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
         is_alike = is_equally_turned(first, second)
         if not is_alike and not any(_are_turned_like(pair, (first, second)) for pair in mirrored):
             continue
-        if reason := _wrong_position(first, second):
+        reason = _wrong_position(first, second)
+        if reason and not _have_mirrored_siblings(model, first, second):
             is_left = is_left_misplaced(model, first, second)
             yield (second, first, reason) if is_left else (first, second, reason)
     for first, second in siblings:
@@ -70,6 +71,20 @@ def _wrong_position(left: Joint, right: Joint) -> str:
         return ""
     others = [axis for axis, turned in zip(_AXES, flipped, strict=True) if turned and axis != "y"]
     return f"is mirrored in y and also in {others[0]} from" if len(others) == 1 else ""
+
+
+def _have_mirrored_siblings(model: RobotModel, left: Joint, right: Joint) -> bool:
+    """True if other joints are where the mirror images are: only the names are not mirrored."""
+    places = [
+        joint.origin.position
+        for joint in model.joints
+        if joint.parent_name == left.parent_name and joint.kind == left.kind
+    ]
+    first, second = left.origin.position, right.origin.position
+    images = [mirror_image(first), mirror_image(second)]
+    return not is_equal(first, second) and all(
+        any(is_equal(image, place) for place in places) for image in images
+    )
 
 
 def _are_turned_like(one: tuple[Joint, Joint], other: tuple[Joint, Joint]) -> bool:

@@ -4,8 +4,9 @@ ros_control ignores an invalid transmission, so that no controller finds the joi
 resource". Reported are
 
 - a missing name, `<type>`, `<joint>`, `<actuator>` or `<hardwareInterface>`. The type is an
-  element; only the PR2 and Drake read it as an attribute, and Drake reads no interface. Genesis
-  rejects the robot if one of the first four is missing (error), even a PR2.
+  element; only the PR2 and Drake read it as an attribute, and Drake reads no interface: a
+  transmission in the form of Drake is a warning. Genesis rejects the robot if one of the first four
+  is missing (error), even a PR2.
   `<hardwareInterface>` must be in `<joint>`; up to ROS Indigo it was in `<actuator>`;
 - a misspelt type or a type without its package, and a wrong number of joints or actuators for the
   type;
@@ -93,7 +94,8 @@ def check(context: Context) -> Findings:
         if may_be_attribute and "type" in transmission.attributes:
             continue
         if not is_required:
-            yield from _incomplete([transmission], None)
+            severity = Severity.WARNING if _is_of_drake(transmission) else None
+            yield from _incomplete([transmission], severity)
         if not are_interfaces_read:
             continue
         yield from _interfaces(transmission)
@@ -135,7 +137,8 @@ def _missing(transmission: Element) -> list[str]:
         missing.append("name")
     if not _has_text(transmission, "type"):
         attribute = " (the attribute is ignored)" if "type" in transmission.attributes else ""
-        missing.append(f"<type>{attribute}")
+        of_drake = " (only Drake reads the attribute)" if _is_of_drake(transmission) else ""
+        missing.append(f"<type>{of_drake or attribute}")
     misspelt = {
         nearest(child.tag, _CHILDREN["transmission"], TYPO) for child in transmission.children
     }
@@ -150,6 +153,12 @@ def _missing(transmission: Element) -> list[str]:
         if child.tag in ("joint", "actuator") and not child.get("name")
     ]
     return missing
+
+
+def _is_of_drake(transmission: Element) -> bool:
+    """True for the form of the examples of Drake: a type as an attribute, and no interface."""
+    is_simple = (transmission.get("type") or "").endswith("SimpleTransmission")
+    return is_simple and not any(part.tag == "hardwareInterface" for part in transmission.walk())
 
 
 def _interfaces(transmission: Element) -> Findings:

@@ -80,7 +80,7 @@ class MeshSuggestions:
             return suggestion
         if self.installed_reference(located):
             return None
-        similar = self._similar_name(located)
+        similar = self._similar_name(mesh)
         if similar and not similar.is_sure and self._is_similar_to_several(similar.path):
             similar = None
         candidates = [self._same_name_elsewhere(located), similar]
@@ -181,15 +181,19 @@ class MeshSuggestions:
         home = home or packages.enclosing(self._files.top)
         return home[1] if home else packages.workspace(self._files.top)
 
-    def _similar_name(self, located: ResolvedReference) -> Candidate | None:
+    def _similar_name(self, mesh: MeshReference) -> Candidate | None:
         """A file of a similar name in the same directory, which is sure if the name is a typo."""
-        base, relative = self._expected(located)
+        base, relative = self._expected(mesh.located)
         directory, expected = os.path.split(os.path.normpath(os.path.join(base, relative)))
         stems = self._stems_in(directory).get(tuple(numbers_in(expected)), {})
         if len(stems) * len(self._files.missing) > MAX_COMPARED:
             return None
-        close = nearest(os.path.splitext(expected)[0], stems, SIMILAR_FILE)
-        if close is None or pairs((os.path.splitext(expected)[0], close)):
+        name = os.path.splitext(expected)[0]
+        close = nearest(name, stems, SIMILAR_FILE)
+        if close and not is_mistyped(expected, stems[close]):
+            others = self._links - {mesh.link.name}  # a link of that name has the file
+            close = nearest(name, stems.keys() - others, SIMILAR_FILE)
+        if close is None or pairs((name, close)):
             return None  # the file for the other side
         path = os.path.join(directory, stems[close])
         return Candidate(path, is_mistyped(expected, stems[close]))
@@ -204,10 +208,14 @@ class MeshSuggestions:
         """For each file, the similar names of missing files, and their links."""
         links: dict[str, dict[str, set[str]]] = {}
         for mesh in self._files.missing:
-            if similar := self._similar_name(mesh.located):
+            if similar := self._similar_name(mesh):
                 names = links.setdefault(similar.path, {})
                 names.setdefault(stem(mesh.located.relative), set()).add(mesh.link.name)
         return links
+
+    @cached_property
+    def _links(self) -> set[str]:
+        return {mesh.link.name for mesh in self._files.meshes}
 
     @cached_property
     def _used(self) -> set[str]:

@@ -46,7 +46,8 @@ class Parameter(Record):
     type: str  # ``float``, ``bool``, ``frame``, one of ``REFERENCES`` and so on
     required: bool  # True if the plugin does nothing, or fails, without it
     default: str | None  # as text; None if missing, or known only at run time
-    #: Valid values, or names of links that are not looked up; empty if all values are valid.
+    #: Valid values, or names of links that are not looked up; empty if all values are valid. For an
+    #: integer the meanings of 0, 1 and so on.
     words: tuple[str, ...] = ()
     other_words: str = ""  # what it reads another word as; empty if as the default
 
