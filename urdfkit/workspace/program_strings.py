@@ -29,6 +29,8 @@ _NAMES = (
     rb"|\bdef[ \t]+\w+\([^()]*\)"
     rb"|^[ \t]*#.*$"
 )
+#: What follows a word in a message for the user, and not a type in Python.
+_GOES_ON = rb" (?!(?:and|as|else|for|if|in|is|not|or)\b)[a-z]"
 _TYPE = rb"\(\s*(?:self,\s*)?(?:[\w.]+\.)?\w+,"
 #: The same, and where a program reads them, or where it makes and publishes them.
 _READS = re.compile(_NAMES + rb"|\b(?:create_subscription|Subscriber|Subscription)" + _TYPE)
@@ -110,14 +112,16 @@ def _may_name(
     """
     files = (path for top in directories for path in resolver.directories.walk(top))
     programs = (path for path in files if path.endswith(_SUFFIXES) and not is_launch(path))
-    named = re.compile(re.escape(message.encode()) + b"|" + _OF_ANY_TYPE)
+    word = re.escape(message.encode())
+    named = re.compile(word + b"|" + _OF_ANY_TYPE)
+    prose = re.compile(word + _GOES_ON)
     size = 0
     for path in filter(resolver.admits, programs):
         data = read_head(path, MAX_BYTES)
         size += max(len(data), 1)
         is_long = len(data) >= MAX_BYTES or size > _MOST_OF_PROGRAMS
         if path.endswith(".py"):
-            data = without.sub(b"", data)
+            data = prose.sub(b"", without.sub(b"", data))
         if is_long or named.search(data):
             return True
     return size == 0

@@ -241,3 +241,22 @@ def test_an_included_file_with_spawners(
     files = {**ROS_2, "launch/robot.launch.py": including}
     found = reported(tmp_path, "LAU013", "spawn.launch.py", SPAWN_2.format(name), files)
     assert [one.span.text for one in found] == [name] * count
+
+
+@pytest.mark.parametrize(
+    ("including", "more", "count"),
+    [
+        (HEAD_2 + LOAD_2 + INCLUDE, "", 1),
+        (HEAD_2 + LOAD_2 + INCLUDE, ", '--param-file', unknown", 0),
+        (HEAD_2 + LOAD_2, "", 0),
+    ],
+)
+def test_a_type_where_only_the_spawner_of_an_included_file_reads_it(
+    tmp_path: Path, including: str, more: str, count: int
+) -> None:
+    files = {
+        "config/c.yaml": "grip: {ros__parameters: {type: a/B}}",
+        "launch/robot.launch.py": including,
+    }
+    found = reported(tmp_path, "LAU013", "spawn.launch.py", SPAWN_2.format("'grip'" + more), files)
+    assert ["has no type for 'grip'" in one.message for one in found] == [True] * count

@@ -356,3 +356,26 @@ def test_odometry_and_a_static_transform(
     found = reported(tmp_path, "LAU021", "a.launch.py", text, files)
     assert [one.help for one in found] == [help] * bool(help)
     assert all("controller 'drive'" in one.message for one in found)
+
+
+@pytest.mark.parametrize(
+    ("drive", "parameters", "count"),
+    [
+        ("omni_wheel_drive_controller/OmniWheelDriveController", "", 1),
+        ("tricycle_controller/TricycleController", "", 0),
+        ("tricycle_controller/TricycleController", "enable_odom_tf: true", 1),
+        ("mecanum_drive_controller/MecanumDriveController", "enable_odom_tf: true", 0),  # own topic
+    ],
+)
+def test_drives_that_publish_the_transform(
+    tmp_path: Path, drive: str, parameters: str, count: int
+) -> None:
+    start = (
+        "Node(package='controller_manager', executable='ros2_control_node', "
+        f"parameters=['{tmp_path}/c.yaml'])\n"
+    )
+    words = ["--frame-id", "odom", "--child-frame-id", "base_link"]
+    text = start + SPAWNER.format(["drive"], "") + STATIC.format(words)
+    moved = MOVED.format(parameters).replace("diff_drive_controller/DiffDriveController", drive)
+    found = reported(tmp_path, "LAU021", "a.launch.py", text, {"c.yaml": moved})
+    assert ["controller 'drive'" in one.message for one in found] == [True] * count

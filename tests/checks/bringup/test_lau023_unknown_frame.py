@@ -56,6 +56,17 @@ def test_parameters(tmp_path: Path, frame: str, count: int) -> None:
     assert len(messages(tmp_path, PUBLISHER.format("") + FILTER.format(""), f_yaml=text)) == count
 
 
+@pytest.mark.parametrize(
+    ("node", "count"),
+    [("amcl", 1), ("local_costmap/local_costmap", 1), ("ekf", 0), ("drive", 0)],
+)
+def test_a_leading_slash(tmp_path: Path, node: str, count: int) -> None:
+    """tf2 rejects it; robot_localization removes it, and of a drive it is removed elsewhere."""
+    text = f"{node}: {{ros__parameters: {{base_frame_id: /base_link}}}}\n"
+    found = messages(tmp_path, PUBLISHER.format("") + FILTER.format(""), f_yaml=text)
+    assert found == [naming("base_frame_id", "/base_link", "tf2")] * count
+
+
 SLAM = 'Node(package="slam_toolbox", executable="async_slam_toolbox_node"{})\n'
 INCLUDED_SLAM = """IncludeLaunchDescription(PythonLaunchDescriptionSource(
     get_package_share_directory("slam_toolbox") + "/launch/online_async_launch.py"){})

@@ -308,6 +308,32 @@ def test_nothing_publishes_odometry(
     assert [one.help for one in found if "odometry" in one.message] == [help] * count
 
 
+@pytest.mark.parametrize(
+    ("of_drive", "package", "more", "count"),
+    [
+        ("false", "nav2_controller", "", 1),
+        ("true", "nav2_controller", "", 0),
+        ("false", "rviz2", "", 0),
+        ("false", "nav2_controller", NODE.format("topic_tools", "relay", ""), 1),
+        ("false", "nav2_controller", NODE.format("rf2o_laser_odometry", "rf2o", ""), 0),
+        ("false", "nav2_controller", NODE.format("robot_localization", "ekf_node", ""), 0),
+    ],
+)
+def test_nothing_publishes_the_odometry_of_navigation(
+    tmp_path: Path, of_drive: str, package: str, more: str, count: int
+) -> None:
+    drive = DRIVE.replace("right_wheel", f"enable_odom_tf: {of_drive}, right_wheel")
+    text = (
+        NODE.format("controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']")
+        + SPAWNER.format(["base"])
+        + NODE.format(package, "server", "")
+        + more
+    )
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, {"c.yaml": drive})
+    help = "write enable_odom_tf: true"
+    assert [one.help for one in found if "odometry" in one.message] == [help] * count
+
+
 PARTS = {
     "scope": "SetParameter('use_sim_time', True)\n",
     "bridge": NODE.format(
@@ -341,7 +367,7 @@ class Monitor(Node):
         self.create_subscription(LaserScan, "/scan", self.read, 10)
 
     def read(self, message: LaserScan):
-        pass
+        print("LaserScan received")
 """
 OWN = {
     "src/mine/package.xml": "<package><name>mine</name><depend>base</depend></package>",

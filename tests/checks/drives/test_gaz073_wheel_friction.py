@@ -91,6 +91,19 @@ def test_wheels_that_are_meant_so(text: str) -> None:
     assert messages("GAZ073", BASE + text) == []
 
 
+@pytest.mark.parametrize(
+    ("inside", "count"),
+    [
+        ("<mu1>0.01</mu1><mu2>0.01</mu2><fdir1>1 0 0</fdir1>", 1),
+        ("<mu1>1</mu1><mu2>0.01</mu2><fdir1>1 0 0</fdir1>", 0),
+        ("<mu1>0.01</mu1><mu2>0.01</mu2>", 0),  # links of their own may be the rollers
+    ],
+)
+def test_a_wheel_with_rollers(inside: str, count: int) -> None:
+    found = reported("GAZ073", BASE + MECANUM + friction("left", inside))
+    assert [one.span.text for one in found] == ["<mu1>"] * count
+
+
 @pytest.mark.parametrize("inside", ["<mu1>1</mu1><mu2>1</mu2>", "<mu1>0.5</mu1>"])
 def test_a_caster_with_grip(inside: str) -> None:
     (one,) = messages("GAZ073", BASE + GZ + friction("ball", inside))

@@ -169,6 +169,7 @@ def test_axes_of_a_pair_in_rotated_frames() -> None:
     assert messages("RCT025", cart(turned.replace("0 1 0", "0 -1 0"))) == []
 
 
+FRONT = wheeled("front_wheel", '<origin xyz="0.2 0 0"/><axis xyz="1 0 0"/>')
 REAR = wheeled("rear_left_wheel", TO_LEFT) + wheeled("rear_right_wheel", TO_RIGHT.format(-1))
 
 
@@ -177,6 +178,7 @@ REAR = wheeled("rear_left_wheel", TO_LEFT) + wheeled("rear_right_wheel", TO_RIGH
     [
         cart(TO_RIGHT.format(1)),
         cart(TO_RIGHT.format(-1), REAR),  # four wheels are compared
+        cart(TO_RIGHT.format(-1), FRONT),  # an omnidirectional robot
         cart(TO_RIGHT.format(-1), names="{}_caster_wheel"),
         cart(TO_RIGHT.format(-1), names="{}_arm"),
         cart(TO_RIGHT.format(-1)).replace("continuous", "revolute"),

@@ -38,8 +38,16 @@ def test_tags_with_an_effect(tmp_path: Path, text: str) -> None:
             described(SPAWNER, HANDLED.replace("[b]", "[a]").format("b, ")),
             "starts when it has",
         ),
+        (described(SPAWNER, HANDLED.format("")), "'a' is never started"),
     ],
 )
 def test_actions_that_launch_does_not_start(tmp_path: Path, text: str, message: str) -> None:
     (found,) = reported(tmp_path, "LAU037", "a.launch.py", text)
     assert found.message.startswith(message)
+
+
+def test_a_handler_that_is_not_used_either(tmp_path: Path) -> None:
+    text = described(SPAWNER, "LaunchDescription([b])")
+    handler = "c = RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[b]))\n"
+    found = reported(tmp_path, "LAU037", "a.launch.py", handler.join(text.partition("def ")[::2]))
+    assert [one.severity.name for one in found] == []

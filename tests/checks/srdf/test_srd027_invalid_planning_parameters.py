@@ -15,6 +15,11 @@ CLOUD = (
 )
 IMAGE = CLOUD.replace("PointCloud", "DepthImage")
 LIMITS = "cartesian_limits:\n  max_trans_vel: 1.0\n  max_trans_acc: 1.0\n  max_trans_dec: -1.0\n"
+FIXED, TIMES = (
+    f"default_planner_request_adapters/{name}"
+    for name in ("FixWorkspaceBounds", "AddTimeOptimalParameterization")
+)
+VALIDATION = "default_planning_response_adapters/ValidateSolution"
 ADAPTER = "default_planning_request_adapters/CheckStartStateBounds"
 OLD = "planning_plugin: ompl_interface/OMPLPlanner\n"
 NEW = "planning_plugins: [ompl_interface/OMPLPlanner]\n"
@@ -66,6 +71,20 @@ NEW = "planning_plugins: [ompl_interface/OMPLPlanner]\n"
             naming("planning_plugin", "Humble", "Jazzy"),
             "write planning_plugins: [ompl_interface/OMPLPlanner]",
         ),
+        (
+            "moveit_planning.yaml",  # of a launch file without MoveItConfigsBuilder
+            NEW + f"response_adapters:\n  - {VALIDATION}\n",
+            2,
+            naming("OMPL", "time 0"),
+            "add default_planning_response_adapters/AddTimeOptimalParameterization",
+        ),
+        (
+            "ompl_planning.yaml",
+            OLD + f"request_adapters: {FIXED}\n",
+            2,
+            naming("OMPL", "time 0"),
+            "add default_planner_request_adapters/AddTimeOptimalParameterization",
+        ),
     ],
 )
 def test_settings_without_effect(
@@ -107,7 +126,9 @@ def test_settings_at_which_move_group_stops(
         ("sensors_3d.yaml", "sensors:\n  - {}\n"),
         ("sensors_3d.yaml", "sensors: [s]\ns:\n  sensor_plugin: mine/Updater\n"),
         ("pilz_cartesian_limits.yaml", LIMITS + "  max_rot_vel: 1.0\n"),
-        ("ompl_planning.yaml", OLD + f"request_adapters: >-\n  {ADAPTER}\n".replace("ning", "ner")),
+        ("ompl_planning.yaml", OLD + f"request_adapters: >-\n  {FIXED} {TIMES}\n"),
+        ("ompl_planning.yaml", OLD + f"request_adapters: {FIXED} own/Times\n"),
+        ("stomp_planning.yaml", f"planning_plugins: [s/S]\nresponse_adapters: [{VALIDATION}]\n"),
         ("ompl_planning.yaml", NEW + f"request_adapters:\n  - {ADAPTER}\n"),
     ],
 )

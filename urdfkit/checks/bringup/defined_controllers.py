@@ -1,8 +1,12 @@
 """Controllers that are defined for a launch file, or for all of its workspace."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
-from urdfkit.checks.bringup.workspace_launches import robots_of_workspace, workspace_launches
+from urdfkit.checks.bringup.workspace_launches import (
+    distinct_descriptions,
+    robots_of_workspace,
+    workspace_launches,
+)
 from urdfkit.lint.rules import Context
 from urdfkit.ros.controllers import Controller, read
 from urdfkit.ros.launch.contents import Launch
@@ -11,6 +15,12 @@ from urdfkit.ros.launch.contents import Launch
 def defined_controllers(context: Context) -> dict[str, Controller]:
     """The controllers in the parameter files of a launch file and of its robots, by name."""
     return _defined(context, (context.launch,), (robot for _, robot in context.described_robots))
+
+
+def controllers_of(context: Context, launches: Sequence[Launch]) -> dict[str, Controller]:
+    """The controllers of launch files, and of the robots that they describe, by name."""
+    robots = (robot for _, robot in context.expanded(distinct_descriptions(launches)))
+    return _defined(context, launches, robots)
 
 
 def controllers_of_workspace(context: Context) -> dict[str, Controller]:

@@ -20,6 +20,7 @@ from collections.abc import Iterator
 from itertools import islice
 
 from urdfkit.checks.bringup.defined_controllers import (
+    controllers_of,
     controllers_of_workspace,
     defined_controllers,
 )
@@ -76,12 +77,13 @@ def check(context: Context) -> Findings:
     if not spawned or context.launch.names_parameters:
         return
     defined = defined_controllers(context)
-    yield from _typed_by_themselves(spawned, defined)
+    including = [] if defined else _including(context)
+    yield from _typed_by_themselves(spawned, defined or controllers_of(context, including))
     yield from _chained(context, spawned, defined)
     yield from _without_sensor(context, spawned, defined)
     loaded = set(defined)
     directories, launches = _directories(context), [context.launch]
-    if not loaded and (including := _including(context)):
+    if including:
         loaded = set(controllers_of_workspace(context))
         directories = set(context.resolver.packages.known(context.source.path).values())
         launches = including

@@ -9,7 +9,8 @@ exist". A static transform with such a parent creates a second tree.
 Checked are:
 
 - `base_link_frame`, `base_link_output_frame`, `robot_base_frame`, `base_frame`, `base_frame_id` and
-  `sensor_frame`. slam_toolbox and AMCL without such a parameter use `base_footprint`.
+  `sensor_frame`. slam_toolbox and AMCL without such a parameter use `base_footprint`. In Nav2 none
+  may begin with a slash ("frame_ids cannot start with a '/'").
 - `tracking_frame` and `published_frame` of Cartographer, `box_frame` and `polygon_frame` of
   laser_filters.
 - RViz's fixed frame and the frames of its displays. `map`, `odom` and `world` as the fixed frame
@@ -58,6 +59,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Relat
 from urdfkit.ros.launch.bridges import bridged_topics
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.frames import (
+    FRAMES,
     GLOBAL,
     NamedFrame,
     default_frames,
@@ -107,6 +109,8 @@ _ODOMETRY_KEYS = ("odom_frame", "odom_frame_id", "odometry_frame")
 _SPAWNERS = ("spawn_entity.py", "spawn_model")
 #: An absolute name of several parts: tf2 rejects frames with a leading slash.
 _TOPIC = re.compile(r"/\w+/")
+#: Nodes of Nav2, which look up frames as they are; robot_localization removes a leading slash.
+_OF_NAV2 = ("amcl", "behavior_server", "bt_navigator", "global_costmap", "local_costmap")
 #: What a program has that publishes transforms: others name `map` as the frame of their messages.
 _BROADCASTS = rb"TransformBroadcaster|sendTransform|TFMessage|tf2_msgs"
 #: Packages whose programs publish no frames of sensors, and those that need these frames.
@@ -134,8 +138,19 @@ def check(context: Context) -> Findings:
     if known := published_frames(context):
         known |= _frames_of_filters(launch, frames)
         yield from _unpublished(context, frames, known)
+    yield from _with_slash(context)
     yield from _wrong_filter_frames(context)
     yield from _unpublished_odometry(context)
+
+
+def _with_slash(context: Context) -> Findings:
+    """Frames of Nav2 with a leading slash, which tf2 rejects."""
+    paths = dict.fromkeys(file.path for file in context.launch.parameters)
+    for node in nodes_in_files(list(paths), context.resolver):
+        for key, value in entries(node.values) if node.name in _OF_NAV2 else ():
+            if key in FRAMES and isinstance(value, Value) and value.text.startswith("/"):
+                message = f"{key} '{value.text}' begins with a slash, which tf2 rejects"
+                yield Finding(value.span, message, f"write {value.text.lstrip('/')}")
 
 
 def _unpublished(context: Context, frames: list[NamedFrame], known: frozenset[str]) -> Findings:

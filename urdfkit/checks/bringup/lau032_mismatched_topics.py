@@ -6,7 +6,8 @@
 - Such a topic is published in Gazebo by a sensor of the robot, but no bridge forwards it.
 - The mask of a filter, or its `filter_info_topic`, is on another topic than its server says.
 - robot_localization and the controller of the wheels both leave the transform from odometry to the
-  robot to the other one, as a filter does whose `world_frame` is the map.
+  robot to the other one, as a filter does whose `world_frame` is the map. Or Nav2 needs it, and the
+  controller of the wheels alone could publish it.
 - Nothing reads the velocity commands of twist_mux, Nav2 or a teleoperation node, while a drive
   reads them on another topic. Reported only if all programs of the workspace are known.
 - A teleoperation node, or Nav2, publishes `Twist` on the topic of a drive that reads
@@ -24,6 +25,8 @@ Sources:
 """
 
 from __future__ import annotations
+
+import re
 
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
 from urdfkit.checks.bringup.known_programs import are_topics_known
@@ -44,6 +47,7 @@ from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
 from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Value, scalar
+from urdfkit.workspace.program_strings import may_publish
 
 NAME = "launch/drive.launch.xml"
 BAD = """\
@@ -58,6 +62,9 @@ GOOD = BAD.replace("/drive/cmd_vel", "/cmd_vel")
 _FILTER, _SWITCH, _OF_DRIVE = "robot_localization", "publish_tf", "enable_odom_tf"
 _WORLD = "world_frame"
 _FILTERS = ("ekf_node", "ukf_node")
+_NAVIGATION = ("nav2_amcl", "nav2_controller", "slam_toolbox")
+#: Packages whose programs publish no transforms, and those whose programs may move the robot.
+_STILL, _MOVING = re.compile(r"topic_tools|twist_stamper"), ("tf2_ros", _FILTER)
 _TRANSFORMS = "TFMessage"
 
 
@@ -67,6 +74,7 @@ def check(context: Context) -> Findings:
         yield from unpublished_inputs(context)
         yield from unread_commands(context)
         yield from _unpublished_odometry(context)
+        yield from _navigation_without_odometry(context)
         yield from mistyped_commands(context, context.launch.programs)
         yield from mistyped_navigation(context, context.launch.programs)
         yield from unpublished_commands(context)
@@ -104,6 +112,34 @@ def _unpublished_odometry(context: Context) -> Findings:
                 f"write {_WORLD}: odom" if are_global else f"write {_SWITCH}: true",
                 related=(Related(of_drive.span, "the other one"),),
             )
+
+
+def _navigation_without_odometry(context: Context) -> Findings:
+    """A drive that does not publish the transform that Nav2 needs, and which nothing publishes."""
+    running = (node for node in context.launch.programs if node.is_sure)
+    reader = next((node for node in running if node.package in _NAVIGATION), None)
+    if reader is None or is_included(context):
+        return
+    programs = programs_of(all_launches(context))
+    if _is_bridged(programs, context) or any(_may_move(node, context) for node in programs):
+        return
+    switches = _switches_of_drives(list(context.launch.programs), context)
+    for drive, switch in switches if all(on.boolean is False for _, on in switches) else ():
+        yield Finding(
+            switch.span,
+            "nothing publishes the transform from odometry to the robot: "
+            f"{_OF_DRIVE} of '{drive}' is false",
+            f"write {_OF_DRIVE}: true",
+            related=(Related(reader.span, f"'{reader.title}' needs it"),),
+        )
+
+
+def _may_move(program: StartedProgram, context: Context) -> bool:
+    """True if a program may publish the transform of the robot."""
+    is_still = _STILL.fullmatch(program.package) or is_known_reader(program)
+    if is_still and program.package not in _MOVING:
+        return False
+    return may_publish(program.package, "TransformStamped", context.source.path, context.resolver)
 
 
 def _is_bridged(programs: list[StartedProgram], context: Context) -> bool:

@@ -1,6 +1,7 @@
 """The transforms from odometry to the robot that the programs of a launch file publish.
 
-Source: ``DiffDrive.cc`` and ``OdometryPublisher.cc`` of gz-sim.
+Sources: ``DiffDrive.cc`` and ``OdometryPublisher.cc`` of gz-sim; the controllers of
+ros2_controllers, and their parameters.
 """
 
 from __future__ import annotations
@@ -21,7 +22,12 @@ from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.document import Element
 from urdfkit.text.located_yaml import Value
 
-_DRIVE = "diff_drive_controller/DiffDriveController"
+#: Controllers that publish on tf, and whether they do so by default; others have a topic for it.
+_DRIVES = {
+    "diff_drive_controller/DiffDriveController": True,
+    "omni_wheel_drive_controller/OmniWheelDriveController": True,
+    "tricycle_controller/TricycleController": False,
+}
 #: The nodes of robot_localization, and their default names.
 _FILTERS = {"ekf_node": "ekf_filter_node", "ukf_node": "ukf_filter_node"}
 #: Parameters of a filter, with their defaults.
@@ -138,11 +144,12 @@ def of_drives(
     """
     for spawned in spawned_controllers(programs):
         controller = defined.get(spawned.name) if spawned.is_activated else None
-        if controller is None or controller.ros != 2 or controller.type != _DRIVE:
+        if controller is None or controller.ros != 2 or controller.type not in _DRIVES:
             continue
         values = controller.section.values
         switches, parents = values("enable_odom_tf"), values("odom_frame_id")
-        if any(value.text.lower() == "false" for value in switches):
+        is_on = switches or _DRIVES[controller.type]
+        if not is_on or any(value.text.lower() == "false" for value in switches):
             continue
         places = switches or parents
         at = places[0].span if places else controller.section.at or controller.type_at

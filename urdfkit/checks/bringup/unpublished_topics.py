@@ -50,7 +50,7 @@ from urdfkit.workspace.program_strings import may_publish
 #: Packages whose programs do not publish these messages.
 _SILENT = re.compile(
     r"robot_state_publisher|joint_state_publisher(_gui)?|ros_gz_sim|rviz2|tf2_ros"
-    r"|moveit_ros_move_group|slam_toolbox|nav2_(?!costmap_2d)\w+|joy|twist_mux"
+    r"|moveit_ros_move_group|slam_toolbox|nav2_(?!costmap_2d)\w+|joy|twist_(mux|stamper)"
     r"|teleop_twist_(joy|keyboard)"
 )
 _CONTROLLERS = "controller_manager"

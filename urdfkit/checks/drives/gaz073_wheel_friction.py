@@ -10,8 +10,8 @@
 - A driven wheel whose friction is a multiple of that of its left or right counterpart: the robot
   drives in a curve.
 
-Wheels of mecanum drives are not reported; wheels with a first friction direction (`fdir1`) only if
-both coefficients are low.
+Wheels with a first friction direction (`fdir1`) are reported only if both coefficients are low.
+Wheels of mecanum drives without one are not: links of their own may be their rollers.
 
 Sources:
     SDF, friction: http://sdformat.org/spec?ver=1.9&elem=collision
@@ -107,18 +107,26 @@ def _unequal(context: Context, driven: Iterable[str]) -> Findings:
 def _driven(context: Context) -> Iterator[str]:
     """The links of the wheels that drive plugins and drive controllers turn."""
     for use in context.plugins:
-        if drive_of(use) and not any(word in use.filename for word in _ROLLERS):
-            for wheel in wheels(use, context.tree):
-                yield wheel.wheel.joint.child_name
+        for wheel in wheels(use, context.tree) if drive_of(use) else ():
+            link = wheel.wheel.joint.child_name
+            if not _has_rollers(use.filename) or _chooses_direction(context.model, link):
+                yield link
     for _, controller in context.controllers:
         kind = controller.kind
-        if kind is None or any(word in controller.type.lower() for word in _ROLLERS):
+        if kind is None:
             continue
+        has_rollers = _has_rollers(controller.type.lower())
         names = (name for measure in kind.measures for side in measure.sides for name in side)
         for written in controller.values(dict.fromkeys(names)):
             joint = context.model.joints_by_name.get(written.text)
-            if joint is not None and joint.child and joint.kind == "continuous":
+            if joint is None or not joint.child or joint.kind != "continuous":
+                continue
+            if not has_rollers or _chooses_direction(context.model, joint.child_name):
                 yield joint.child_name
+
+
+def _has_rollers(drive: str) -> bool:
+    return any(word in drive for word in _ROLLERS)
 
 
 def _friction(model: RobotModel, link: str) -> dict[str, Placed[float]]:

@@ -224,6 +224,9 @@ def _opposite(context: Context) -> Findings:
         return
     ((left, right),) = wheel_pairs
     left_axle, right_axle = _axle(context, left), _axle(context, right)
+    axles = (_axle(context, joint) for joint in context.model.joints if _rolls(joint))
+    if any(axle and left_axle and abs(dot(axle, left_axle)) < _PARALLEL for axle in axles):
+        return  # the wheels of an omnidirectional robot, which may all point outwards
     if left_axle and right_axle and dot(left_axle, right_axle) < -_PARALLEL:
         yield Finding(
             _axis(right),

@@ -5,20 +5,25 @@
   list of settings that MoveIt 1 reads: launch stops.
 - The Cartesian limits of Pilz's planner lack one (warning): "not fully set", and LIN and CIRC fail.
 - The file of a planning pipeline is half of Humble, with `planning_plugin` and a text of adapters,
-  and half of Jazzy, with `planning_plugins` and lists (warning).
+  and half of Jazzy, with `planning_plugins` and lists (warning). Or none of the adapters of OMPL
+  computes the times of the trajectory, all of whose points then have the time 0 (warning).
 - `planner_configs` of a group is a single planner, not a list: move_group stops.
 
 Sources:
     MoveIt, OMPL: https://moveit.picknik.ai/main/doc/examples/ompl_interface/ompl_interface_tutorial.html
+    moveit/moveit2#2140: https://github.com/moveit/moveit2/issues/2140
     MoveIt, planning_context_manager.cpp: https://github.com/moveit/moveit2/blob/main/moveit_planners/ompl/ompl_interface/src/planning_context_manager.cpp
     MoveIt, pointcloud_octomap_updater.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/perception/pointcloud_octomap_updater/src/pointcloud_octomap_updater.cpp
     MoveIt, cartesian_limits_parameters.yaml: https://github.com/moveit/moveit2/blob/main/moveit_planners/pilz_industrial_motion_planner/src/cartesian_limits_parameters.yaml
 """
 
+from __future__ import annotations
+
+import re
+
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.samples import SHOULDER
-from urdfkit.ros.moveit.config import PIPELINES
 from urdfkit.ros.moveit.samples import configurations, named_xml
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.located_yaml import Node, Value, items, mapping, scalar, scalars
@@ -36,6 +41,9 @@ FILES = configurations(
 _SENSORS = "sensors_3d.yaml"
 _CARTESIAN = "pilz_cartesian_limits.yaml"
 _ADAPTERS = ("request_adapters", "response_adapters")
+_OMPL = "ompl_interface/OMPLPlanner"  # other planners compute times themselves
+#: Adapters that compute times, and those that certainly do not.
+_TIMING, _OF_MOVEIT = re.compile(r"/Add(Time|Iterative)\w*Param"), "default_plann"
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
@@ -109,9 +117,8 @@ def _cartesian_limits(context: Context) -> Findings:
 
 
 def _pipelines(context: Context) -> Findings:
-    """Files of pipelines that are half of Humble and half of Jazzy."""
-    for file in PIPELINES:
-        root = context.moveit_config.load(file)
+    """Files of pipelines that are half of Humble and half of Jazzy, or lack an adapter."""
+    for root in context.moveit_config.pipelines():
         is_new = "planning_plugins" in root
         for key, value in items(root):
             if key in _ADAPTERS and is_new and isinstance(value, Value) and value.text:
@@ -119,10 +126,25 @@ def _pipelines(context: Context) -> Findings:
                 message = f"{key} is a text, but with planning_plugins (Jazzy) it is a list"
                 help = f"write each on a line: - {names[0]}"
                 yield Finding(key.span, message, help, severity=Severity.WARNING)
+            elif key == _ADAPTERS[is_new] and _are_untimed(root, value):
+                message = "no adapter of OMPL computes times: all points have the time 0"
+                package = "planning_response" if is_new else "planner_request"
+                help = f"add default_{package}_adapters/AddTimeOptimalParameterization"
+                yield Finding(key.span, message, help, severity=Severity.WARNING)
             elif key == "planning_plugin" and not is_new and _has_lists(root):
                 message = "planning_plugin is of Humble, and the lists of adapters are of Jazzy"
                 help = f"write planning_plugins: [{getattr(value, 'text', '')}]"
                 yield Finding(key.span, message, help, severity=Severity.WARNING)
+
+
+def _are_untimed(root: dict[str, Node], adapters: Node | None) -> bool:
+    """True if OMPL has adapters of MoveIt alone, none of which computes times."""
+    plugins = [root.get("planning_plugin"), *scalars(root.get("planning_plugins"))]
+    written = [adapters] if isinstance(adapters, Value) else scalars(adapters)
+    names = [name for value in written for name in value.text.split()]
+    is_ompl = [getattr(plugin, "text", None) for plugin in plugins if plugin] == [_OMPL]
+    are_known = bool(names) and all(name.startswith(_OF_MOVEIT) for name in names)
+    return is_ompl and are_known and not any(map(_TIMING.search, names))
 
 
 def _has_lists(root: dict[str, Node]) -> bool:

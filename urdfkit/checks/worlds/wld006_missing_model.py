@@ -1,6 +1,7 @@
 """A model or a mesh of the world that a launch file starts is not found.
 
-- A mesh of a model or package of the workspace does not exist (warning).
+- A mesh of a model or package of the workspace does not exist (warning), or is in the home
+  directory of a user, which other computers do not have.
 - A model that the world includes with `model://` is not in the workspace (info), or is misspelt; or
   gz sim loads `model://sun` or `model://ground_plane`, which only Gazebo Classic downloads: the
   world is not loaded unless the resource path contains the model (warning).
@@ -11,6 +12,7 @@ Sources:
 """
 
 import os
+import re
 
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.checks.worlds.world_values import is_generated
@@ -32,6 +34,7 @@ FILES = world_files(
     "<include><uri>model://big_shelf</uri></include>",
 ) | {"models/big_shelf/model.config": b"<model/>"}
 
+_OF_A_USER = re.compile(r"(file://)?/(home|Users)/")
 _FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
 
 
@@ -74,7 +77,14 @@ def _missing_meshes(
         text = uri.text.strip() if uri is not None else ""
         if uri is None or not text or is_generated(text):
             continue
-        if _is_missing(text, opened.path, models, context.resolver):
+        if _OF_A_USER.match(text):
+            yield Finding(
+                uri,
+                f"{opened.title}: mesh '{text}' exists on one computer only",
+                "write model://, or a path relative to the world",
+                group_key="mesh of a user",
+            )
+        elif _is_missing(text, opened.path, models, context.resolver):
             yield Finding(
                 uri,
                 f"{opened.title}: mesh '{text}' is not found",

@@ -1,9 +1,11 @@
 """Actions that a Python launch file starts after an event."""
 
 import ast
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 
 from urdfkit.ros.launch.launch_description import ACTIONS, TRIGGERS
+from urdfkit.ros.launch.scopes import is_read
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 
@@ -49,6 +51,26 @@ def _never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
             message = f"started when {name} exits, but it runs until shutdown"
             help = "use the preceding spawner as target_action, or use OnProcessStart"
             yield values.problem("LAU037", waiting, message, help, Severity.WARNING)
+
+
+def waits_for_unstarted(
+    expressions: Iterable[ast.expr], calls: list[ast.Call], values: Values
+) -> Iterator[Problem]:
+    """Event handlers of an action that nothing starts: only handlers name it.
+
+    Args:
+        expressions: all of a whole launch file.
+        calls: without those in handlers that are not used.
+    """
+    targets = [argument(call, 0, "target_action") for call in calls if called(call) in _OF_PROCESS]
+    names = [target for target in targets if isinstance(target, ast.Name)]
+    reads = Counter(node.id for node in expressions if is_read(node))
+    reads.subtract(name.id for name in names)
+    for name in names:
+        if not reads[name.id] and called(values.resolved(name)) in _PROCESSES:
+            message = f"'{name.id}' is never started, and so nothing that waits for it"
+            help = f"add {name.id} to the LaunchDescription"
+            yield values.problem("LAU037", name, message, help, Severity.WARNING)
 
 
 def _waits_for_itself(calls: list[ast.Call], values: Values) -> Iterator[Problem]:

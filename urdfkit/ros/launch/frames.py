@@ -24,7 +24,7 @@ _OF_ROBOT = (
 #: Of costmaps, behaviours and the navigator: the frame of a map or of odometry.
 GLOBAL = "global_frame"
 _OF_CARTOGRAPHER = ("tracking_frame", "published_frame")
-_NAMING = (*_OF_ROBOT, GLOBAL)
+FRAMES = (*_OF_ROBOT, GLOBAL)
 
 
 class NamedFrame(Record):
@@ -91,13 +91,13 @@ def sensor_frames(launch: Launch, resolver: Resolver) -> Iterator[NamedFrame]:
 
 def _of_parameters(source: Source) -> Iterator[tuple[str, str, Value]]:
     """The frames in the parameters of nodes in ROS 2."""
-    if not any(key.encode() in source.data for key in _NAMING):
+    if not any(key.encode() in source.data for key in FRAMES):
         return
     for node in node_parameters(source):
         for key, value in entries(node.values):
             if key == "base_frame_id" and "camera_name" in node.values:
                 continue  # realsense2_camera puts the name of the camera before it
-            if key in _NAMING and isinstance(value, Value):
+            if key in FRAMES and isinstance(value, Value):
                 yield key, key, value
 
 

@@ -9,7 +9,7 @@ from urdfkit.ros.launch.collect import SIM_TIME, Collector
 from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
 from urdfkit.ros.launch.configurations import Configurations
 from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, Word, started_process
-from urdfkit.ros.launch.event_handlers import wrong_handlers
+from urdfkit.ros.launch.event_handlers import waits_for_unstarted, wrong_handlers
 from urdfkit.ros.launch.forwarding import file_of_action
 from urdfkit.ros.launch.launch_description import entry_point, not_started
 from urdfkit.ros.launch.moveit_builder import record_files
@@ -123,6 +123,9 @@ class _PythonReader(PythonLaunchFile):
         problems += wrong_expressions(self._expressions, self.values)
         if self._is_complete:
             problems += not_started(self._idle, self.values)
+            idle = {node for call in self._idle for node in ast.walk(call)}
+            used = [call for call in self.calls if call not in idle]
+            problems += waits_for_unstarted(self._expressions, used, self.values)
             problems += entry_point(self.tree, self.source)
             problems += wrong_names(self.tree, self.values)
         problems += wrong_calls(self.tree, self.calls, self.values)

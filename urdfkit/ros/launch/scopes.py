@@ -115,7 +115,7 @@ def unread(tree: ast.Module) -> set[ast.expr]:
     A name that only such expressions read is unused, too.
     """
     assigned = [node for node in nodes(tree) if isinstance(node, ast.Assign)]
-    reads = Counter(name.id for name in nodes(tree) if _is_read(name))
+    reads = Counter(name.id for name in nodes(tree) if is_read(name))
     found: set[ast.expr] = set()
     while True:
         new = {
@@ -128,7 +128,7 @@ def unread(tree: ast.Module) -> set[ast.expr]:
             return found
         found |= new
         for value in new:
-            reads.subtract(node.id for node in ast.walk(value) if _is_read(node))
+            reads.subtract(node.id for node in ast.walk(value) if is_read(node))
 
 
 def with_items(expressions: set[ast.expr]) -> set[ast.expr]:
@@ -143,7 +143,7 @@ def with_items(expressions: set[ast.expr]) -> set[ast.expr]:
     return found
 
 
-def _is_read(node: ast.AST) -> TypeGuard[ast.Name]:
+def is_read(node: ast.AST) -> TypeGuard[ast.Name]:
     return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
 
 

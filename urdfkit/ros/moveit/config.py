@@ -45,6 +45,8 @@ PIPELINES = (
     "pilz_industrial_motion_planner_planning.yaml",
     "stomp_planning.yaml",
 )
+#: As MoveItConfigsBuilder finds them, and ``moveit_planning.yaml`` in launch files without it.
+_OF_PIPELINES = "_planning.yaml"
 _INITIAL = "initial_positions.yaml"
 #: Keys of MoveIt Servo's file, whose name differs from robot to robot; one of the second is enough.
 _TOPIC_OF_SERVO = b"command_out_topic:"
@@ -79,9 +81,19 @@ class MoveItConfig:
             self._files[name] = self._read(name)
         return self._files[name]
 
-    def _read(self, name: str) -> dict[str, Node]:
+    def pipelines(self) -> Iterator[dict[str, Node]]:
+        """The files of planning pipelines such as OMPL, which are known by their ending."""
+        names = (name for place in self._places for name in disk.names_or_empty(place))
+        for name in sorted({name for name in names if name.endswith(_OF_PIPELINES)}):
+            yield self.load(name)
+
+    @property
+    def _places(self) -> tuple[str, ...]:
         above = os.path.dirname(self._directory)
-        for place in (self._directory, above, os.path.join(above, "config")):
+        return (self._directory, above, os.path.join(above, "config"))
+
+    def _read(self, name: str) -> dict[str, Node]:
+        for place in self._places:
             path = os.path.join(place, name)
             if disk.is_file(path) and self._resolver.allows(path, self._path):
                 source = self._resolver.readable(path)
@@ -112,8 +124,7 @@ class MoveItConfig:
 
     def planning_plugins(self) -> Iterator[Value]:
         """The plugins of the planning pipelines in the files of pipelines such as OMPL."""
-        for file in PIPELINES:
-            root = self.load(file)
+        for root in self.pipelines():
             for value in (root.get("planning_plugin"), *scalars(root.get("planning_plugins"))):
                 if isinstance(value, Value):
                     yield value
@@ -123,8 +134,7 @@ class MoveItConfig:
 
         From Jazzy on, the file has a list of planning plugins.
         """
-        for file in PIPELINES:
-            root = self.load(file)
+        for root in self.pipelines():
             for key in ("request_adapters", "response_adapters"):
                 node = root.get(key)
                 for value in [node] if isinstance(node, Value) else scalars(node):
