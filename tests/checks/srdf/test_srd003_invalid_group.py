@@ -43,6 +43,30 @@ def test_it_is_reported_in_the_srdf(tmp_path: Path, text: str, message: str) -> 
     assert message_of(tmp_path, text, "SRD003") == message
 
 
+@pytest.mark.parametrize(
+    ("chain", "severity"),
+    [
+        ('base_link="hand" tip_link="base"', "warning"),
+        ('base_link="finger" tip_link="tool"', "info"),
+    ],
+)
+def test_what_moveit_takes_for_a_chain(tmp_path: Path, chain: str, severity: str) -> None:
+    """tesseract: a group from the tool of a positioner to that of the robot.
+
+    srdfdom and MoveIt go up from both links to where they meet.
+    """
+    robot = ROBOT.replace(
+        "</robot>",
+        '<link name="tool"/><joint name="t" type="fixed"><parent link="base"/><child link="tool"/>'
+        "</joint></robot>",
+    )
+    (tmp_path / "r.urdf").write_text(robot)
+    group = f'<group name="g"><chain {chain}/></group>'
+    (tmp_path / "r.srdf").write_text(f'<robot name="r">{group}</robot>')
+    (found,) = check(tmp_path / "r.urdf", select=["SRD003"]).diagnostics
+    assert found.severity.value == severity
+
+
 def test_each_cycle_is_reported_once(tmp_path: Path) -> None:
     def group(name: str, *inner: str) -> str:
         subgroups = "".join(f'<group name="{one}"/>' for one in inner)

@@ -1,8 +1,9 @@
 """A planning group is empty or not a chain, mixes sides, or groups contain one another.
 
 - MoveIt prints "Group is empty" and ignores the group (warning), so that references to it fail.
-- A chain goes from a base link down the tree to a tip link. MoveIt rejects any other chain, and the
-  group has no joints. Base and tip are swapped, or one of them is on another branch.
+- The base link of a chain is below its tip link (warning): they are swapped. MoveIt takes the
+  joints between them and the one above the tip link. Or the two are on different branches (info):
+  the group has the joints of both, as of a robot and its positioner.
 - The solver in `kinematics.yaml` is KDL, LMA or TRAC-IK, but the joints of the group are not a
   chain: "Group 'arm' is not a chain", and the group cannot be moved to a pose.
 - Groups contain one another in a cycle: MoveIt ignores all of them.
@@ -94,10 +95,15 @@ def _chains(srdf: Srdf) -> Findings:
     for group in srdf.groups:
         for chain in group.all("chain"):
             base, tip = chain.get("base_link") or "", chain.get("tip_link") or ""
-            if base in links and tip in links and srdf.joints_between(base, tip) is None:
-                who = f"group '{group.get('name')}'"
-                message = f"{who}: tip link '{tip}' is not a descendant of base link '{base}'"
-                yield Finding(chain, message, "swap base and tip, or name links of one branch")
+            if base not in links or tip not in links or srdf.joints_between(base, tip) is not None:
+                continue
+            message = f"group '{group.get('name')}': tip link '{tip}' is not a descendant of base "
+            message += f"link '{base}'"
+            if srdf.joints_between(tip, base) is not None:
+                yield Finding(chain, message, "swap base and tip", severity=Severity.WARNING)
+            else:
+                help = "name links of one branch, unless the group has the joints of both"
+                yield Finding(chain, message, help, severity=Severity.INFO)
 
 
 def _cycles(srdf: Srdf) -> Iterator[list[str]]:
