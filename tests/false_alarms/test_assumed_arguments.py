@@ -73,3 +73,23 @@ def test_one_value_that_is_there(tmp_path: Path) -> None:
     arm(tmp_path, "hand", "cup")
     (found,) = unknown_joints(tmp_path)
     assert (found.severity.value, found.variants) == ("error", ())
+
+
+@pytest.mark.parametrize(("passed", "severity"), [("tool", "warning"), ("other", "error")])
+def test_the_argument_of_one_of_several_robots(tmp_path: Path, passed: str, severity: str) -> None:
+    """CynLr_Dual_Arm: the launch file chooses the arm, and passes the argument of its parts."""
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    hardware = HARDWARE.format("$(arg tool)").removeprefix(HEAD)
+    argument = '<xacro:arg name="tool" default="cup"/>'
+    robot = HEAD + argument + LINKS + JOINT.format("hand_joint") + hardware
+    add_file(tmp_path / "urdf" / "ur5.xacro", robot.encode())
+    program = (
+        "import os\nimport xacro\nfrom launch import LaunchDescription\n"
+        "def generate_launch_description():\n"
+        "    path = 'urdf/ur5.xacro' if os.getpid() else 'urdf/panda.xacro'\n"
+        f"    robot = xacro.process_file(path, mappings={{'{passed}': 'hand'}}).toxml()\n"
+        "    return LaunchDescription([])\n"
+    )
+    add_file(tmp_path / "launch" / "a.launch.py", program.encode())
+    (found,) = unknown_joints(tmp_path)
+    assert found.severity.value == severity

@@ -123,12 +123,16 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
     codes = {code for code in codes if rule_index.get(code).depends_on_arguments}
     if not codes:
         return result
-    from urdfkit.ros.launch.robot_arguments import known_at_run_time
+    from urdfkit.ros.launch.robot_arguments import is_handed_on, known_at_run_time
 
     own = open_names if "" in job.unknown else open_names.intersection(job.unknown)
     own = {name for name in own if xacro and not re.search(_PATH, xacro.defaults[name])}
     unknown = known_at_run_time(job.path, open_names, context.resolver)
     names = sorted({*own, *unknown, *job.replaced})
+    if not names:  # a launch file may choose one of several robots
+        names = sorted(
+            name for name in open_names if is_handed_on(job.path, name, context.resolver)
+        )
     if not names:
         return result
     with_defaults = (f"the default of {', '.join(names)}",)
