@@ -12,7 +12,6 @@ from urdfkit.text.diagnostic import Severity
 SEVERITIES = {"JNT020": Severity.WARNING}
 fix = partial(fix_as_configured, config=Config(severities=SEVERITIES))
 
-XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 FIXED_JOINT = """\
   <link name="a"/>
   <link name="b"/>

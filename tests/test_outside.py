@@ -16,11 +16,11 @@ import pytest
 
 import urdfkit
 from tests.meshed import SOUND
+from tests.xacros import HEAD
 from urdfkit.cli import main
 from urdfkit.errors import UrdfkitError
 from urdfkit.output import formats
 
-HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 SECRET = "sesame_5261"
 #: What lies outside, by suffix: all of it is what its reader looks for.
 CONTENTS = {

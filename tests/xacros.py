@@ -7,6 +7,7 @@ from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import Source
 
 NAMESPACE = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+HEAD = f'<robot name="r" {NAMESPACE}>'
 
 
 def xacro(body: str, name: str = ' name="r"') -> str:

@@ -6,9 +6,8 @@ import sys
 
 import pytest
 
-from tests.conftest import MODELS, ROOT
+from tests.conftest import ROOT
 
-GOOD = str(MODELS / "good" / "gripper.urdf")
 UNIX = pytest.mark.skipif(os.name == "nt", reason="no such thing on Windows")
 
 

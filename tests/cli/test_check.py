@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
 from tests.hand_made_rules import run_only
+from tests.shipped import GRIPPER
 from urdfkit.cli import main
 from urdfkit.lint import engine
 from urdfkit.lint.context import Context
@@ -17,7 +17,6 @@ from urdfkit.lint.rules import Finding, Need, Rule
 from urdfkit.text.diagnostic import Severity
 from urdfkit.text.source import shown
 
-GOOD = str(MODELS / "good" / "gripper.urdf")
 LINK_TO_ITSELF = """\
 <robot name="r">
   <link name="a"/>
@@ -94,8 +93,8 @@ def test_fail_on(
     run_only(monkeypatch, [fake(severity)])
     for level in ("error", "warning", "info", None):
         words = ["--fail-on", level] if level else []
-        assert check(GOOD, *words)[0] == int(level in fails)
-        assert check(GOOD, "--exit-zero", *words)[0] == 0
+        assert check(GRIPPER, *words)[0] == int(level in fails)
+        assert check(GRIPPER, "--exit-zero", *words)[0] == 0
 
 
 def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
@@ -119,10 +118,10 @@ def test_a_crashed_rule_exits_with_3_and_the_rest_is_reported(
 
 
 def test_several_files_are_one_report(check: Screen, bad: str) -> None:
-    code, out, _ = check(bad, GOOD, "--format", "json")
+    code, out, _ = check(bad, GRIPPER, "--format", "json")
     assert code == 1
-    assert json.loads(out)["summary"]["files"] == [bad, shown(GOOD)]
-    assert re.search(r" in 2 files\b", check(bad, GOOD)[1])
+    assert json.loads(out)["summary"]["files"] == [bad, shown(GRIPPER)]
+    assert re.search(r" in 2 files\b", check(bad, GRIPPER)[1])
 
 
 def test_several_formats(check: Screen, bad: str, tmp_path: Path) -> None:
@@ -286,7 +285,7 @@ def test_quiet_prints_only_findings(check: Screen, bad: str, form: str) -> None:
     assert whole.startswith(out.rstrip("\n"))
     assert "1 error in 1 file" in whole
     assert "in 1 file" not in out
-    assert check(GOOD, "-q", "--format", form) == (0, "", "")
+    assert check(GRIPPER, "-q", "--format", form) == (0, "", "")
 
 
 def test_output_option_is_the_file_of_the_format(check: Screen, bad: str, tmp_path: Path) -> None:

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import GRIPPER, MODELS
+from tests.conftest import GRIPPER
+from tests.shipped import ARM
 from urdfkit.cli import main
 from urdfkit.core.installation import install_command
 
-ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 FEW = ["--samples", "200", "--jobs", "1"]
 
 BENT = """<robot name="bent">

@@ -4,7 +4,7 @@ import sys
 
 import pytest
 
-from tests.cli.command_line import GOOD
+from tests.shipped import GRIPPER
 from urdfkit.cli import gazebo, importers, main, output, simulate
 from urdfkit.text.terminal import CYAN, GREEN, RED, YELLOW, painted
 
@@ -67,7 +67,7 @@ def test_a_choice_holds_for_one_command_line(capsys: pytest.CaptureFixture[str])
 
 
 def test_warnings_are_yellow(capsys: pytest.CaptureFixture[str]) -> None:
-    main(["check", GOOD, "--ignore", "QQQ", "--color", "always"])
+    main(["check", GRIPPER, "--ignore", "QQQ", "--color", "always"])
     assert capsys.readouterr().err.startswith(f"{painted('warning', YELLOW)}: --ignore: ")
 
 

@@ -7,11 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS, ROOT
+from tests.conftest import ROOT
+from tests.shipped import ARM
 from urdfkit.cli import main
 from urdfkit.cli.completion import VARIABLE, completed
-
-ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 
 
 def values(line: str, incomplete: str = "") -> list[str]:

@@ -5,16 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.shipped import GRIPPER
 from urdfkit.cli import main
-
-OLD = str(MODELS / "good" / "gripper.urdf")
 
 
 @pytest.fixture
 def new(tmp_path: Path) -> str:
     """The gripper with other efforts."""
-    text = Path(OLD).read_text(encoding="utf-8")
+    text = Path(GRIPPER).read_text(encoding="utf-8")
     assert 'effort="' in text
     file = tmp_path / "new.urdf"
     file.write_text(text.replace('effort="', 'effort="1'), encoding="utf-8")
@@ -22,10 +20,10 @@ def new(tmp_path: Path) -> str:
 
 
 def test_text_on_standard_output(new: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["diff", OLD, new]) == 1
+    assert main(["diff", GRIPPER, new]) == 1
     out = capsys.readouterr().out
     assert "limits\n  joint '" in out
-    assert main(["diff", OLD, OLD]) == 0
+    assert main(["diff", GRIPPER, GRIPPER]) == 0
 
 
 def test_the_centre_of_mass_fits_a_terminal(
@@ -53,36 +51,39 @@ def test_the_centre_of_mass_fits_a_terminal(
     ],
 )
 def test_fail_on(new: str, words: list[str], code: int) -> None:
-    assert main(["diff", OLD, new, *words]) == code
+    assert main(["diff", GRIPPER, new, *words]) == code
 
 
 def test_the_suffix_is_the_format(new: str, tmp_path: Path) -> None:
-    assert main(["diff", OLD, new, "-o", str(tmp_path / "d.json")]) == 1
+    assert main(["diff", GRIPPER, new, "-o", str(tmp_path / "d.json")]) == 1
     assert json.loads((tmp_path / "d.json").read_text())["kinds"] == ["limits"]
-    assert main(["diff", OLD, new, "-o", str(tmp_path / "d.md")]) == 1
+    assert main(["diff", GRIPPER, new, "-o", str(tmp_path / "d.md")]) == 1
     assert (tmp_path / "d.md").read_text().startswith("### urdfkit diff\n")
 
 
 def test_the_configuration_applies_to_both(new: str, tmp_path: Path) -> None:
     inverted = Path(new).read_text().replace('lower="0"', 'lower="9"')
     Path(new).write_text(inverted)
-    assert main(["diff", OLD, new, "--fail-on", "findings"]) == 1
+    assert main(["diff", GRIPPER, new, "--fail-on", "findings"]) == 1
     (tmp_path / "urdfkit.toml").write_text('ignore = ["JNT"]\n')
-    assert main(["diff", OLD, new, "--fail-on", "findings"]) == 0
-    assert main(["diff", OLD, new, "--fail-on", "findings", "--isolated"]) == 1
+    assert main(["diff", GRIPPER, new, "--fail-on", "findings"]) == 0
+    assert main(["diff", GRIPPER, new, "--fail-on", "findings", "--isolated"]) == 1
 
 
 @pytest.mark.parametrize(
     ("words", "error"),
     [
-        ([OLD], "expected two files"),
-        ([OLD, OLD, OLD], "expected two files"),
-        ([OLD, "none.urdf"], "none.urdf"),
-        ([OLD, OLD, "-o", "x.doc"], "the suffix is not one of"),
-        ([OLD, OLD, "--fail-on", "colour"], "--fail-on colour: write some of any, none, links"),
-        ([OLD, OLD, "--tolerance", "mass"], "--tolerance mass: write a number from 0"),
-        ([OLD, OLD, "--tolerance", "mass=nan"], "--tolerance mass=nan: write a number"),
-        ([OLD, OLD, "--tolerance", "links=1"], "--tolerance links=1: write one of mass"),
+        ([GRIPPER], "expected two files"),
+        ([GRIPPER, GRIPPER, GRIPPER], "expected two files"),
+        ([GRIPPER, "none.urdf"], "none.urdf"),
+        ([GRIPPER, GRIPPER, "-o", "x.doc"], "the suffix is not one of"),
+        (
+            [GRIPPER, GRIPPER, "--fail-on", "colour"],
+            "--fail-on colour: write some of any, none, links",
+        ),
+        ([GRIPPER, GRIPPER, "--tolerance", "mass"], "--tolerance mass: write a number from 0"),
+        ([GRIPPER, GRIPPER, "--tolerance", "mass=nan"], "--tolerance mass=nan: write a number"),
+        ([GRIPPER, GRIPPER, "--tolerance", "links=1"], "--tolerance links=1: write one of mass"),
     ],
 )
 def test_usage_errors(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -95,11 +96,11 @@ def test_usage_errors(words: list[str], error: str, capsys: pytest.CaptureFixtur
 def test_html_in_chinese(new: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("jinja2")
     page = tmp_path / "diff.html"
-    assert main(["diff", OLD, new, "--lang", "zh", "-o", str(page)]) == 1
+    assert main(["diff", GRIPPER, new, "--lang", "zh", "-o", str(page)]) == 1
     text = page.read_text(encoding="utf-8")
     assert '<html lang="zh">' in text
     assert "<h2>限位</h2>" in text
-    assert main(["diff", OLD, new, "--lang", "zh"]) == 2
+    assert main(["diff", GRIPPER, new, "--lang", "zh"]) == 2
     assert "--lang is for HTML" in capsys.readouterr().err
 
 

@@ -15,10 +15,9 @@ import pytest
 
 import urdfkit
 from tests.conftest import ROOT
+from tests.xacros import HEAD
 from urdfkit.cli import main
 from urdfkit.core.installation import install_command
-
-HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
 
 class Doctor:

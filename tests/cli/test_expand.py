@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.command_line import GOOD, UNIX, run
+from tests.cli.command_line import UNIX, run
 from tests.conftest import ROOT
+from tests.shipped import GRIPPER
 from urdfkit.cli import main
 
 
@@ -43,10 +44,10 @@ def test_expand_stops_where_xacro_stops(tmp_path: Path, capsys: pytest.CaptureFi
 def test_expand_creates_the_output_directory_unless_a_file_exists_there(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["expand", GOOD, "-o", str(tmp_path / "new" / "r.urdf")]) == 0
+    assert main(["expand", GRIPPER, "-o", str(tmp_path / "new" / "r.urdf")]) == 0
     assert (tmp_path / "new" / "r.urdf").exists()
     (tmp_path / "file").touch()
-    assert main(["expand", GOOD, "-o", str(tmp_path / "file" / "r.urdf")]) == 2
+    assert main(["expand", GRIPPER, "-o", str(tmp_path / "file" / "r.urdf")]) == 2
     assert (
         f"{tmp_path / 'file'}: cannot create this directory: File exists" in capsys.readouterr().err
     )

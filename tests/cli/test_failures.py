@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.command_line import GOOD
 from tests.conftest import MOBILE_BASE, ROOT
+from tests.shipped import GRIPPER
 from urdfkit.cli import checking, main
 from urdfkit.lint import rule_index
 
@@ -25,14 +25,14 @@ def test_an_internal_error_asks_for_a_report(
 
     monkeypatch.setattr(checking, "check_with", fail)
     monkeypatch.delenv("URDFKIT_DEBUG", raising=False)
-    assert main(["check", GOOD]) == 3
+    assert main(["check", GRIPPER]) == 3
     captured = capsys.readouterr()
     assert captured.out == ""
     assert "ValueError: boom" in captured.err
     assert "bug in urdfkit" in captured.err
     assert "Traceback" not in captured.err
     monkeypatch.setenv("URDFKIT_DEBUG", "1")
-    assert main(["check", GOOD]) == 3
+    assert main(["check", GRIPPER]) == 3
     assert "Traceback" in capsys.readouterr().err
 
 
@@ -48,7 +48,7 @@ def test_a_removed_current_directory(
     assert capsys.readouterr() == ("", "error: the current directory has been removed\n")
 
 
-@pytest.mark.parametrize("words", [["check", GOOD], ["check", GOOD, "--", GOOD]])
+@pytest.mark.parametrize("words", [["check", GRIPPER], ["check", GRIPPER, "--", GRIPPER]])
 def test_ctrl_c_exits_with_130(
     words: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -126,7 +126,7 @@ def test_lack_of_memory_is_not_a_bug(
         raise error
 
     monkeypatch.setattr(checking, "check_with", fail)
-    assert main(["check", GOOD]) == 2
+    assert main(["check", GRIPPER]) == 2
     assert capsys.readouterr().err == message
 
 
@@ -140,5 +140,5 @@ def test_lack_of_memory_in_a_rule_is_not_a_bug(
             raise SystemError("error return without exception set") from None
 
     monkeypatch.setattr(rule_index, "applicable", fail)
-    assert main(["check", GOOD, "--no-cache"]) == 2
+    assert main(["check", GRIPPER, "--no-cache"]) == 2
     assert re.fullmatch(r"error: \S+: not enough memory\n", capsys.readouterr().err)

@@ -5,14 +5,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.shipped import MISSION
 from urdfkit.cli import main
-
-MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
 
 
 def test_the_table_has_the_result_of_every_link(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["gazebo", MODEL]) == 0
+    assert main(["gazebo", MISSION]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].startswith("10 links become 5")
     assert any(line.split() == ["laser_frame", "0.01", "merged", "into", "dummy"] for line in lines)
@@ -20,7 +18,7 @@ def test_the_table_has_the_result_of_every_link(capsys: pytest.CaptureFixture[st
 
 
 def test_json_has_the_merged_properties(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["gazebo", MODEL, "--format", "json"]) == 0
+    assert main(["gazebo", MISSION, "--format", "json"]) == 0
     document = json.loads(capsys.readouterr().out)
     (dummy, *wheels) = document["links"]
     assert dummy["mass"] == pytest.approx(8.2301)
@@ -35,7 +33,7 @@ def test_json_has_the_merged_properties(capsys: pytest.CaptureFixture[str]) -> N
     }
 
 
-@pytest.mark.parametrize("words", [["no.urdf"], [MODEL, MODEL]])
+@pytest.mark.parametrize("words", [["no.urdf"], [MISSION, MISSION]])
 def test_usage_errors(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["gazebo", *words]) == 2
     captured = capsys.readouterr()

@@ -5,10 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.shipped import ARM
 from urdfkit.cli import main
 
-ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 LOOP = (
     '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>'
     '<joint name="i" type="fixed"><parent link="a"/><child link="c"/></joint>'

@@ -7,15 +7,13 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
+from tests.shipped import ARM, MISSION
 from tests.xacros import write
 from urdfkit.cli import main
 
-MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
-ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
-
 
 def test_the_page_fits_a_terminal_and_has_the_facts(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["info", MODEL]) == 0
+    assert main(["info", MISSION]) == 0
     page = capsys.readouterr().out
     assert "(nq 8, nv 4)" in page
     assert "10.2301 kg in 9 of 10 links" in page

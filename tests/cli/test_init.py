@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
+from tests.xacros import HEAD
 from urdfkit.cli import main
 from urdfkit.lint.config_reader import load
 
-HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 ARM = f"""{HEAD}
   <xacro:arg name="scale" default="1.0"/>
   <xacro:arg name="label" default='say "hi"'/>

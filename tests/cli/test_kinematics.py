@@ -9,14 +9,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
 from tests.massive import inertial, joint, link
+from tests.shipped import ARM
 from urdfkit.cli import main
 from urdfkit.core.installation import install_command
 from urdfkit.lint.rule_examples import whole_robot
 
 TWO = whole_robot(link("a") + link("b") + joint("a", "b") + link("c"))
-ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 
 
 def test_frames_at_a_pose(capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,12 +6,13 @@ from pathlib import Path
 import pytest
 
 import urdfkit
-from tests.cli.command_line import GOOD, UNIX, run
+from tests.cli.command_line import UNIX, run
+from tests.shipped import GRIPPER
 from urdfkit.cli import main
 
 
 def test_a_clean_robot_exits_with_0() -> None:
-    done = run("check", GOOD)
+    done = run("check", GRIPPER)
     assert (done.returncode, done.stderr) == (0, b"")
     assert done.stdout.startswith(b"no findings in 1 file")
 
@@ -67,7 +68,7 @@ def test_an_invalid_file_is_a_finding(
 def test_a_robot_in_utf_16_is_read_as_in_utf_8(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    text = Path(GOOD).read_text(encoding="utf-8")
+    text = Path(GRIPPER).read_text(encoding="utf-8")
     outputs = []
     for encoding in ("utf-8", "utf-16"):
         file = tmp_path / "robot.urdf"

@@ -7,13 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
 from tests.massive import inertial, link
+from tests.shipped import GRIPPER, MISSION
 from urdfkit.cli import main
 from urdfkit.lint.rule_examples import whole_robot
-
-GRIPPER = str(MODELS / "good" / "gripper.urdf")
-MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
 
 
 def run(capsys: pytest.CaptureFixture[str], *words: str) -> str:
@@ -28,7 +25,7 @@ def test_text(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
-    document = json.loads(run(capsys, MODEL, "--format", "json"))
+    document = json.loads(run(capsys, MISSION, "--format", "json"))
     assert document["total"]["mass"] == pytest.approx(10.2301)
     wheel = next(link for link in document["links"] if link["name"] == "wheel_1")
     assert wheel["shapes"]["source"] == "the collision"

@@ -13,13 +13,12 @@ pytest.importorskip("numpy")
 import numpy as np
 from PIL import Image
 
-from tests.conftest import MODELS, ROOT
+from tests.conftest import ROOT
+from tests.shipped import ARM, MISSION
 from urdfkit import render
 from urdfkit.cli import main
 from urdfkit.core.installation import install_command
 
-MODEL = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
-ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 SMALL = ["--size", "160x90", "--quality", "draft"]
 
 
@@ -27,7 +26,7 @@ def test_an_image_is_written_and_a_missing_mesh_is_named(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "robot.png"
-    assert main(["render", MODEL, "-o", str(path), *SMALL]) == 0
+    assert main(["render", MISSION, "-o", str(path), *SMALL]) == 0
     captured = capsys.readouterr()
     assert captured.out == f"wrote {path}\n"
     assert captured.err.startswith("note: drawn as a striped box: the visual mesh of 'laser_frame'")
@@ -246,7 +245,7 @@ def test_letters_without_a_font_are_reported(
 def test_layers_findings_and_several_views_can_be_combined(tmp_path: Path) -> None:
     path = tmp_path / "robot.png"
     words = ["--view", "iso,top", "--layers", "visual,collision,frames,names", "--findings"]
-    assert main(["render", MODEL, "-o", str(path), *SMALL, *words]) == 0
+    assert main(["render", MISSION, "-o", str(path), *SMALL, *words]) == 0
     with Image.open(path) as image:
         assert image.size == (160, 90)
 

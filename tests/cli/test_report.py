@@ -5,11 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.shipped import GRIPPER, MISSION
 from urdfkit.cli import main
-
-MISSION = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
-GRIPPER = str(MODELS / "good" / "gripper.urdf")
 
 
 def test_markdown_on_standard_output(capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,13 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.shipped import GRIPPER
 from urdfkit.cli import main
 
 if not hasattr(os, "mkfifo"):
     pytest.skip("needs named pipes", allow_module_level=True)
-
-GRIPPER = str(MODELS / "good" / "gripper.urdf")
 
 
 def _device(path: Path) -> None:

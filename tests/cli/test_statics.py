@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
+from tests.shipped import ARM
 from urdfkit.cli import main
 from urdfkit.core.installation import install_command
 from urdfkit.robot.samples import arm_xml
 
-ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 BASE = str(MODELS / "good" / "mobile_base" / "urdf" / "mobile_base.urdf.xacro")
 
 

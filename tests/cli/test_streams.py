@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.command_line import GOOD, UNIX
+from tests.cli.command_line import UNIX
 from tests.conftest import ROOT
+from tests.shipped import GRIPPER
 
 
 @UNIX
@@ -41,7 +42,7 @@ def test_closed_standard_streams() -> None:
             ["sh", "-c", line], check=False, cwd=ROOT, capture_output=True, timeout=60
         )
 
-    done = shell(f'"{GOOD}" >&-')
+    done = shell(f'"{GRIPPER}" >&-')
     assert (done.returncode, done.stdout) == (2, b"")
     assert done.stderr.startswith(b"error: standard output is closed")
     done = shell("- <&-")
@@ -55,7 +56,7 @@ def test_closed_standard_streams() -> None:
 def test_a_full_disk() -> None:
     with open("/dev/full", "wb") as full:
         done = subprocess.run(
-            [sys.executable, "-m", "urdfkit", "check", GOOD],
+            [sys.executable, "-m", "urdfkit", "check", GRIPPER],
             check=False,
             cwd=ROOT,
             stdout=full,

@@ -4,11 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.shipped import GRIPPER
 from urdfkit.cli import main
 from urdfkit.output.diagrams import FORMATS
-
-GRIPPER = str(MODELS / "good" / "gripper.urdf")
 
 
 @pytest.mark.parametrize("form", FORMATS)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.cli.command_line import GOOD
+from tests.shipped import GRIPPER
 from urdfkit.cli import main
 from urdfkit.core.libraries import missing_for_meshes
 from urdfkit.text.source import shown
@@ -56,7 +56,7 @@ def test_help_of_every_command(command: list[str], capsys: pytest.CaptureFixture
 
 
 def test_ignoring_an_unknown_rule_is_a_warning(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["check", GOOD, "--ignore", "QQQ,XLM001"]) == 0
+    assert main(["check", GRIPPER, "--ignore", "QQQ,XLM001"]) == 0
     assert capsys.readouterr().err.splitlines() == [
         "warning: --ignore: no rule 'QQQ'; 'urdfkit rules' lists them",
         "warning: --ignore: no rule 'XLM001'; did you mean 'XML001'?",
@@ -72,14 +72,14 @@ def test_ignoring_an_unknown_rule_is_a_warning(capsys: pytest.CaptureFixture[str
         (["check", "a", "--slect", "MSH"], "--select"),
         (["check", "a", "--fail-on", "fatal"], "'error', 'warning', 'info'"),
         (["check", "a", "--select"], "--select"),
-        (["check", GOOD, "--select", "XLM001"], "did you mean 'XML001'?"),
-        (["check", GOOD, "--target", "movit"], "did you mean 'moveit'?"),
+        (["check", GRIPPER, "--select", "XLM001"], "did you mean 'XML001'?"),
+        (["check", GRIPPER, "--target", "movit"], "did you mean 'moveit'?"),
         (["check", "no_such.urdf"], "no_such.urdf: file not found"),
         (["check", ""], "'': file not found"),
-        (["check", GOOD, "no_such.urdf"], "no_such.urdf: file not found"),
-        (["check", GOOD.replace("gripper", "griper")], "did you mean 'gripper.urdf'?"),
+        (["check", GRIPPER, "no_such.urdf"], "no_such.urdf: file not found"),
+        (["check", GRIPPER.replace("gripper", "griper")], "did you mean 'gripper.urdf'?"),
         (["check", "/no/such/directory/robot.urdf"], "no such directory '/no/such/directory'"),
-        (["check", GOOD, "--format", "json:/no/such/r.json"], "no such directory '/no/such'"),
+        (["check", GRIPPER, "--format", "json:/no/such/r.json"], "no such directory '/no/such'"),
         (["explain"], "RULE"),
         (["explain", "XML0001"], "did you mean 'XML001'?"),
         (["rules", "--format", "yaml"], "'text', 'json'"),
@@ -105,7 +105,13 @@ def test_control_characters_in_errors_are_escaped(capsys: pytest.CaptureFixture[
     ("word", "message"),
     [
         ("chekc", "unknown command 'chekc'; did you mean 'check'?"),
-        (GOOD, f"unknown command '{shown(GOOD)}'; to check that file: urdfkit check {shown(GOOD)}"),
+        (
+            GRIPPER,
+            (
+                f"unknown command '{shown(GRIPPER)}'; "
+                f"to check that file: urdfkit check {shown(GRIPPER)}"
+            ),
+        ),
         ("nothing", "unknown command 'nothing'"),
     ],
 )
@@ -120,8 +126,8 @@ def test_a_typo_in_the_name_of_a_command(
     ("words", "message"),
     [
         (["tree"], "missing argument 'FILE [NAME:=VALUE]...'"),
-        (["inertia", GOOD, "--mass", "heavy"], "invalid value for '--mass': 'heavy' is not a "),
-        (["inertia", GOOD, "--mass", "1", "--density", "1"], "--mass, --density and --material"),
+        (["inertia", GRIPPER, "--mass", "heavy"], "invalid value for '--mass': 'heavy' is not a "),
+        (["inertia", GRIPPER, "--mass", "1", "--density", "1"], "--mass, --density and --material"),
     ],
 )
 def test_usage_errors_begin_like_other_errors(
@@ -134,9 +140,9 @@ def test_usage_errors_begin_like_other_errors(
 @pytest.mark.parametrize(
     "words",
     [
-        ["bundle", GOOD],
-        ["convert", GOOD, "--to", "mjcf"],
-        ["scan", GOOD],
+        ["bundle", GRIPPER],
+        ["convert", GRIPPER, "--to", "mjcf"],
+        ["scan", GRIPPER],
         ["new", "robot", "--kind", "arm"],
     ],
 )

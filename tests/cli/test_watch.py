@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import ROOT
+from tests.xacros import HEAD
 from urdfkit.cli import main, result_cache
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="Windows sends no SIGINT to one process")
-HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 #: Seconds that a test waits for a check.
 PATIENCE = 60
 

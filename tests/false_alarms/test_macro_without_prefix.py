@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.xacros import NAMESPACE
 from urdfkit import Source, check, fix
 
 ROBOT = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -45,7 +46,6 @@ def test_who_does_not_want_to_know_of_it_hears_of_the_rest(tmp_path: Path) -> No
 MISSPELT = """<link name="tool"/>
 <joint name="t" type="fixed"><parent link="hamd"/><child link="tool"/></joint>"""
 
-NAMESPACE = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 #: Each is the cause of a child link that is not there.
 UNEXPANDED = [

@@ -3,9 +3,9 @@
 from pathlib import Path
 
 from tests.workspaces import add_file
+from tests.xacros import HEAD
 from urdfkit.lint.entry_points import DirectoryContents
 
-HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 ROOT_ROBOT = '<robot name="box"><link name="box"/></robot>\n'
 CART = """<link name="base"/><link name="wheel"/>
 <joint name="axle" type="continuous"><parent link="base"/><child link="wheel"/></joint>"""

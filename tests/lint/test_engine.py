@@ -8,6 +8,7 @@ from types import ModuleType
 import pytest
 
 from tests.workspaces import add_file
+from tests.xacros import HEAD
 from urdfkit import Source, check
 from urdfkit.errors import UnknownRule, UnreadableFile
 from urdfkit.lint import check_job, engine
@@ -22,7 +23,6 @@ from urdfkit.ros.targets import Targets, UnknownTarget
 from urdfkit.text.document import Element
 from urdfkit.xacro import recovery
 
-HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 LOOP = '<joint name="j" type="fixed"><parent link="a"/><child link="a"/></joint>'
 
 

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.lint.directories import HEAD, include, names, write
+from tests.lint.directories import include, names, write
+from tests.xacros import HEAD
 from urdfkit import check
 from urdfkit.lint.config import Config
 from urdfkit.lint.discovery import discover

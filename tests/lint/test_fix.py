@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from tests.conftest import MODELS
-from tests.fixing import FIXED_JOINT, SEVERITIES, XACRO, fix, write
+from tests.fixing import FIXED_JOINT, SEVERITIES, fix, write
 from tests.naming import naming
+from tests.xacros import NAMESPACE
 from urdfkit.errors import UnwritableFile
 from urdfkit.lint import engine, fix_checker, processes, rule_index
 from urdfkit.lint.config import Config
@@ -164,14 +165,14 @@ def test_a_comment_on_an_element_makes_no_generated_file(tmp_path: Path) -> None
 def test_ignored_files_and_those_outside_are_refused(tmp_path: Path) -> None:
     repository, outside = tmp_path / "here", tmp_path / "there"
     for directory in (repository, outside):
-        write(directory, "part.xacro", FIXED_JOINT, XACRO)
+        write(directory, "part.xacro", FIXED_JOINT, NAMESPACE)
         needs = "<depend>there</depend>"
         (directory / "package.xml").write_text(
             f"<package><name>{directory.name}</name>{needs}</package>"
         )
         subprocess.run(["git", "init", "-q", str(directory)], check=True)
     file = write(
-        repository, "r.xacro", '<xacro:include filename="$(find there)/part.xacro"/>', XACRO
+        repository, "r.xacro", '<xacro:include filename="$(find there)/part.xacro"/>', NAMESPACE
     )
     packages = {"there": str(outside)}
     fixes = fix(file, packages=packages)
@@ -255,7 +256,7 @@ PREFIX = """\
 
 def test_a_defect_that_a_fix_reveals_does_not_forbid_it(tmp_path: Path) -> None:
     """Without its prefix the macro was not called, so that nobody saw its limits."""
-    file = write(tmp_path, "r.xacro", f'{PREFIX}  <arm side="left"/>\n', XACRO)
+    file = write(tmp_path, "r.xacro", f'{PREFIX}  <arm side="left"/>\n', NAMESPACE)
     assert {one.code for one in check(file).diagnostics if one.severity is Severity.ERROR} == {
         "XAC002"
     }
@@ -291,7 +292,7 @@ def test_a_defect_that_a_fix_makes_where_all_could_be_seen_forbids_it(tmp_path: 
     """Both names would be 'left_arm'."""
     calls = '  <link name="left_arm"/>\n  <arm side="left"/>\n'
     text = PREFIX.replace('"0.5" upper="-0.5"', '"-0.5" upper="0.5"')
-    fixes = fix(write(tmp_path, "r.xacro", text + calls, XACRO), unsafe=True)
+    fixes = fix(write(tmp_path, "r.xacro", text + calls, NAMESPACE), unsafe=True)
     assert [one.code for one in fixes.applied] == []
     reasons = {left.diagnostic.code: left.reason for left in fixes.left}
     assert reasons["XAC002"] == naming("skipped", "NAM001")

@@ -12,6 +12,7 @@ pytest.importorskip("jinja2")
 
 from tests.mesh import made
 from tests.mesh.made import whole_gltf
+from tests.xacros import HEAD
 from urdfkit.lint.options import Options
 from urdfkit.mesh import samples
 from urdfkit.output.report.document import ReportInput, describe
@@ -68,9 +69,6 @@ def test_so_is_one_while_it_is_read(directory: Path, monkeypatch: pytest.MonkeyP
 
     monkeypatch.setattr(module, "describe", described)
     assert read(str(robot), Options()).files.have_changed
-
-
-HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
 
 @pytest.mark.parametrize(

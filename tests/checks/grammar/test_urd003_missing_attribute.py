@@ -4,6 +4,7 @@ import pytest
 
 from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
+from tests.xacros import NAMESPACE
 from urdfkit import check
 
 JOINT = '<link name="a"/><link name="b"/>\n<joint {}>{}</joint>'
@@ -89,9 +90,6 @@ def test_another_name_for_it_is_offered_as_the_fix() -> None:
     assert '<mesh filename="a.stl"/>' in fixed("URD003", robot)
 
 
-XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
-
-
 def test_the_place_is_the_robot() -> None:
     assert places("URD003", '<?xml version="1.0"?>\n<robot><link name="a"/></robot>') == [
         (2, "<robot>")
@@ -101,16 +99,15 @@ def test_the_place_is_the_robot() -> None:
 @pytest.mark.parametrize(
     ("robot", "count"),
     [
-        (f'<robot {XACRO}><xacro:macro name="m" params=""/></robot>', 0),
-        (f'<robot {XACRO}><link name="a"/><xacro:property name="p" value="1"/></robot>', 1),
+        (f'<robot {NAMESPACE}><xacro:macro name="m" params=""/></robot>', 0),
+        (f'<robot {NAMESPACE}><link name="a"/><xacro:property name="p" value="1"/></robot>', 1),
         ('<robot name=""><link name="a"/></robot>', 0),  # check_urdf accepts it
         ("<robot/>", 1),
     ],
 )
 def test_only_a_library_of_macros_needs_none(robot: str, count: int) -> None:
-    assert (
-        len(reported("URD003", robot, "robot.xacro" if XACRO in robot else "robot.urdf")) == count
-    )
+    name = "robot.xacro" if NAMESPACE in robot else "robot.urdf"
+    assert len(reported("URD003", robot, name)) == count
 
 
 def test_links_and_joints_without_a_name() -> None:

@@ -3,8 +3,7 @@
 import pytest
 
 from tests.reported import fixed, reported
-
-HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+from tests.xacros import HEAD
 
 
 def test_all_tags_of_a_link_go_into_one_new_block_behind_it() -> None:

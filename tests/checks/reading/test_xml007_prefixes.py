@@ -4,14 +4,13 @@ import pytest
 
 from tests.naming import naming
 from tests.reported import fixed, reported
+from tests.xacros import NAMESPACE
 from urdfkit.lint import engine
-
-XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 
 def test_every_prefix_is_reported_once_at_its_first_use() -> None:
     robot = (
-        f'<robot name="r" {XACRO}>\n  <gz:link name="b"/>\n  <gz:link name="c"/>\n'
+        f'<robot name="r" {NAMESPACE}>\n  <gz:link name="b"/>\n  <gz:link name="c"/>\n'
         '  <link name="d" drake:acceleration="1"/>\n</robot>'
     )
     found = reported("XML007", robot, "robot.xacro")
@@ -29,7 +28,7 @@ def test_the_prefix_of_xacro_is_declared_by_the_fix(name: str) -> None:
     (found,) = reported("XML007", robot, name)
     assert found.fix is not None
     assert found.fix.safe
-    assert fixed("XML007", robot, name) == robot.replace("<robot", f"<robot {XACRO}")
+    assert fixed("XML007", robot, name) == robot.replace("<robot", f"<robot {NAMESPACE}")
     assert reported("XML007", fixed("XML007", robot, name), name) == []
 
 
@@ -37,7 +36,8 @@ def test_in_an_included_file(tmp_path: Path) -> None:
     (tmp_path / "part.xacro").write_text('<robot>\n<xacro:arg name="a" default=""/></robot>')
     robot = tmp_path / "robot.xacro"
     robot.write_text(
-        f'<robot name="r" {XACRO}>\n<link name="a"/><xacro:include filename="part.xacro"/></robot>'
+        f'<robot name="r" {NAMESPACE}>\n'
+        '<link name="a"/><xacro:include filename="part.xacro"/></robot>'
     )
     (found,) = engine.check(robot, select=["XML007"]).diagnostics
     assert (Path(found.span.source.path).name, found.span.line) == ("part.xacro", 2)
@@ -45,7 +45,7 @@ def test_in_an_included_file(tmp_path: Path) -> None:
 
 
 def test_declared_further_in_is_declared() -> None:
-    robot = f'<robot name="r"><gz:a xmlns:gz="g"><gz:b/></gz:a><link name="a" {XACRO}/></robot>'
+    robot = f'<robot name="r"><gz:a xmlns:gz="g"><gz:b/></gz:a><link name="a" {NAMESPACE}/></robot>'
     assert reported("XML007", robot, "robot.xacro") == []
 
 

@@ -2,8 +2,7 @@ import pytest
 
 from tests.naming import naming
 from tests.reported import messages, places, reported
-
-XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+from tests.xacros import NAMESPACE
 
 
 def test_the_robot_is_the_place() -> None:
@@ -15,7 +14,7 @@ def test_the_robot_is_the_place() -> None:
 @pytest.mark.parametrize(
     ("robot", "path"),
     [
-        (f'<robot {XACRO}><xacro:macro name="m" params=""/></robot>', "macros.xacro"),
+        (f'<robot {NAMESPACE}><xacro:macro name="m" params=""/></robot>', "macros.xacro"),
         ('<sdf version="1.6"/>', "model.sdf"),  # URD015
         ('<robot name="r"><link/></robot>', "robot.urdf"),  # URD003
     ],

@@ -4,10 +4,10 @@ import pytest
 
 from tests.naming import naming
 from tests.reported import fixed, messages
+from tests.xacros import HEAD
 from urdfkit import check
 from urdfkit.text.source import Source
 
-HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 MACRO = (
     f'{HEAD}<xacro:property name="width" value="1"/>'
     '<xacro:macro name="m" params="p:=a *block"><link name="${p}_link"/>INSIDE</xacro:macro>'

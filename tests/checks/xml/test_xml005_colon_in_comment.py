@@ -2,11 +2,11 @@ from pathlib import Path
 
 import pytest
 
+from tests.xacros import NAMESPACE
 from urdfkit.lint import engine
 from urdfkit.text.diagnostic import Confidence, Diagnostic
 
 AMENT = "<package><name>a</name><build_type>ament_cmake</build_type></package>"
-XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 
 def reported(
@@ -49,22 +49,24 @@ def test_a_file_outside_of_packages_is_not_judged(tmp_path: Path) -> None:
 
 
 def test_a_comment_that_xacro_drops(tmp_path: Path) -> None:
-    robot = f'<robot name="r" {XACRO}>\n<!-- a: b -->\n<xacro:arg name="x" default="1"/>\n'
+    robot = f'<robot name="r" {NAMESPACE}>\n<!-- a: b -->\n<xacro:arg name="x" default="1"/>\n'
     assert reported(tmp_path, f'{robot}<link name="l$(arg x)"/></robot>', "robot.xacro") == []
 
 
 def test_a_comment_that_xacro_passes_on(tmp_path: Path) -> None:
     (tmp_path / "arm.xacro").write_text(
-        f'<robot {XACRO}><xacro:macro name="arm">\n<!-- a: b -->\n<link name="a"/>'
+        f'<robot {NAMESPACE}><xacro:macro name="arm">\n<!-- a: b -->\n<link name="a"/>'
         "</xacro:macro></robot>"
     )
-    robot = f'<robot name="r" {XACRO}><xacro:include filename="arm.xacro"/><xacro:arm/></robot>'
+    robot = f'<robot name="r" {NAMESPACE}><xacro:include filename="arm.xacro"/><xacro:arm/></robot>'
     (found,) = reported(tmp_path, robot, "robot.xacro")
     assert (Path(found.span.source.path).name, found.span.line) == ("arm.xacro", 2)
 
 
 def test_a_library_is_judged_where_it_is_used(tmp_path: Path) -> None:
-    robot = f'<robot {XACRO}><!-- a: b -->\n\n<xacro:macro name="m"><link/></xacro:macro></robot>'
+    robot = (
+        f'<robot {NAMESPACE}><!-- a: b -->\n\n<xacro:macro name="m"><link/></xacro:macro></robot>'
+    )
     assert reported(tmp_path, robot, "robot.xacro") == []
 
 

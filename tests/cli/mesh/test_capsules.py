@@ -9,14 +9,13 @@ pytest.importorskip("trimesh", reason="meshes need the extra meshes")
 
 import numpy as np
 
-from tests.conftest import MODELS
+from tests.shipped import ARM
 from urdfkit import load
 from urdfkit.cli import main
 from urdfkit.robot.link import Shape
 
 pytestmark = pytest.mark.usefixtures("rough_meshes")
 
-ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 #: A capsule and a sphere, which are exact, and a box.
 ROBOT = """<robot name="r" version="1.1"><link name="base">
 <collision><origin xyz="0 0 1" rpy="0 1.5707963 0"/><geometry><capsule radius="0.1" length="0.4"/>

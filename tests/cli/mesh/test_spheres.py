@@ -8,13 +8,12 @@ import yaml
 
 pytest.importorskip("trimesh", reason="meshes need the extra meshes")
 
-from tests.conftest import MODELS
+from tests.shipped import ARM
 from urdfkit import load
 from urdfkit.cli import main
 
 pytestmark = pytest.mark.usefixtures("rough_meshes")
 
-ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 BALLS = """<robot name="balls"><link name="base"><collision><origin xyz="0 0 1"/><geometry>
 <sphere radius="0.1"/></geometry></collision></link>
 <link name="arm"><collision><geometry><box size="0.02 0.02 0.02"/></geometry></collision></link>

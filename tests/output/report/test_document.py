@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import ARM, MODELS
+from tests.conftest import ARM
+from tests.shipped import GRIPPER, MISSION
 from urdfkit.errors import UnreadableFile, UnreadableRobot, UrdfkitError
 from urdfkit.lint.engine import check
 from urdfkit.lint.loading import read
@@ -16,9 +17,6 @@ from urdfkit.output.report.document import describe
 from urdfkit.output.report.findings import excerpt
 from urdfkit.output.report.writing import form_of, report
 from urdfkit.text.source import Source, Span
-
-MISSION = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
-GRIPPER = str(MODELS / "good" / "gripper.urdf")
 
 
 def test_a_robot_as_a_whole() -> None:

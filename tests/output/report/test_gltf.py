@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.conftest import MODELS
+from tests.shipped import ARM, MISSION
 from urdfkit.lint.loading import read
 
 np = pytest.importorskip("numpy")
@@ -18,8 +18,6 @@ from PIL import Image
 from urdfkit.output.report import gltf, scene
 from urdfkit.render import scene as pictured
 
-MISSION = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
-ARM = str(MODELS / "good" / "two_link_arm" / "urdf" / "two_link_arm.urdf")
 KINDS = {5120: "i1", 5121: "u1", 5123: "u2", 5125: "u4", 5126: "f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 

@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import ARM, MODELS, ROOT
+from tests.conftest import ARM, ROOT
+from tests.shipped import MISSION
 from urdfkit.core.installation import install_command
 from urdfkit.errors import Unavailable, UrdfkitError
 from urdfkit.lint import rule_index
@@ -25,7 +26,6 @@ for module in ("jinja2", "numpy", "trimesh"):
     pytest.importorskip(module)
 
 pytestmark = pytest.mark.usefixtures("small_pictures")
-MISSION = str(MODELS / "gazebo_pkg" / "urdf" / "waking_robot_new.xacro")
 TEMPLATES = Path(html.__file__).parent / "templates"
 VOID = {"meta", "link", "br", "img", "input", "wbr"}
 

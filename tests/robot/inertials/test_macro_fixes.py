@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
+from tests.xacros import HEAD
 from urdfkit.lint.fix import fix
 from urdfkit.lint.fix_session import Fixes
 from urdfkit.lint.loading import load
 
-HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 MACRO = """\
   <xacro:macro name="inertial" params="mass">
     <!-- a guess -->

@@ -11,11 +11,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.conftest import CORPUS, MODELS, needs_corpus
+from tests.xacros import NAMESPACE
 from urdfkit.errors import UnreadableRobot, UrdfkitError
 from urdfkit.text.editing.formatter import formatted
 from urdfkit.text.source import Source
-
-XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 
 def laid_out(text: str, width: int = 100) -> str:
@@ -24,7 +23,7 @@ def laid_out(text: str, width: int = 100) -> str:
 
 def inside(text: str, width: int = 100) -> str:
     """The layout of the inside of a robot, without the indentation that it has there."""
-    lines = laid_out(f'<robot name="r" {XACRO}>\n{text}\n</robot>', width).splitlines()
+    lines = laid_out(f'<robot name="r" {NAMESPACE}>\n{text}\n</robot>', width).splitlines()
     return "\n".join(line.removeprefix("  ") for line in lines[1:-1])
 
 
@@ -220,7 +219,7 @@ _trees = st.recursive(
 
 @given(st.lists(st.tuples(_blanks, _trees), max_size=4), st.integers(20, 120))
 def test_twice_is_once_and_means_the_same(parts: list[tuple[str, str]], width: int) -> None:
-    text = f'<robot name="r" {XACRO}>{"".join(a + b for a, b in parts)}</robot>'
+    text = f'<robot name="r" {NAMESPACE}>{"".join(a + b for a, b in parts)}</robot>'
     once = laid_out(text, width)
     assert laid_out(once, width) == once
     assert elements(once) == elements(text)
