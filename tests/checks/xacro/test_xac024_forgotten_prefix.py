@@ -250,3 +250,39 @@ def test_a_value_that_removes_nothing_is_tried_once(monkeypatch: pytest.MonkeyPa
     for mass in ("1", "2"):
         assert list(forgotten_conditions(Context(source, resolver, {"mass": mass}))) == []
     assert expanded == [{"mass": "1", "with": "false"}, {"mass": "1", "sim": "false"}]
+
+
+@pytest.mark.parametrize(
+    ("parent", "child", "expected"),
+    [
+        (f"{P}base", f"{P}tip", None),
+        ("base", f"{P}tip", ("base", f"{P}base")),
+        (f"{P}base", "tip", ("tip", f"{P}tip")),
+        (f"{P}base", "hook", None),  # it may be in the package that is not found
+    ],
+)
+def test_a_robot_without_a_package(
+    tmp_path: Path, parent: str, child: str, expected: tuple[str, str] | None
+) -> None:
+    """Robotnik's RBCAR: its sensors are in another repository, so that REF001 is skipped."""
+    robot = tmp_path / "r.urdf.xacro"
+    robot.write_text(
+        xacro_xml(
+            '<xacro:arg name="prefix" default="robot_"/>',
+            '<xacro:include filename="$(find sensors)/laser.xacro"/>',
+            f'<link name="{P}base"/><link name="{P}tip"/>',
+            f'<joint name="j" type="fixed"><parent link="{parent}"/>',
+            f'<child link="{child}"/></joint>',
+        )
+    )
+    report = check(robot, select=["XAC024"])
+    assert report.crashed == ()
+    own = (one for one in report.diagnostics if one.code == "XAC024")
+    found = [(one.message, one.help, one.span.text) for one in own]
+    if expected is None:
+        assert found == []
+    else:
+        name, written = expected
+        assert found == [
+            (naming("j", name, f"robot_{name}", "prefix", "robot_"), f"write {written}", name)
+        ]

@@ -5,6 +5,9 @@ The robot is right while the prefix is empty, and breaks with any other prefix: 
 expands the robot once more with a value for each empty argument, independent of its name. Write
 `${prefix}` or `$(arg prefix)` in the reference, too.
 
+If a package of the robot is not found, a link is also reported that a joint names without a prefix
+that is not empty.
+
 A macro that calls a link `${name}_link` and its parent joint's child `lidar_link` is right for one
 value of its parameter only: a second call, or another name, breaks it.
 
@@ -20,6 +23,7 @@ Sources:
 
 import re
 from collections.abc import Iterator
+from itertools import product
 
 from urdfkit.lint.empty_arguments import empty_arguments
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
@@ -48,6 +52,8 @@ _NAMING = ("frame", "link", "joint", "body")
 @rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL))
 def check(context: Context) -> Findings:
     yield from _names_without_parameter(context.document.root)
+    if context.part is not None:
+        yield from _names_without_value(context)
     if context.is_part or not context.xacro.defaults:
         return
     from urdfkit.checks.xacro.forgotten_condition import forgotten_conditions  # needs arguments
@@ -105,6 +111,28 @@ def _names_without_parameter(root: Element) -> Findings:
                 f"write {written.text}",
                 related=(Related(written, "it is defined here"),),
             )
+
+
+def _names_without_value(context: Context) -> Findings:
+    """Links that joints name without an argument that is not empty; REF001 needs all packages."""
+    links = context.model.links_by_name
+    given = {**context.xacro.defaults, **context.arguments}
+    values = {argument: value for argument, value in given.items() if value.strip()}
+    for joint in context.model.joints:
+        ends = [end for end in (joint.parent, joint.child) if end and end.value not in links]
+        for end, (argument, value) in product(ends, values.items()):
+            defined = links.get(f"{value}{end.value}")
+            name = defined.at.attributes["name"] if defined else None
+            if name and not name.literal:
+                frame = joint.at.frame
+                span = _written(end.value, end.at.span, frame) or end.at.span
+                yield Finding(
+                    Location(span, frame),
+                    f"joint '{joint.name}': '{end.value}' is called '{name.value}', because "
+                    f"{argument} is '{value}'",
+                    f"write {_expression(argument, span.source)}{span.text}",
+                    related=(Related(name.span, "it is defined here"),),
+                )
 
 
 def _has_parameter(written: str, frame: CallFrame) -> bool:
