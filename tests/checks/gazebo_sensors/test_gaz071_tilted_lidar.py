@@ -67,6 +67,16 @@ def test_wheels_of_a_drive_may_have_any_name() -> None:
     assert len(messages("GAZ071", tilted + DRIVE)) == 1
 
 
+@pytest.mark.parametrize(("feet", "count"), [(4, 1), (2, 0)])
+def test_a_quadruped_carries_it_level(feet: int, count: int) -> None:
+    """Mangdang's Mini Pupper; a humanoid may look at the floor."""
+    tilted = robot(rpy="0 1.5708 0").replace("left_wheel", "foot0")
+    for number in range(1, feet):
+        tilted += f'<link name="foot{number}"/><joint name="f{number}" type="fixed">'
+        tilted += f'<parent link="base"/><child link="foot{number}"/></joint>'
+    assert messages("GAZ071", tilted) == [naming("s", "upright")] * count
+
+
 @pytest.mark.parametrize(
     "changed",
     [

@@ -1,4 +1,4 @@
-"""A planar lidar on a robot with wheels does not scan level.
+"""A planar lidar on a robot with wheels or four feet does not scan level.
 
 The beams of a planar lidar are in the plane perpendicular to z of its frame. If that frame is
 pitched, the scan hits the floor in front of the robot, which looks like a wall, and measures other
@@ -29,6 +29,8 @@ from urdfkit.ros.gazebo.views import frame_of, planar_scan, tilt
 
 #: Radians: lidars are adjusted by less than the first; upright or upside down within the second.
 MAX_ADJUSTMENT, TOLERANCE = 0.06, 0.06
+#: Least number of feet of a robot that walks level, unlike a humanoid.
+_FEET = 4
 
 BAD = robot_xml(
     solid_xml("base"),
@@ -43,7 +45,7 @@ GOOD = BAD.replace("0 0.3 0", "0 0 0.3")
 
 @rule(Severity.WARNING, help="level the <origin> of its joint, or the <pose> of the sensor")
 def check(context: Context) -> Findings:
-    if not context.tree.is_sound or not _rolls(context):
+    if not context.tree.is_sound or not _moves_level(context):
         return
     fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
     for sensor in sensors(context.model):
@@ -52,15 +54,16 @@ def check(context: Context) -> Findings:
             yield _finding(sensor, frame)
 
 
-def _rolls(context: Context) -> bool:
-    """True for a robot with wheels that is not fixed to the world."""
+def _moves_level(context: Context) -> bool:
+    """True for a robot with wheels or four feet that is not fixed to the world."""
     if rigid_bodies(context.tree)[0].is_ground:
         return False
     wheels = (
         joint.kind == "continuous" and "wheel" in joint.child_name.lower()
         for joint in context.model.joints
     )
-    return any(wheels) or any(map(drive_of, context.plugins))
+    feet = sum("foot" in link.name.lower() for link in context.model.links)
+    return feet >= _FEET or any(wheels) or any(map(drive_of, context.plugins))
 
 
 def _finding(sensor: Sensor, frame: Transform) -> Finding:
