@@ -211,3 +211,20 @@ def test_wheels_with_meshes(tmp_path: Path, left: float, right: float, found: st
     files = {"tyre.stl": TYRE}
     reports = meshed.reported(tmp_path, "TRE008", with_meshes(left, right), files)
     assert [one.message for one in reports] == ([found] if found else [])
+
+
+@pytest.mark.parametrize(("wheels", "count"), [(4, 1), (3, 0)])
+def test_four_wheels_above_the_ground(wheels: int, count: int) -> None:
+    """Robotnik's RBCAR, whose visuals without a collision carry nothing."""
+    text = SEEN + '<link name="base_footprint"/>' + LINK.format("base", "0 0 1", "0 0 0", BOX)
+    text += JOINT.format("base_footprint", "0 0 1", "0 0 0", "base")
+    text += JOINT.format("base", "0 0 5", "0 0 0", "wheel")
+    wheel = '<cylinder radius="0.3" length="0.1"/>'
+    for number in range(wheels):
+        text += LINK.format(f"w{number}", "0 0 0", f"{pi / 2} 0 0", wheel)
+        text += (
+            f'<joint name="w{number}_joint" type="continuous"><origin xyz="{number} 0 -1.2"/>'
+            f'<parent link="base"/><child link="w{number}"/><axis xyz="0 1 0"/></joint>\n'
+        )
+    lifted = text.replace('xyz="0 0 1"', 'xyz="0 0 1.7"')
+    assert len(messages("TRE008", lifted)) == count

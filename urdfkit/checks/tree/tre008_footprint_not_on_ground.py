@@ -50,6 +50,9 @@ _MIN_HANGING = 0.02
 #: In m: a robot that has to be raised by more has a wrong size, not a wrong height.
 _MAX_RISE = 2.0
 
+#: Wheels at one height of a robot that stands on no other link.
+_STANDING_WHEELS = 4
+
 #: Number of footprints of one model that are checked.
 MAX_FOOTPRINTS = 10
 
@@ -71,10 +74,10 @@ def check(context: Context) -> Findings:
         robot = tree.below(name) if tree.children[name] else list(tree.frames)
         if joints and (lowest := _lowest(context, name, robot)):
             height, link, is_known = lowest
-            if height > 0 and context.part is not None:
+            gaps = _gaps(context, name, robot, height)
+            if height > 0 and context.part is not None and not _are_four_level(gaps):
                 continue  # the wheels may be in a package that is not found
             side = "below" if height < 0 else "above"
-            gaps = _gaps(context, name, robot, height)
             lifted_wheels = _lifted_wheels(gaps, link)
             standing = _standing_wheels(gaps, link, height)
             rise = round(-height, 4)
@@ -135,7 +138,7 @@ def _lowest(context: Context, footprint: str, robot: list[str]) -> tuple[float, 
 
     None if the lowest point may be on the ground, or is on a leg or arm: all joints are at zero,
     which is not the pose in which such a robot stands. Links with a visual but without collision,
-    and meshes that cannot be measured, may extend lower.
+    and meshes that cannot be measured, may extend lower, unless there are four wheels.
     """
     heights, unknown = _heights(context, footprint, robot)
     lowest = min(heights, default=(0.0, ""))
@@ -143,8 +146,15 @@ def _lowest(context: Context, footprint: str, robot: list[str]) -> tuple[float, 
         return None
     bodies = context.model.links_by_name[lowest[1]].collisions
     allowed = _MESH_TOLERANCE if any(body.is_mesh for body in bodies) else TOLERANCE
-    is_above = lowest[0] > allowed and not unknown
+    is_above = lowest[0] > allowed
+    if is_above and unknown:
+        is_above = _are_four_level(_gaps(context, footprint, robot, lowest[0]))
     return (*lowest, not unknown) if is_above or lowest[0] < -allowed else None
+
+
+def _are_four_level(gaps: dict[str, float]) -> bool:
+    """True for four or more wheels on which a robot stands, whatever else it has."""
+    return sum(gap < TOLERANCE for gap in gaps.values()) >= _STANDING_WHEELS
 
 
 def _heights(
