@@ -29,6 +29,8 @@ from urdfkit.robot.symmetry import joint_pairs, numbered_pairs, on_separate_bran
         ("lr_wheel", "rr_wheel"),
         ("fl.hx", "fr.hx"),
         ("front_left_wheel", "front_right_wheel"),
+        ("lf1_lf2", "rf1_rf2"),
+        ("left_arm_left_hand", "right_arm_right_hand"),
     ],
 )
 def test_a_pair(left: str, right: str) -> None:

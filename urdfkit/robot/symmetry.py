@@ -62,8 +62,12 @@ def _is_side(word: str) -> bool:
 
 @lru_cache(maxsize=4096)
 def _right_names(name: str) -> tuple[str, ...]:
-    """The name with one of its words for left replaced by right, the last word first."""
+    """The name with one of its words for left replaced by right, the last word first.
+
+    Then with all of them: ``lf1_lf2`` is the counterpart of ``rf1_rf2``.
+    """
     names: list[str] = []
+    every = name
     for match in reversed(list(re.finditer(_WORD, name))):
         word = match.group()
         right = _RIGHT_OF.get(word.lower())
@@ -76,7 +80,8 @@ def _right_names(name: str) -> tuple[str, ...]:
         elif word[0].isupper():
             right = right.capitalize()
         names.append(name[: match.start()] + right + name[match.end() :])
-    return tuple(names)
+        every = every[: match.start()] + right + every[match.end() :]
+    return tuple(names) if len(names) < 2 else (*names, every)
 
 
 def has_one_side(name: str) -> bool:

@@ -514,3 +514,48 @@ def test_the_last_joint_hangs_on_the_other_side() -> None:
     fingers = feet("left_ankle_link", '<origin xyz="0 0 0.1"/><axis xyz="1 0 0"/>')
     assert messages("JNT025", fingers) == []
     assert messages("JNT025", feet("left_ankle_link", '<axis xyz="-1 0 0"/>')) == []
+
+
+#: A leg of the Mini Pupper: hip, knee and foot, with a mesh for each side.
+LEG = """\
+<joint name="base_{0}1" type="revolute"><parent link="base"/><child link="{0}1"/>
+<origin xyz="{1} {2}0.02 0"/><axis xyz="1 0 0"/><limit {3} effort="20" velocity="1"/></joint>
+<joint name="{0}1_{0}2" type="revolute"><parent link="{0}1"/><child link="{0}2"/>
+<origin xyz="0 {2}0.005 -0.05"/><axis xyz="0 1 0"/>
+<limit lower="-2" upper="-0.2" effort="20" velocity="1"/></joint>
+<joint name="{0}2_foot" type="fixed"><parent link="{0}2"/><child link="{0}foot"/>
+<origin xyz="0 0 -0.056"/></joint>
+<link name="{0}1"/><link name="{0}2"><visual><geometry><mesh filename="{0}2.stl"/></geometry>
+</visual></link><link name="{0}foot"/>
+"""
+OUTWARDS = {"": 'lower="-0.5" upper="0.4"', "-": 'lower="-0.4" upper="0.5"'}
+
+
+def quadruped() -> str:
+    legs = {"lf": ("0.1", ""), "rf": ("0.1", "-"), "rb": ("-0.1", "-"), "lb": ("-0.1", "")}
+    return '<link name="base"/>' + "".join(
+        LEG.format(leg, x, side, OUTWARDS[side]) for leg, (x, side) in legs.items()
+    )
+
+
+@pytest.mark.parametrize(
+    ("after", "old", "new", "expected"),
+    [
+        (
+            "base_rb1",
+            OUTWARDS["-"],
+            OUTWARDS[""],
+            naming("base_rb1", "base_lb1", "[-0.4, 0.5] rad"),
+        ),
+        ("rb1_rb2", "0 -0.005 ", "0 0.005 ", naming("rb1_rb2", "0.01 m", "left", "lb1_lb2")),
+        ("rf1_rf2", 'effort="20"', 'effort="2"', naming("rf1_rf2", "lf1_lf2", "2", "20 N·m")),
+        ("rf1_rf2", "0 1 0", "0 -1 0", naming("rf1_rf2", "lf1_lf2", "[0.2, 2] rad")),
+        ("lb2_foot", "-0.056", "-0.065", naming("lb2_foot", "0.009 m", "down", "rb2_foot")),
+        ("lb1_lb2", 'link="lb1"', 'link="lf1"', naming("lb1_lb2", "lf1", "rb1_rb2", "rb1")),
+    ],
+)
+def test_one_leg_of_four(after: str, old: str, new: str, expected: str) -> None:
+    """Mangdang's Mini Pupper: each joint has the side twice in its name."""
+    assert messages("JNT025", quadruped()) == []
+    before, name, leg = quadruped().partition(f'name="{after}"')
+    assert messages("JNT025", before + name + leg.replace(old, new, 1)) == [expected]

@@ -11,12 +11,15 @@ by mirrored positions on one link, and are on different branches.
   opposite limits.
   A fixed joint with limits is reported if its counterpart moves and no other pair is so.
 - Parent: if both upper arms are children of the left shoulder, and the right one has no child, the
-  right arm was copied. So was the left sole if both soles are children of the right foot.
+  right arm was copied. So was the left sole if both soles are children of the right foot. A
+  left rear shank on the left front thigh is reported, too, if its counterpart is on the right rear
+  thigh, and the left rear thigh has no shank.
 - Origin: counterparts on one link differ in the sign of one coordinate. If they are at the same
   place, or one is further forward or higher, a sign is missing: the robot stands on three wheels.
   The other joints on that link show which counterpart is misplaced, otherwise left is +y. In the
   zero pose, a pair is reported as well if it is the only one of several pairs that is not a mirror
-  image.
+  image, also one that is fixed to movable counterparts, such as a foot. Of four casters, the one
+  that is not at the height or distance of the other three is.
 - Axis: if the left hip turns about x, so does the right one, in either direction. Rotary joints are
   compared if their frames are mirror images in the plane y = 0 of the root, or x = 0.
 
@@ -29,7 +32,12 @@ Sources:
 from collections.abc import Iterator, Mapping
 from math import isclose, pi
 
-from urdfkit.checks.joints.mirrored import misplaced, on_one_side, on_the_other_side
+from urdfkit.checks.joints.mirrored import (
+    misplaced,
+    on_another_branch,
+    on_one_side,
+    on_the_other_side,
+)
 from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate, rotation_about
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
@@ -93,6 +101,15 @@ def check(context: Context) -> Findings:
             wrong.at.child_or_self("parent"),
             f"joint '{wrong.name}' has the same parent '{wrong.parent_name}' as its counterpart "
             f"'{correct.name}', {reason}",
+            f"name '{parent}' as its parent",
+            related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
+            confidence=Confidence.INFERRED,
+        )
+    for correct, wrong, parent in on_another_branch(context):
+        yield Finding(
+            wrong.at.child_or_self("parent"),
+            f"joint '{wrong.name}' has the parent '{wrong.parent_name}', its counterpart "
+            f"'{correct.name}' has '{correct.parent_name}'",
             f"name '{parent}' as its parent",
             related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
             confidence=Confidence.INFERRED,
@@ -236,7 +253,8 @@ def _ranges(context: Context) -> Findings:
         right.limit.at,
         f"joint '{right.name}': the mirror image of the limits of its counterpart '{left.name}' is "
         f"[{lower:g}, {upper:g}] {right.unit} about this axis",
-        f'write lower="{lower:g}" upper="{upper:g}", or correct those of the counterpart',
+        f'write lower="{lower:g}" upper="{upper:g}", correct those of the counterpart, or invert '
+        "the axis of one",
         related=(Related(left.limit.at.span, "limits of the counterpart"),),
         confidence=Confidence.INFERRED,
     )

@@ -14,7 +14,7 @@ from urdfkit.checks.joints.mirrored_siblings import (
 )
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import Vector, dot, minus
+from urdfkit.core.spatial import Vector, dot, minus, vector
 from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
 from urdfkit.robot.joint import Joint
@@ -62,16 +62,37 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
         yield correct, wrong, places
     for correct, wrong, *_ in on_the_other_side(context):
         reported |= {correct.name, wrong.name}
+    for correct, wrong, _ in on_another_branch(context):
+        reported |= {correct.name, wrong.name}
     joints = by_key((joint.parent_name, joint) for joint in context.model.joints)
-    for pair in _asymmetric(list(_pairs(context)), context, joints):
+    movable = list(_pairs(context, context.symmetric_joints))
+    fixed = list(_pairs(context, _fixed_joints(context)))
+    asymmetric = _asymmetric(movable, movable, context, joints)
+    for pair in (*asymmetric, *_asymmetric(fixed, movable, context, joints)):
         if pair.right.name in reported:
             continue
-        if is_left_misplaced(context.model, pair.left, pair.right):
+        if is_left_misplaced(context.model, pair.left, pair.right) or _is_left_alone(pair, fixed):
             x, y, z = pair.offset
             swapped = _Pair(pair.right, pair.left, (-x, y, -z))
             yield swapped.left, swapped.right, _shift(swapped)
         else:
             yield pair.left, pair.right, _shift(pair)
+
+
+def _is_left_alone(pair: _Pair, counterparts: list[_Pair]) -> bool:
+    """True if another pair has the origin of the right joint, and none that of the left one."""
+    others = [
+        joint for other in counterparts if other != pair for joint in (other.left, other.right)
+    ]
+    left, right = (
+        any(_size(joint) == _size(other) for other in others) for joint in (pair.left, pair.right)
+    )
+    return right and not left
+
+
+def _size(joint: Joint) -> Vector:
+    """The coordinates of the origin without their signs."""
+    return vector(round(abs(part), 4) for part in joint.origin.position)
 
 
 def on_the_other_side(context: Context) -> Iterator[tuple[Joint, Joint, str, str]]:
@@ -127,9 +148,45 @@ def on_one_side(context: Context) -> Iterator[tuple[Joint, Joint, str, str]]:
             yield above[correct], above[wrong], opposite, reason
 
 
-def _pairs(context: Context) -> Iterator[_Pair]:
+def on_another_branch(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
+    """Counterparts on links that are no counterparts: correct and wrong joint, and its parent.
+
+    The parent of the wrong joint has a movable joint with a counterpart on its own counterpart; the
+    link that should be the parent has none.
+    """
+    above = {joint.child_name: joint for joint in context.model.joints}
+    links = pairs(above)
+    other = {a: b for left, right in links for a, b in ((left, right), (right, left))}
+    parents = {child: joint.parent_name for child, joint in above.items()}
+    movable = {joint.parent_name for joint in context.model.joints if joint.is_single_dof}
+    matched = {
+        parents[child]
+        for child, counterpart in other.items()
+        if above[child].is_single_dof and other.get(parents[child]) == parents[counterpart]
+    }
+    for child, counterpart in other.items():
+        parent, link = parents[child], other.get(parents[counterpart])
+        is_elsewhere = parent in matched and parent != parents[counterpart]
+        if link and link not in movable and is_elsewhere and above[child].is_single_dof:
+            yield above[counterpart], above[child], link
+
+
+def _fixed_joints(context: Context) -> list[tuple[Joint, Joint]]:
+    """Counterparts that are fixed to movable counterparts, such as feet to shanks."""
+    fixed = {joint.name: joint for joint in context.model.joints if joint.kind == "fixed"}
+    movable = {(left.child_name, right.child_name) for left, right in context.symmetric_joints}
+    return [
+        (fixed[left], fixed[right])
+        for left, right in pairs(fixed)
+        if (fixed[left].parent_name, fixed[right].parent_name) in movable
+    ]
+
+
+def _pairs(context: Context, counterparts: list[tuple[Joint, Joint]]) -> Iterator[_Pair]:
     frames = context.tree.frames
-    for left, right in context.symmetric_joints:
+    if len(context.tree.roots) != 1:
+        return  # TRE002 comes first
+    for left, right in counterparts:
         left_frame, right_frame = (frames.get(joint.child_name) for joint in (left, right))
         if left_frame and right_frame:
             (x, y, z), (a, b, c) = left_frame.position, right_frame.position
@@ -138,10 +195,18 @@ def _pairs(context: Context) -> Iterator[_Pair]:
 
 
 def _asymmetric(
-    counterparts: list[_Pair], context: Context, joints: Mapping[str, list[Joint]]
+    counterparts: list[_Pair],
+    movable: list[_Pair],
+    context: Context,
+    joints: Mapping[str, list[Joint]],
 ) -> list[_Pair]:
-    """The pairs that are not mirror images although their parents are."""
-    known = {pair.right.child_name: pair.distance for pair in counterparts}
+    """The pairs that are not mirror images although their parents are.
+
+    Args:
+        movable: the movable counterparts, with which fixed ones are compared.
+    """
+    known = {pair.right.child_name: pair.distance for pair in movable}
+    all_pairs = list(dict.fromkeys((*counterparts, *movable)))
     # A joint may be anywhere along its axis, if the joint below it makes up for that.
     compensated = {p.right.parent_name for p in counterparts if p.distance <= _ASYMMETRY}
     asymmetric = []
@@ -150,8 +215,8 @@ def _asymmetric(
         above = 0.0 if is_shared else known.get(pair.right.parent_name, 0.0)
         if pair.distance > _ASYMMETRY >= above and pair.right.child_name not in compensated:
             asymmetric.append(pair)
-    exact = sum(pair.distance <= TOLERANCE for pair in counterparts)
-    others = [pair.distance for pair in counterparts if pair.distance <= _ASYMMETRY]
+    exact = sum(pair.distance <= TOLERANCE for pair in all_pairs)
+    others = [pair.distance for pair in all_pairs if pair.distance <= _ASYMMETRY]
     is_single = len(asymmetric) == 1 and asymmetric[0].distance >= _MIN_RATIO * max(
         others, default=0
     )
@@ -162,7 +227,9 @@ def _asymmetric(
     return [
         pair
         for pair in asymmetric
-        if _is_shifted_along_one_axis(pair) or (exact and _has_copied_offset(pair, context, joints))
+        if _is_shifted_along_one_axis(pair)
+        or (exact and _has_copied_offset(pair, context, joints))
+        or (is_single and exact > _SYMMETRIC_PAIRS and _has_copied_origin(pair, context))
     ]
 
 
@@ -188,6 +255,16 @@ def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[
     # Another link has the place of the mirror image: only the names are not mirrored.
     image = mirror_image(place)
     return not any(frame and is_equal(frame.position, image) for frame in siblings)
+
+
+def _has_copied_origin(pair: _Pair, context: Context) -> bool:
+    """True for counterparts with the same origin to one side, and a mesh for each side."""
+    left, right = pair.left, pair.right
+    place = left.origin.position
+    links = (context.model.links_by_name.get(joint.child_name) for joint in (left, right))
+    files = [body.file.value for link in links if link for body in link.visuals if body.file]
+    is_copied = abs(place[1]) >= TOLERANCE and is_equal(place, right.origin.position)
+    return is_copied and is_equally_turned(left, right) and len(files) == 2 and bool(pairs(files))
 
 
 def _is_turned_copy(pair: _Pair, context: Context) -> bool:
