@@ -162,6 +162,17 @@ def test_thrusters_are_no_wheels() -> None:
     assert messages("TRE008", car(0.4, 0.05).replace("_joint", "_thruster_joint")) == []
 
 
+def test_legs_that_turn_without_limits(tmp_path: Path) -> None:
+    """A quadruped whose hips are continuous: what stands is a foot, a child of such a hip."""
+    pytest.importorskip("numpy")
+    text = car(0.4, 0.35) + LINK.format("foot", "0 0 0", "0 0 0", '<mesh filename="tyre.stl"/>')
+    leg = text + JOINT.format("left", "0 0 -0.3", "0 0 0", "foot")
+    body = text + JOINT.format("base", "0 0.2 0.1", "0 0 0", "foot")
+    files = {"tyre.stl": TYRE}
+    assert meshed.reported(tmp_path, "TRE008", leg, files) == []
+    assert len(meshed.reported(tmp_path, "TRE008", body, files)) == 1
+
+
 def test_the_fingers_of_a_robot_on_other_wheels() -> None:
     """Seed Noid: its wheels are revolute, and the fingers of both hands turn without limits."""
     text = car(0.4, 0.05)

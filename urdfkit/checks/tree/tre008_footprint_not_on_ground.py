@@ -195,6 +195,8 @@ def _hanging_wheels(
     is_standing = is_on_ground and standing not in limbs
     if not is_standing or standing in gaps or len(gaps) < 2:
         return None
+    if any(standing in context.tree.below(name) for name in gaps):
+        return None  # feet, whose legs turn without limits
     is_level = max(gaps.values()) - least < TOLERANCE
     is_hanging = least > max(TOLERANCE, least_gap)
     return (least, sorted(gaps), standing) if is_level and is_hanging else None
