@@ -6,9 +6,11 @@ import pytest
 
 from tests.checks.worlds.started import (
     INCLUDE,
+    findings,
     messages,
     only_finding,
 )
+from urdfkit import Severity
 
 CODE = "WLD007"
 SPAWN = '\nNode(package="ros_gz_sim", executable="create", arguments=["-topic", "r", {}])\n'
@@ -31,5 +33,6 @@ def test_topics_of_another_world(tmp_path: Path, name: str, count: int) -> None:
     bridge = (
         f'\nNode(package="ros_gz_bridge", executable="parameter_bridge", arguments=["{topic}"])'
     )
-    found = messages(tmp_path, CODE, world="", launch=INCLUDE + bridge)
-    assert ["'empty', but world 'hall'" in each for each in found] == [True] * count
+    found = findings(tmp_path, CODE, world="", launch=INCLUDE + bridge)
+    assert ["'empty', but world 'hall'" in each.message for each in found] == [True] * count
+    assert [each.severity for each in found] == [Severity.WARNING] * count  # another may be given

@@ -2,7 +2,8 @@
 
 - The node that spawns the robot names another world: it waits for the service of that world for
   ever.
-- The bridge forwards a topic of another world, on which nothing is published.
+- The bridge forwards a topic of another world, on which nothing is published (warning: it may be
+  that of another world file, which an argument of the launch file selects).
 
 Sources:
     ros_gz_sim, create.cpp: https://github.com/gazebosim/ros_gz/blob/ros2/ros_gz_sim/src/create.cpp
@@ -64,4 +65,5 @@ def _other_worlds(context: Context, opened: OpenedWorld) -> Findings:
                     f"the bridge has '{topic.topic}' of world '{match.group(1)}', but world "
                     f"'{opened.name}' is started",
                     f"write /world/{opened.name}{topic.topic[match.end(1) :]}",
+                    severity=Severity.WARNING,
                 )
