@@ -279,6 +279,32 @@ def test_relative_topics_of_a_costmap(tmp_path: Path, yaml: str, severity: str) 
     assert [one.severity.value for one in found] == [severity] * bool(severity)
 
 
+NAV2_OF_A_ROBOT = """\
+from ament_index_python.packages import get_package_share_directory
+from launch.actions import IncludeLaunchDescription
+
+nav2 = IncludeLaunchDescription(
+    get_package_share_directory("nav2_bringup") + "/launch/bringup_launch.py",
+    launch_arguments={{
+        "namespace": "{}",
+        "use_namespace": "true",
+        "params_file": get_package_share_directory("arm") + "/a.yaml",
+    }}.items(),
+)
+"""
+
+
+@pytest.mark.parametrize(("namespace", "topic"), [("a200", "/a200/scan"), ("", "/scan")])
+def test_a_relative_topic_in_the_namespace_of_nav2(
+    tmp_path: Path, namespace: str, topic: str
+) -> None:
+    """multi_robot_ros2: /scan is that of no robot."""
+    text = NAV2_OF_A_ROBOT.format(namespace)
+    files = {"a.yaml": RELATIVE + JAZZY}
+    (found,) = reported(tmp_path / "arm", "LAU026", "a.launch.py", text, files)
+    assert found.help == f"write {topic}"
+
+
 def test_a_relative_topic_that_another_launch_file_remaps(tmp_path: Path) -> None:
     text = PROGRAM.format(CONTROLLER, '"controller_server"')
     files = {

@@ -116,13 +116,25 @@ def relative_topics(context: Context, sections: list[NodeParameters]) -> Finding
             name = f"{node.name}/{topic.text}"
             if name not in reported and not _is_renamed(topic.text, context):
                 reported.add(name)
+                root = _namespace(node, context)
                 yield Finding(
                     topic.span,
-                    f"'{node.name}' reads '/{node.name}/{topic.text}', as up to Jazzy a relative "
-                    "topic is in its namespace",
-                    f"write /{topic.text}",
+                    f"'{node.name}' reads '{root}{name}', as up to Jazzy a relative topic is in "
+                    "its namespace",
+                    f"write {root}{topic.text}",
                     severity=Severity.WARNING if is_old else Severity.INFO,
                 )
+
+
+def _namespace(node: NodeParameters, context: Context) -> str:
+    """The namespace that a launch file passes to that of Nav2 with the parameters of a costmap."""
+    for file in context.launch.includes:
+        words = dict(file.arguments or {})
+        if any(word.text == node.at.source.path for word in words.values()):
+            namespace = words.get("namespace")
+            name = namespace.name if namespace and namespace.text is not None else ""
+            return f"/{name}/" if name else "/"
+    return "/"
 
 
 def _is_renamed(topic: str, context: Context) -> bool:
