@@ -559,3 +559,14 @@ def test_one_leg_of_four(after: str, old: str, new: str, expected: str) -> None:
     assert messages("JNT025", quadruped()) == []
     before, name, leg = quadruped().partition(f'name="{after}"')
     assert messages("JNT025", before + name + leg.replace(old, new, 1)) == [expected]
+
+
+def test_legs_of_which_one_is_turned() -> None:
+    """PAL's Kangaroo: the same origin in shoulders of which one is turned by half a turn."""
+    assert messages("JNT025", quadruped()) == []
+    text = quadruped().replace('xyz="-0.1 -0.02 0"', 'xyz="-0.1 -0.02 0" rpy="3.14159 0 3.14159"')
+    before, name, leg = text.partition('name="rb1_rb2"')
+    turned = before + name + leg.replace("0 -0.005 -0.05", "0.01 0.005 -0.05", 1)
+    before, name, leg = turned.partition('name="lb1_lb2"')
+    turned = before + name + leg.replace("0 0.005 -0.05", "0.01 0.005 -0.05", 1)
+    assert not any("rb1_rb2" in message for message in messages("JNT025", turned))

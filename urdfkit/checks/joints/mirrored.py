@@ -264,7 +264,9 @@ def _has_copied_origin(pair: _Pair, context: Context) -> bool:
     links = (context.model.links_by_name.get(joint.child_name) for joint in (left, right))
     files = [body.file.value for link in links if link for body in link.visuals if body.file]
     is_copied = abs(place[1]) >= TOLERANCE and is_equal(place, right.origin.position)
-    return is_copied and is_equally_turned(left, right) and len(files) == 2 and bool(pairs(files))
+    if not (is_copied and is_equally_turned(left, right)) or _is_turned_copy(pair, context):
+        return False
+    return len(files) == 2 and bool(pairs(files))
 
 
 def _is_turned_copy(pair: _Pair, context: Context) -> bool:
