@@ -316,3 +316,17 @@ def test_a_transmission_in_the_form_of_drake(interface: str, reader: str) -> Non
     (found,) = reported("RCT024", robot, targets=("ros1",))
     severity = Severity.ERROR if interface else Severity.WARNING
     assert (found.severity, reader in found.message) == (severity, True)
+
+
+@pytest.mark.parametrize(("second", "count"), [("second", 0), ("", 1)])
+def test_two_arms_that_face_each_other(second: str, count: int) -> None:
+    """Of two equal chains on one base, one may begin 1 m away; a single chain does not."""
+    robot = link("base", shape("visual", '<box size="0.1 0.1 0.1"/>'))
+    for arm, place in ((second, "0 0 0.1"), ("arm", "1 0 0.1")):
+        parent = "base"
+        for number in range(4 if arm else 0):
+            name = f"{arm}_{'abcd'[number]}"
+            robot += link(name, shape("visual", '<box size="0.05 0.05 0.1"/>'))
+            robot += joint(parent, name, "revolute", "0 0 0.1" if number else place)
+            parent = name
+    assert len(reported("JNT037", robot)) == count

@@ -2,7 +2,8 @@
 
 - The gap between the shapes of the two links is four times as long as either shape, and no link
   that fixed joints connect to one of them is in between. Usually a decimal point is misplaced, 2.45
-  for 0.245, or the origin is measured from the root of the robot instead of the parent link.
+  for 0.245, or the origin is measured from the root of the robot instead of the parent link. The
+  second of two arms on one base may stand far away.
 - The links or joints of an arm are numbered, but `link_3` and `link_4` are both children of
   `link_2`, `link_3` has no child, and `link_5` follows `link_4`: the parent of `link_4` was not
   corrected in a copy.
@@ -34,6 +35,11 @@ GOOD = BAD.replace("2.4", "0.24")
 _MIN_RELATIVE_GAP = 4.0
 _MIN_GAP = 0.5
 
+#: Least number of links of an arm.
+_MIN_ARM = 4
+#: Most joints of the base of two arms.
+_MAX_SIBLINGS = 20
+
 _NUMBER = r"\d{1,9}"
 #: Most numbers of a name that are tried: of the robot, an arm, a finger, a link.
 _MAX_NUMBERS = 8
@@ -51,7 +57,7 @@ def check(context: Context) -> Findings:
     bodies = rigid_bodies(context.tree) if far else ()
     body_of = {link.name: body for body in bodies for link, _ in body.links}
     for joint, parent, child, (gap, longest) in far:
-        if not _is_bridged(context, parent, child, body_of):
+        if not (_is_second_arm(context, joint) or _is_bridged(context, parent, child, body_of)):
             yield Finding(
                 joint.at.child_or_self("origin"),
                 f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}'; "
@@ -128,6 +134,17 @@ def _gap(context: Context, here: Link, there: Link, frame: Transform) -> tuple[f
     gap = one.gap(other)
     longest = max(*one.edges, *other.edges)
     return (gap, longest) if gap > max(_MIN_RELATIVE_GAP * longest, _MIN_GAP) else None
+
+
+def _is_second_arm(context: Context, joint: Joint) -> bool:
+    """True for one of two arms of as many links on one link, which stand apart from each other."""
+    tree = context.tree
+    siblings = tree.children[joint.parent_name]
+    if not 2 <= len(siblings) <= _MAX_SIBLINGS:
+        return False
+    sizes = [len(tree.below(each.child_name)) for each in siblings]
+    size = len(tree.below(joint.child_name))
+    return size >= _MIN_ARM and sizes.count(size) == 2
 
 
 def _is_bridged(
