@@ -13,25 +13,13 @@ from urdfkit.lsp.completion_in_text import (
     last_word,
     named_items,
 )
-from urdfkit.lsp.grammar import REFERRING_ELEMENTS, grammar_of, kind_of_reference
+from urdfkit.lsp.grammar import REFERRING_ELEMENTS, XACRO_TAGS, grammar_of, kind_of_reference
 from urdfkit.lsp.markup import Cursor, Markup, TagNode, cursor
 from urdfkit.lsp.names import macro_name, parameters, path_in, plugin_parameters
 from urdfkit.lsp.open_robot import OpenRobot
 from urdfkit.ros.catalog import extensions, materials, plugins, sensors
 from urdfkit.text.schema import JOINT, JOINT_TYPES, LINK
 
-_XACRO_TAGS = {
-    "xacro:arg": ("name", "default"),
-    "xacro:attribute": ("name", "value"),
-    "xacro:call": ("macro",),
-    "xacro:element": ("xacro:name",),
-    "xacro:if": ("value",),
-    "xacro:include": ("filename", "ns", "optional"),
-    "xacro:insert_block": ("name",),
-    "xacro:macro": ("name", "params"),
-    "xacro:property": ("name", "value", "default", "scope"),
-    "xacro:unless": ("value",),
-}
 _BOOLEANS = ("true", "false")
 
 
@@ -94,7 +82,7 @@ def _children(robot: OpenRobot, parent: TagNode | None) -> Iterator[tuple[str, s
         yield name, "required" if required else "", required
     yield from ((name, detail, False) for name, detail in _in_gazebo(parent))
     if b"xmlns:xacro" in parent.source.data or robot.path.endswith(".xacro"):
-        for name in _XACRO_TAGS:
+        for name in XACRO_TAGS:
             yield name, "xacro", False
         for name, macro in sorted(robot.names.macros.items()):
             yield f"xacro:{name}", " ".join(parameters(macro)), False
@@ -141,8 +129,8 @@ def _attributes(robot: OpenRobot, here: Cursor, node: TagNode) -> Iterator[Compl
 
 def _attributes_of(robot: OpenRobot, node: TagNode) -> Iterator[tuple[str, str, bool]]:
     macro = robot.names.macros.get(macro_name(node.name))
-    if node.name in _XACRO_TAGS:
-        yield from ((name, "xacro", False) for name in _XACRO_TAGS[node.name])
+    if node.name in XACRO_TAGS:
+        yield from ((name, "xacro", False) for name in XACRO_TAGS[node.name])
     elif macro is not None and node.name.startswith("xacro:"):
         yield from ((name, "parameter", True) for name in parameters(macro))
     elif grammar := grammar_of(node):

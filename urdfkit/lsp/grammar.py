@@ -33,6 +33,19 @@ def _parent_grammar(tag: str) -> Grammar:
     return ROBOT
 
 
+#: Tags of xacro, and the attributes of each.
+XACRO_TAGS = {
+    "xacro:arg": ("name", "default"),
+    "xacro:attribute": ("name", "value"),
+    "xacro:call": ("macro",),
+    "xacro:element": ("xacro:name",),
+    "xacro:if": ("value",),
+    "xacro:include": ("filename", "ns", "optional"),
+    "xacro:insert_block": ("name",),
+    "xacro:macro": ("name", "params"),
+    "xacro:property": ("name", "value", "default", "scope"),
+    "xacro:unless": ("value",),
+}
 #: Attributes of SRDF and Gazebo that refer to links or joints.
 REFERENCES = {
     ("gazebo", "reference"): "frame",

@@ -12,11 +12,10 @@ from functools import cached_property
 from html import unescape
 
 from urdfkit.core.record import Record
-from urdfkit.lsp.grammar import REFERRING_ELEMENTS, kind_of_reference, kind_of_text
+from urdfkit.lsp.grammar import REFERRING_ELEMENTS, XACRO_TAGS, kind_of_reference, kind_of_text
 from urdfkit.lsp.markup import Markup, TagNode
 from urdfkit.ros.catalog import plugins
 from urdfkit.text.document import Document
-from urdfkit.text.schema import XACRO_TAGS
 from urdfkit.text.source import Source, Span
 
 #: Kinds of names. A ``frame`` is a link or a joint; a ``parameter`` belongs to a macro.
@@ -38,7 +37,6 @@ _PARAMETER = re.compile(
     rb"""(?:\$\{[^}$]*\}|\$\([^)$]*\)|'[^'\n]*'|"[^"\n]*"|[^\s'"])*)?"""
 )
 _PLUGIN_WORD = re.compile(rb"[^\s,]+")
-_OWN_TAGS = frozenset((*XACRO_TAGS, "call", "element", "attribute"))
 
 #: Kinds that may refer to the same thing.
 _COMPATIBLE_KINDS = {
@@ -187,7 +185,7 @@ class NameIndex:
         elif node.name == "xacro:call":
             yield from self._value(node, "macro", "macro", is_definition=False)
             yield from self._arguments(node, node.get("macro"))
-        elif node.name.startswith("xacro:") and own not in _OWN_TAGS:
+        elif node.name.startswith("xacro:") and node.name not in XACRO_TAGS:
             yield from self._call(node)
         else:
             yield from self._in_robot_element(node)

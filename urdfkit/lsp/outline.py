@@ -104,7 +104,7 @@ def _tree(robot: OpenRobot, markup: Markup) -> list[OutlineEntry]:
 
 def _add(siblings: list[OutlineEntry], part: Link | Joint, markup: Markup) -> list[OutlineEntry]:
     """Add an entry if the file creates the part; return the list for its children."""
-    span = _span_in_page(part.at, markup)
+    span = _span_in_file(part.at, markup)
     if span is None:
         return siblings
     if isinstance(part, Link):
@@ -115,7 +115,7 @@ def _add(siblings: list[OutlineEntry], part: Link | Joint, markup: Markup) -> li
     return entry.children
 
 
-def _span_in_page(element: Element, markup: Markup) -> Span | None:
+def _span_in_file(element: Element, markup: Markup) -> Span | None:
     """The span in a file that creates an element: the element, or the outermost call."""
     path = os.path.realpath(markup.source.path)
     for step in element.via:

@@ -91,8 +91,8 @@ class SimulatedLink:
                 continue
             left.remove(name)
             order.append(self._tree.model.links_by_name[name])
-            joints = sorted(self._tree.children[name], key=lambda joint: joint.name, reverse=True)
-            stack += [joint.child_name for joint in joints]
+            joints = children_by_name(self._tree, name)
+            stack += [joint.child_name for joint in reversed(joints)]
         return order
 
 
@@ -261,8 +261,7 @@ class SdfConversion:
         for name in queue:  # extended in the loop
             total += self.model.links_by_name[name].mass
             for joint in self.tree.children[name]:
-                is_merged = joint.kind == "fixed" and joint.name not in self.preserved
-                if is_merged and joint.child_name not in visited:  # links may form a loop: TRE003
+                if self.merges(joint) and joint.child_name not in visited:  # links may form a loop
                     visited.add(joint.child_name)
                     queue.append(joint.child_name)
         return total
