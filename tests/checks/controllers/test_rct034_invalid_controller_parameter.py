@@ -265,6 +265,14 @@ drive:
 """
 
 
+def test_several_joints_for_a_gripper_of_one(tmp_path: Path) -> None:
+    """ros2_moveit_manipulators: its class was named as the one for several joints."""
+    old = "joint_trajectory_controller/JointTrajectoryController"
+    text = TRAJECTORY.replace(old, "position_controllers/GripperActionController")
+    (found,) = (one for one in reported(tmp_path, "RCT034", text) if "missing" in one.message)
+    assert found.help == "write joint: NAME in place of joints, as it moves one joint"
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [

@@ -66,6 +66,14 @@ def test_programs_that_launch_accepts(tmp_path: Path, text: str) -> None:
     assert reported(tmp_path, f"LAU003 {PYTHON}", "a.launch.py", text) == []
 
 
+@pytest.mark.parametrize(("text", "count"), [(PROGRAM.format("return a"), 0), ("<launch/>", 1)])
+def test_a_program_with_the_suffix_of_xml(tmp_path: Path, text: str, count: int) -> None:
+    """ros2_control_sim_boilerplate: launch imports the file of this source, whatever its name."""
+    include = "PythonLaunchDescriptionSource(get_package_share_directory('arm') + '/b.launch')"
+    found = reported(tmp_path, "LAU033", "a.launch.py", include, {"b.launch": text})
+    assert ["does not read 'b.launch'" in one.message for one in found] == [True] * count
+
+
 @pytest.mark.parametrize(
     ("default", "choices", "help"),
     [

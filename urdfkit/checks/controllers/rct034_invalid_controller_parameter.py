@@ -231,8 +231,10 @@ def _missing(
     message = f"required parameters are missing: {', '.join(missing)}"
     if missing and own.at:
         help = "add " + " and ".join(f"{name}: ..." for name in missing)
-        if missing[0] == "joint" and "joints" in own.places and (group := _group(controller)):
-            help = f"use {group}, which reads joints, or name one joint"
+        if missing[0] == "joint" and "joints" in own.places:
+            help = "write joint: NAME in place of joints, as it moves one joint"
+            if group := _group(controller):
+                help = f"use {group}, which reads joints, or name one joint"
         yield own.at, message, help
     elif missing:  # no parameters at all: they may be in another file, or under another name
         unowned = [
@@ -248,7 +250,8 @@ def _missing(
 def _group(controller: Controller) -> str:
     """The class for several joints, in place of one for a single joint; empty if there is none."""
     group = controller.type.replace("/Joint", "/JointGroup")
-    return group if parameters_of(group, controller.ros) else ""
+    is_other = group != controller.type
+    return group if is_other and parameters_of(group, controller.ros) else ""
 
 
 def _invalid_values(known: ControllerParameters, section: Section) -> Iterator[_Problem]:

@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch import is_python
 from urdfkit.ros.launch.launch_description import ACTIONS
 from urdfkit.ros.launch.python_expressions import missing_slash
 from urdfkit.ros.launch.values import Values, argument, called
@@ -114,10 +115,17 @@ def _source(call: ast.Call, values: Values) -> Iterator[Problem]:
     path = values.text(node) or ""
     name = called(call)
     for matching_source, suffixes in _SOURCES.items():
-        if node is not None and path.endswith(suffixes) and not path.endswith(_SOURCES[name]):
+        is_of_other = path.endswith(suffixes) and not path.endswith(_SOURCES[name])
+        if node is not None and is_of_other and not _is_program(path, values):
             message = f"{name} does not read '{path.rpartition('/')[2]}'"
             yield values.problem("LAU033", call.func, message, f"write {matching_source}")
     yield from missing_slash(values.items(node), values)
+
+
+def _is_program(path: str, values: Values) -> bool:
+    """True for a program with the suffix of XML, which launch runs whatever its name is."""
+    source = values.collector.resolver.readable(path) if path.endswith(".launch") else None
+    return source is not None and is_python(source)
 
 
 def _declaration(call: ast.Call, values: Values) -> Iterator[Problem]:
