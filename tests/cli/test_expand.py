@@ -41,6 +41,23 @@ def test_expand_stops_where_xacro_stops(tmp_path: Path, capsys: pytest.CaptureFi
     assert main(["expand", str(robot), "p:=b_"]) == 0
 
 
+def test_expand_stops_at_a_byte_that_is_no_text(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """BipedRobot: a check reads on in its file of transmissions, in Latin-1."""
+    head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    robot = tmp_path / "r.xacro"
+    robot.write_text(f'{head}<xacro:include filename="robot.trans"/></robot>')
+    included = f'{head}<transmission name="Revoluci\xf3n"/></robot>'
+    (tmp_path / "robot.trans").write_bytes(included.encode("latin-1"))
+    assert main(["expand", str(robot)]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith("error: this byte is not utf-8")
+    (tmp_path / "robot.trans").write_text(included, encoding="utf-8")
+    assert main(["expand", str(robot)]) == 0
+
+
 def test_expand_creates_the_output_directory_unless_a_file_exists_there(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

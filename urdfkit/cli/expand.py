@@ -91,11 +91,19 @@ def _read(file: str, root_dir: str) -> Source:
 
 
 def _error(xacro: Xacro) -> str | None:
-    """The error that xacro stops with; only checks use a default after the argument's use."""
+    """The error that xacro stops with.
+
+    Only checks use a default after the argument's use, and read on behind a byte that is no text.
+    """
     early = (problem.argument for problem in xacro.problems if problem.code == "XAC020")
     if (name := next(early, None)) is not None:
         return f"Undefined substitution argument {name}"
-    return xacro.first_error
+    not_text = (
+        problem.message
+        for problem in xacro.problems
+        if problem.code == "XML002" and problem.span.source.undecodable is not None
+    )
+    return xacro.first_error or next(not_text, None)
 
 
 def _print_notes(xacro: Xacro, error: str | None, *, quiet: bool) -> None:
