@@ -330,3 +330,47 @@ def test_two_arms_that_face_each_other(second: str, count: int) -> None:
             robot += joint(parent, name, "revolute", "0 0 0.1" if number else place)
             parent = name
     assert len(reported("JNT037", robot)) == count
+
+
+@pytest.mark.parametrize(("width", "count"), [("0.05", 0), ("0.03", 1)])
+def test_boards_that_have_no_place_side_by_side(width: str, count: int) -> None:
+    """Two motor drivers on the diagonal: mirror images would overlap."""
+    robot = link("base") + "".join(
+        link(name, shape("visual", f'<box size="0.05 {width} 0.02"/>'))
+        + joint("base", name, xyz=xyz)
+        for name, xyz in (("bts_left", "0.03 0.02 0"), ("bts_right", "-0.03 -0.02 0"))
+    )
+    assert len(reported("JNT025", robot)) == count
+
+
+@pytest.mark.parametrize(("height", "verb"), [(0.145, "lower"), (0.05, "raise")])
+def test_a_robot_above_or_below_its_footprint(height: float, verb: str) -> None:
+    robot = link("base_footprint") + part("body", 1, (0.01, 0.01, 0.01), '<sphere radius="0.1"/>')
+    (found,) = reported("TRE008", robot + joint("base_footprint", "body", xyz=f"0 0 {height}"))
+    assert found.help.startswith(f"{verb} the robot")
+    assert found.fix is not None
+    assert found.fix.title.startswith(f"{verb} the robot by 0.0")
+
+
+def test_the_mesh_of_another_series(tmp_path: Path) -> None:
+    """The wheels of the rover `mega` are not those of `max`."""
+    add_file(tmp_path / "mega_wheels.dae")
+    robot = link("base", shape("visual", '<mesh filename="max_wheels.dae"/>'))
+    (found,) = reported("MSH001", robot, str(tmp_path / "robot.urdf"))
+    assert "mega" not in found.help
+
+
+def test_a_class_of_fortress_keeps_its_namespace(tmp_path: Path) -> None:
+    plugin = '<plugin filename="ignition-gazebo-imu-system" name="ignition::gazebo::systems::IMU"/>'
+    (found,) = of_world(tmp_path, "WLD005", launch=INCLUDE, world=plugin)
+    assert found.endswith("only ignition::gazebo::systems::Imu")
+
+
+def test_uses_of_a_property_that_xacro_does_not_allow() -> None:
+    """An old file of UR: the name of the property is the one error."""
+    text = xacro('<xacro:property name="__k" value="${dict(a=1)}"/>' + link("b", "${__k['a']}"))
+    assert reported("XAC009", text, "robot.xacro") == []
+    (found,) = reported("XAC001", text, "robot.xacro")
+    assert "rename the property" in found.help
+    (unsafe,) = reported("XAC009", text.replace("__k['a']", "__import__('os')"), "robot.xacro")
+    assert "__import__" in unsafe.message

@@ -132,7 +132,7 @@ def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
             stems[first] = other
     for _ in range(_MAX_COMPARED):
         suggested = nearest(stem, stems)
-        if suggested is None or _has_similar_words(stem, suggested, kind[1:]):
+        if suggested is None or has_similar_words(stem, suggested, kind[1:]):
             return stems[suggested] if suggested else None
         del stems[suggested]
     return None
@@ -154,7 +154,7 @@ def _is_of_kind(suffix: str, other: str) -> bool:
     return not (parts and others) or nearest(parts[-1], others[-1:]) is not None
 
 
-def _has_similar_words(name: str, other: str, kind: str) -> bool:
+def has_similar_words(name: str, other: str, kind: str = "") -> bool:
     """True if each word of the name with fewer words is similar to one of the other, or begins it.
 
     So are names that differ in ``_`` or ``-`` alone. The kind of file, as in ``rviz.rviz``, says

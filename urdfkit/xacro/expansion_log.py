@@ -9,6 +9,7 @@ from urdfkit.core.record import Record
 from urdfkit.text.diagnostic import Problem, Related
 from urdfkit.text.document import Tag
 from urdfkit.text.source import Span
+from urdfkit.xacro.bounds import UnsafeExpression
 from urdfkit.xacro.errors import FAILED, DependsOnError, MissingArgument, root_cause
 
 MAX_PROBLEMS = 500
@@ -117,6 +118,9 @@ class ExpansionLog:
             return True  # the block of the call is inserted from the missing file
         if isinstance(cause, MissingArgument):
             return bool(self._undefined & {ANY, str(cause)})
+        if isinstance(cause, UnsafeExpression):
+            # A property that xacro rejects because its name begins with two underscores.
+            return any(f"name '{name}' is not" in str(cause) for name in self._undefined)
         match = re.search(_UNDEFINED, str(cause))
         return match is not None and bool(self._undefined & {ANY, *match.groups()})
 

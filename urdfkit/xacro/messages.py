@@ -33,6 +33,10 @@ _UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
 _MAX_TEXT = 40
 
 
+#: How xacro's error for a reserved name begins.
+_DUNDER = "Property names must not start with double underscore"
+
+
 def explain(defined: Definitions, error: BaseException, cause: BaseException) -> MessageText:
     """The message for an error of an expression, a call or a tag.
 
@@ -61,7 +65,7 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
         return undefined_name(defined, text, match.group(1))
     if match := _UNKNOWN_MACRO.search(text):
         return unknown_macro(defined, match.group(1))
-    if isinstance(cause, TypeError) and (help := _type_error_help(text, cause)):
+    if help := _help_for(text, cause):
         return MessageText(text, help)
     return _call_error(text, macro_of(error)) or MessageText(
         text.replace("\n", "; ") or type(cause).__name__
@@ -88,8 +92,12 @@ def _keys(cause: AttributeError) -> list[str]:
     return [str(key) for key in raised_by] if isinstance(raised_by, dict) else []
 
 
-def _type_error_help(text: str, cause: TypeError) -> str:
-    """How to fix an expression that computes with text; empty for other errors."""
+def _help_for(text: str, cause: BaseException) -> str:
+    """How to fix a reserved name, or an expression that computes with text; else empty."""
+    if text.startswith(_DUNDER):
+        return "rename the property where it is defined and used"
+    if not isinstance(cause, TypeError):
+        return ""
     if " for ^: " in text:
         return "write ** for a power; ^ is not a power in Python"
     if "operand" in text and "'str'" in text:

@@ -19,6 +19,7 @@ from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction
+from urdfkit.robot.shapes import solid
 from urdfkit.robot.symmetry import has_one_side, have_same_meshes, pairs
 
 #: In m: tolerance, as robots are not quite symmetric.
@@ -58,6 +59,8 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
     reported = set()
     for correct, wrong, reason in misplaced_siblings(context.model):
         reported |= {correct.name, wrong.name}
+        if _would_overlap(context, correct, wrong):
+            continue
         places = f"{_at(wrong)} {reason} its counterpart '{correct.name}' {_at(correct)}"
         yield correct, wrong, places
     for correct, wrong, *_ in on_the_other_side(context):
@@ -93,6 +96,23 @@ def _is_left_alone(pair: _Pair, counterparts: list[_Pair]) -> bool:
 def _size(joint: Joint) -> Vector:
     """The coordinates of the origin without their signs."""
     return vector(round(abs(part), 4) for part in joint.origin.position)
+
+
+def _would_overlap(context: Context, correct: Joint, wrong: Joint) -> bool:
+    """True for fixed parts that are too wide to be side by side, such as two boards."""
+    link = context.model.links_by_name.get(wrong.child_name)
+    if wrong.kind != "fixed" or link is None or is_equal(*_places(correct, wrong)):
+        return False
+    body = solid(link.visuals, context.mesh_solid)
+    if body is None:
+        return False
+    place = correct.origin.position
+    mirrored = correct.origin._replace(position=mirror_image(place))
+    return body.bounds.moved(correct.origin).gap(body.bounds.moved(mirrored)) <= 0
+
+
+def _places(one: Joint, other: Joint) -> tuple[Vector, Vector]:
+    return one.origin.position, other.origin.position
 
 
 def on_the_other_side(context: Context) -> Iterator[tuple[Joint, Joint, str, str]]:

@@ -92,7 +92,10 @@ def check(context: Context) -> Findings:
                 f"raise '{link}' to the height of the other wheels"
                 if standing
                 else _help(name, link, height, bool(tree.children[name]), bool(lifted_wheels)),
-                fix=Fix.of(f"raise the robot by {rise:g} m", _raised(joints[0].at, rise))
+                fix=Fix.of(
+                    f"{'raise' if rise > 0 else 'lower'} the robot by {abs(rise):g} m",
+                    _raised(joints[0].at, rise),
+                )
                 if is_too_low
                 else None,
             )
@@ -110,11 +113,12 @@ def _hanging(tree: KinematicTree, gap: float, wheels: list[str], standing: str) 
 
 
 def _help(footprint: str, link: str, height: float, is_below: bool, is_lifted: bool) -> str:
-    """The help of a finding; empty for the help of the rule."""
+    """The help of a finding."""
     if is_lifted:
         return f"raise '{link}', or make it smaller, until the wheels touch the ground"
     if is_below:
-        return ""
+        verb = "raise" if height < 0 else "lower"
+        return f"{verb} the robot by that height in the joint below base_footprint"
     verb = "lower" if height < 0 else "raise"
     return f"{verb} '{footprint}' by {abs(height):.3g} m in its joint"
 

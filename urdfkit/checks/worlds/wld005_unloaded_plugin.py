@@ -143,5 +143,7 @@ def _classes(opened: OpenedWorld, plugin: Element, title: str) -> Findings:
     if name is None or not classes or not all(classes):
         return
     if written.replace("ignition::gazebo", "gz::sim") not in classes:
+        if written.startswith("ignition::"):  # Fortress and older ones
+            classes = [one.replace("gz::sim", "ignition::gazebo") for one in classes]
         message = f"{title}: the library has no class '{name.value}', only {' or '.join(classes)}"
         yield Finding(name, message, f'write name="{classes[0]}"')

@@ -10,7 +10,7 @@ from urdfkit.core import disk
 from urdfkit.core.grouping import by_key
 from urdfkit.core.paths import is_within
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import SIMILAR_FILE, nearest
+from urdfkit.core.suggest import SIMILAR_FILE, has_similar_words, nearest
 from urdfkit.mesh.io.facts import BY_SUFFIX
 from urdfkit.robot.assets.file_names import is_mistyped, numbers_in, stem, suffix
 from urdfkit.robot.assets.mesh_files import MeshFiles, MeshReference, relative_path
@@ -193,7 +193,7 @@ class MeshSuggestions:
         if close and not is_mistyped(expected, stems[close]):
             others = self._links - {mesh.link.name}  # a link of that name has the file
             close = nearest(name, stems.keys() - others, SIMILAR_FILE)
-        if close is None or pairs((name, close)):
+        if close is None or not has_similar_words(name, close) or pairs((name, close)):
             return None  # the file for the other side
         path = os.path.join(directory, stems[close])
         return Candidate(path, is_mistyped(expected, stems[close]))
