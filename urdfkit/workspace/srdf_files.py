@@ -44,6 +44,11 @@ def srdf_files(robot: str, resolver: Resolver) -> list[str]:
     return list(srdf_in(directories, resolver))
 
 
+def has_srdf_files(robot: str, name: str, resolver: Resolver) -> bool:
+    """True if there are SRDF files in the package of a robot, or elsewhere that may be for it."""
+    return bool(srdf_files(robot, resolver) or other_srdf_files(robot, name, resolver))
+
+
 def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     """The SRDF files of sibling MoveIt packages that may be for a robot, or for another one.
 

@@ -94,9 +94,7 @@ def _positions(srdf: Srdf) -> Findings:
     for state in srdf.states:
         for joint in state.all("joint"):
             value = joint.attributes.get("value")
-            if value is None or not value.value.strip():
-                continue
-            if any(number(part) is None for part in value.value.split()):
+            if value and any(number(part) is None for part in value.value.split()):
                 message = f"state '{state.get('name')}': value '{value.value}' is not a number"
                 yield Finding(value, message, "write a number, in rad or m")
 

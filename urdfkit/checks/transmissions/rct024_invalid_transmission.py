@@ -78,8 +78,6 @@ _MAX_RELATED = 20
 @rule(Severity.WARNING, by_target=dict.fromkeys(ROS1, Severity.ERROR))
 def check(context: Context) -> Findings:
     transmissions = context.model.transmissions
-    if not transmissions:
-        return
     is_required = bool(context.targets.that("requires_whole_transmissions"))
     if is_required:
         yield from _incomplete(transmissions, Severity.ERROR)

@@ -97,7 +97,7 @@ def _frame(link: Link) -> CallFrame | None:
     if frame is None or frame.kind != "macro" or frame.definition is None:
         return None
     origin = at.child("origin")
-    if at.frame is not frame or (origin and any(_numbers(origin))):
+    if origin and any(_numbers(origin)):
         return None
     body, whole = map(_without_comments, (frame.definition.inner_span, at.tag_at.whole_span))
     return frame if body == whole else None
