@@ -374,3 +374,14 @@ def test_uses_of_a_property_that_xacro_does_not_allow() -> None:
     assert "rename the property" in found.help
     (unsafe,) = reported("XAC009", text.replace("__k['a']", "__import__('os')"), "robot.xacro")
     assert "__import__" in unsafe.message
+
+
+@pytest.mark.parametrize(("height", "count"), [("0.2", 0), ("0.19", 1)])
+def test_a_lidar_in_the_plane_of_the_deck(height: str, count: int) -> None:
+    """Its beams run along the upper face of the chassis, and end there or not."""
+    deck = shape("collision", '<box size="1 0.6 0.4"/>')
+    robot = link("deck", deck) + link("base") + joint("deck", "base", xyz=f"0.4 0 {height}")
+    lidar = "<ray><scan><horizontal><samples>360</samples><min_angle>-3.14</min_angle>"
+    lidar += "<max_angle>3.14</max_angle></horizontal></scan>"
+    lidar += "<range><min>0.1</min><max>12</max></range></ray>"
+    assert len(reported("GAZ072", robot + sensor("ray", lidar))) == count

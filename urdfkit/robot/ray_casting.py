@@ -16,6 +16,8 @@ from urdfkit.robot.shapes import Primitive, primitive
 
 #: Direction components below this are 0: the ray is parallel to a face or an axis.
 _PARALLEL = 1e-9
+#: In m: a shape that ends as near to the scan plane touches it.
+_TOUCHING = 1e-4
 
 
 class Scan(Record):
@@ -100,8 +102,11 @@ def _common(parts: Iterable[tuple[float, float] | None]) -> tuple[float, float] 
 
 
 def crosses_plane(shape: Primitive) -> bool:
-    """True if a shape intersects the scan plane of the sensor in whose frame it is."""
-    return shape.reach(Z_AXIS) >= 0 and shape.reach((0.0, 0.0, -1.0)) >= 0
+    """True if a shape is on both sides of the scan plane of the sensor in whose frame it is.
+
+    Simulators do not agree on a beam along a face: a lidar that stands on the deck.
+    """
+    return shape.reach(Z_AXIS) > _TOUCHING and shape.reach((0.0, 0.0, -1.0)) > _TOUCHING
 
 
 def beams_on(
