@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from urdfkit.core import disk
-from urdfkit.lint.argument_sets import as_launched
+from urdfkit.lint.argument_sets import as_checked
 from urdfkit.lint.check_job import reader
 from urdfkit.lint.merging import unread_srdfs
 from urdfkit.lint.options import Options
@@ -19,7 +19,7 @@ def shown_files(files: Sequence[str], settings: Options) -> str:
     settings = settings.with_config()
     resolver = Resolver(settings.packages)
     plan, read = planned(files, resolver, settings), reader(settings, resolver)
-    sets = [pair for job in plan.jobs for pair in as_launched(job, read)]
+    sets = [pair for job in plan.jobs for pair in as_checked(job, read)]
     lines = [
         " ".join((shown(job.path), *(f"{name}:={value}" for name, value in job.arguments.items())))
         for job, _ in sets

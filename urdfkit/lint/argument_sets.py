@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.launch_sets import as_text, by_origin, launch_sets, variants
 from urdfkit.lint.plan import Job
+from urdfkit.lint.switched_arguments import switched
 from urdfkit.lint.unchecked_values import MAX_SETS, unchecked_values
 
 if TYPE_CHECKING:
@@ -16,8 +17,17 @@ if TYPE_CHECKING:
     from urdfkit.ros.launch.robot_arguments import RobotArguments
 
 
-def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Context]]:
+def as_checked(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Context]]:
     """A job with its description, for each set of arguments that it is checked with.
+
+    These are the sets with which it is started, and those with another boolean.
+    """
+    started = as_launched(job, read)
+    return started if job.overriding is None else [*started, *_with_booleans(started, read)]
+
+
+def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Context]]:
+    """A job with its description, for each set of arguments with which the robot is started.
 
     - A robot with missing arguments, or arguments used before their default: the sets of launch
       files. If none sets all of them and the robot does not expand: values found in other files
@@ -35,6 +45,24 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
     if _needs_more_than_defaults(context):
         return _with_more_than_defaults(job, read, sets) or [(job, context)]
     return _with_other_robots(job, read, context, sets) if sets else [(job, context)]
+
+
+def _with_booleans(
+    started: list[tuple[Job, Context]], read: Callable[[Job], Context]
+) -> Iterator[tuple[Job, Context]]:
+    """A robot with the other value of each of its booleans that adds something to it.
+
+    Not if it does not expand then, since the values may not be meant for each other; nor without
+    a link or joint that controllers and SRDFs may name.
+    """
+    texts = {_expanded_text(robot) for _, robot in started}
+    own = _links_and_joints(started[0][1])
+    for variant in switched(started) if None not in texts else ():
+        robot = read(variant)
+        text = _expanded_text(robot)
+        if text is not None and text not in texts and own <= _links_and_joints(robot):
+            texts.add(text)
+            yield variant, robot
 
 
 def _with_missing(
@@ -177,6 +205,12 @@ def _replaced(sets: Iterable[RobotArguments], own: Mapping[str, str]) -> set[str
         if robot.frame
     ]
     return set.intersection(*changed) if changed else set()
+
+
+def _links_and_joints(context: Context) -> set[tuple[str, str | None]]:
+    document = context.reading.document
+    elements = document.root.children if document else ()
+    return {(e.tag, e.get("name")) for e in elements if e.tag in ("link", "joint")}
 
 
 def _changes(arguments: Mapping[str, str], own: Mapping[str, str]) -> dict[str, str]:

@@ -11,7 +11,7 @@ from urdfkit.core.grouping import by_key
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint import rule_index
-from urdfkit.lint.argument_sets import as_launched
+from urdfkit.lint.argument_sets import as_checked
 from urdfkit.lint.context import Context
 from urdfkit.lint.merging import Checked
 from urdfkit.lint.options import Options
@@ -79,7 +79,7 @@ def check_one_of_many(job: Job, options: Options, resolver: Resolver) -> list[Ch
 
 def check_job(job: Job, options: Options, resolver: Resolver) -> list[Checked]:
     try:
-        return check_sets(_freed(as_launched(job, reader(options, resolver))), options)
+        return check_sets(_freed(as_checked(job, reader(options, resolver))), options)
     except UrdfkitError:
         raise
     except Exception as error:  # a bug in urdfkit must not hide the findings of other robots
@@ -104,7 +104,23 @@ def check_sets(sets: Iterable[tuple[Job, Context]], options: Options) -> list[Ch
     for job, context in sets:
         result = check_context(job, context, options)
         checked.append((job, _with_unknown_values(job, context, result)))
-    return _with_assumed(checked)
+    started = _with_assumed([pair for pair in checked if not pair[0].switched])
+    return [*started, *_with_switched(started, [pair for pair in checked if pair[0].switched])]
+
+
+def _with_switched(started: list[Checked], switched: list[Checked]) -> Iterator[Checked]:
+    """The results of one robot with another boolean: what it does not show as it is started.
+
+    Its errors are warnings, since nobody may want this robot, and its infos are left out.
+    """
+    known = {_identity(one) for _, result in started for one in result.diagnostics}
+    for job, result in switched:
+        new = [
+            one._replace(severity=Severity.WARNING, variants=(job.switched,))
+            for one in result.diagnostics
+            if one.severity is not Severity.INFO and _identity(one) not in known
+        ]
+        yield job, result._replace(diagnostics=tuple(new))
 
 
 def _with_unknown_values(job: Job, context: Context, result: FileResult) -> FileResult:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core import disk, limits
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint import rule_index, rules
-from urdfkit.lint.argument_sets import as_launched
+from urdfkit.lint.argument_sets import as_checked, as_launched
 from urdfkit.lint.check_job import check_context, check_job, check_one_of_many, check_sets, reader
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
@@ -137,7 +137,7 @@ def check_robots(
         UrdfkitError: see ``check``.
     """
     plan, read = planned([file], resolver, options), reader(options, resolver)
-    robots = [as_launched(job, read) for job in plan.jobs]
+    robots = [as_checked(job, read) for job in plan.jobs]
     checked = [result for sets in robots for result in check_sets(sets, options)]
     return merged_report(plan, checked, ()), [context for sets in robots for _, context in sets]
 

@@ -46,6 +46,8 @@ class Job(Record):
     launched: tuple[Launched, ...] = ()
     #: Argument values that no launch file passes to this robot, as ``name=value``; may be empty.
     assumed: str = ""
+    #: A boolean argument with the value that nobody passes, as ``name=value``; may be empty.
+    switched: str = ""
     #: Arguments whose default is checked although no launch file starts the robot with it.
     replaced: frozenset[str] = frozenset()
     #: Arguments whose value the launch file knows only at run time; "" stands for any name.

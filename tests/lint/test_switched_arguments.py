@@ -1,0 +1,99 @@
+"""Boolean arguments that no launch file switches: what is in their conditions is checked."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.workspaces import add_file
+from tests.xacros import xacro
+from urdfkit import check
+from urdfkit.cli.shown_files import shown_files
+from urdfkit.lint.options import Options
+from urdfkit.lint.switched_arguments import MAX_SWITCHED
+from urdfkit.text.diagnostic import Diagnostic, Severity
+
+JOINT = '<joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>'
+ARGUMENT = '<xacro:arg name="sim" default="{}"/>'
+#: Inside of the condition; ``arm`` is misspelt.
+BLOCK = '<xacro:{0} value="$(arg sim)"><gazebo reference="am"><mu1>1</mu1></gazebo></xacro:{0}>'
+ROBOT = '<link name="base"/><link name="arm"/>' + JOINT
+
+
+def _found(directory: Path, body: str, **arguments: str) -> list[Diagnostic]:
+    """The findings of a package with a robot; line 2 is the beginning of its body."""
+    add_file(directory / "package.xml", "<package><name>p</name></package>")
+    robot = add_file(directory / "urdf" / "robot.xacro", xacro(body))
+    options = Options(select=("GAZ001", "JNT001", "GEO002"), arguments=arguments)
+    return list(check(robot if arguments else directory, options=options).diagnostics)
+
+
+@pytest.mark.parametrize(
+    ("default", "tag", "variants"),
+    [
+        ("false", "if", ("sim=true",)),
+        ("False", "if", ("sim=true",)),
+        ("true", "unless", ("sim=false",)),
+        ("true", "if", ()),  # as it is started
+    ],
+)
+def test_both_values_are_checked(
+    tmp_path: Path, default: str, tag: str, variants: tuple[str, ...]
+) -> None:
+    found = _found(tmp_path, f"{ARGUMENT.format(default)}{ROBOT}\n{BLOCK.format(tag)}")
+    (reference,) = [one for one in found if one.code == "GAZ001"]
+    assert (reference.span.line, reference.variants) == (3, variants)
+
+
+def test_an_error_is_a_warning_and_an_info_is_left_out(tmp_path: Path) -> None:
+    hand = JOINT.replace("arm", "hand").replace('"j"', '"k"').replace("fixed", "revolut")
+    block = f'<xacro:if value="$(arg sim)"><link name="hand"/>\n{hand}</xacro:if>'
+    found = _found(tmp_path, f"{ARGUMENT.format('false')}{ROBOT}\n{block}")
+    shown = [(one.code, one.span.line, one.severity, one.variants) for one in found]
+    assert shown == [
+        ("GEO002", 1, Severity.INFO, ()),
+        ("JNT001", 4, Severity.WARNING, ("sim=true",)),
+    ]
+
+
+def test_a_launch_file_starts_it_with_the_other_value(tmp_path: Path) -> None:
+    add_file(
+        tmp_path / "launch" / "sim.launch",
+        '<launch><param name="robot_description" '
+        'command="xacro $(find p)/urdf/robot.xacro sim:=true"/></launch>',
+    )
+    (found,) = _found(tmp_path, f"{ARGUMENT.format('false')}{ROBOT}\n{BLOCK.format('if')}")[1:]
+    assert found.variants == ()
+
+
+def test_arguments_of_the_user_are_checked_alone(tmp_path: Path) -> None:
+    body = f"{ARGUMENT.format('false')}{ROBOT}\n{BLOCK.format('if')}"
+    assert [one.code for one in _found(tmp_path, body, sim="false")] == ["GEO002"]
+
+
+@pytest.mark.parametrize(
+    "block",
+    [
+        '<xacro:unless value="$(arg sim)"><link name="hand"/></xacro:unless>',  # it gets lost
+        '<xacro:if value="$(arg sim)">${unknown}</xacro:if>',  # it does not expand
+        "<gazebo reference=\"${'base' if '$(arg sim)' == 'false' else 'am'}\"/>",
+        '<xacro:if value="$(arg sim)"/>',  # it stays the same
+    ],
+)
+def test_other_robots_are_not_made(tmp_path: Path, block: str) -> None:
+    _found(tmp_path, f"{ARGUMENT.format('false')}{ROBOT}{block}")
+    shown = shown_files([str(tmp_path)], Options())
+    assert "sim:=" not in shown
+
+
+def test_at_most_some_are_switched_one_at_a_time(tmp_path: Path) -> None:
+    names = [f"a{number}" for number in range(MAX_SWITCHED + 2)]
+    arguments = "".join(f'<xacro:arg name="{name}" default="false"/>' for name in names)
+    blocks = "".join(
+        f'<xacro:if value="$(arg {name})"><link name="{name}"/></xacro:if>' for name in names
+    )
+    _found(tmp_path, f"{arguments}{ROBOT}{blocks}")
+    shown = shown_files([str(tmp_path)], Options()).splitlines()
+    assert [line.partition(" ")[2] for line in shown] == [
+        "",
+        *(f"{name}:=true" for name in names[:MAX_SWITCHED]),
+    ]
