@@ -385,3 +385,13 @@ def test_a_lidar_in_the_plane_of_the_deck(height: str, count: int) -> None:
     lidar += "<max_angle>3.14</max_angle></horizontal></scan>"
     lidar += "<range><min>0.1</min><max>12</max></range></ray>"
     assert len(reported("GAZ072", robot + sensor("ray", lidar))) == count
+
+
+def test_an_included_file_that_is_next_to_its_includer(tmp_path: Path) -> None:
+    """The directory `urdf` of the package is called otherwise now."""
+    package = add_package(tmp_path / "quad", "quad")
+    add_file(package / "robots" / "macros.xacro", xacro(""))
+    text = xacro('<xacro:include filename="$(find quad)/urdf/macros.xacro"/>' + link("base"))
+    file = add_file(package / "robots" / "quad.xacro", text)
+    (found,) = check(file, select=["XAC001"]).diagnostics
+    assert found.help == "write macros.xacro, which is next to this file"

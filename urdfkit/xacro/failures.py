@@ -13,7 +13,7 @@ from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import is_out_of_memory, root_cause
 from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expansion_log import ANY
-from urdfkit.xacro.missing_files import relative_to_caller
+from urdfkit.xacro.missing_files import next_to, relative_to_caller
 
 _UNBOUND_PREFIX = 27  # expat's XML_ERROR_UNBOUND_PREFIX
 
@@ -78,6 +78,8 @@ def _failure(run: ExpansionRun, error: BaseException, node: Node | None) -> _Fai
     if node.frame and node.frame.kind == "macro":
         text = relative_to_caller(root_cause(error), node.tag_at.source.path)
         message, help = text or (message, help)
+    elif node.tagName == "xacro:include" and message.startswith("file not found"):
+        help = next_to(root_cause(error), node.tag_at.source.path) or help
     is_removed = node.parentNode is None and node.tagName != "xacro:property"
     if code == "XAC013" or is_removed:
         return _Failure([Problem(code, node.tag_at.span, message, help, node.frame)], None)

@@ -60,6 +60,17 @@ def relative_to_caller(cause: BaseException, own: str) -> MessageText | None:
     return None
 
 
+def next_to(cause: BaseException, own: str) -> str:
+    """The help for a missing file of which one with this name is next to the file ``own``."""
+    if not isinstance(cause, FileNotFoundError) or not cause.filename:
+        return ""
+    path = os.fspath(cause.filename)
+    home, name = os.path.dirname(own), os.path.basename(path)
+    is_other = os.path.abspath(os.path.dirname(path)) != os.path.abspath(home)
+    is_there = is_other and name and disk.is_file(os.path.join(home, name))
+    return f"write {name}, which is next to this file" if is_there else ""
+
+
 def _below_package(path: str) -> str:
     """The help for a path that is right from the directory of the package."""
     file = nearest_manifest(path)
