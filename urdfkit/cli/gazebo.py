@@ -163,7 +163,7 @@ def _rejection_as_json(rejection: Rejection) -> dict[str, Any]:
 def _link_as_json(link: SimulatedLink) -> dict[str, Any]:
     return {
         "name": link.name,
-        "merged": [part.name for part, _ in link.body.links[1:]],
+        "merged": list(link.body.names[1:]),
         "mass": link.properties.mass,
         "center": list(link.properties.center),
         "inertia": link.properties.tensor._asdict(),

@@ -13,11 +13,8 @@ class Adjacency:
 
     def __init__(self, tree: KinematicTree) -> None:
         self._joined: dict[str, set[str]] = {name: set() for name in tree.model.links_by_name}
-        self._body = {
-            link.name: number
-            for number, body in enumerate(rigid_bodies(tree))
-            for link, _ in body.links
-        }
+        bodies = enumerate(rigid_bodies(tree))
+        self._body = {name: number for number, body in bodies for name in body.names}
         for joint in tree.model.joints:
             if ends := tree.ends(joint):
                 self._joined[ends[0]].add(ends[1])

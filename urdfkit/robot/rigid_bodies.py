@@ -31,6 +31,11 @@ class RigidBody(Record):
         return self.links[0][0]
 
     @property
+    def names(self) -> tuple[str, ...]:
+        """Names of its links, the topmost first."""
+        return tuple(link.name for link, _ in self.links)
+
+    @property
     def is_ground(self) -> bool:
         """True if the body is fixed to the world: its mass and inertia have no effect."""
         return self.joint is None and self.top.name == "world"

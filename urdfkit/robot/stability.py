@@ -111,7 +111,7 @@ def standing_verdict(
     """
     tree = robot.tree
     root = rigid_bodies(tree)[0]
-    leaving = (joint for link, _ in root.links for joint in tree.children[link.name])
+    leaving = (joint for name in root.names for joint in tree.children[name])
     if root.is_ground and not any(joint.kind == "floating" for joint in leaving):
         return StandingVerdict("fixed")
     placed = frames(tree, pose or {})
@@ -132,8 +132,7 @@ def standing_verdict(
     loads = _loads(robot, placed, payload or {})
     result = _stability(loads, touching)
     if result is not None:
-        fixed = {link.name for link, _ in root.links}
-        bolted = "-unless-bolted" if fixed.issuperset(touching) else ""
+        bolted = "-unless-bolted" if set(root.names).issuperset(touching) else ""
         verdict = f"tips{bolted}" if result.tips else "stands"
     elif not touching:
         verdict = "no-contact"
@@ -229,10 +228,9 @@ def is_freestanding(tree: KinematicTree, links: Collection[str]) -> bool:
         links: in contact with the ground.
     """
     root = rigid_bodies(tree)[0]
-    fixed = {link.name for link, _ in root.links}
     return (
         not root.is_ground
-        and not fixed.issuperset(links)
+        and not set(root.names).issuperset(links)
         and not any(_is_leg(tree, name) or _is_finger(tree, name) for name in links)
     )
 

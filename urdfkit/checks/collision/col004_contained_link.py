@@ -75,11 +75,9 @@ def _is_envelope(context: Context, name: str) -> bool:
         _is_transparent(colours.of(body)) for body in context.model.links_by_name[name].visuals
     ):
         return False
-    bodies = [[link for link, _ in body.links] for body in rigid_bodies(context.tree)]
     return any(
-        name in [link.name for link in links]
-        and any(link.visuals for link in links if link.name != name)
-        for links in bodies
+        name in body.names and any(link.visuals for link, _ in body.links if link.name != name)
+        for body in rigid_bodies(context.tree)
     )
 
 

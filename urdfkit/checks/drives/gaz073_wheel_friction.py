@@ -154,7 +154,7 @@ def _casters(context: Context, driven: set[str]) -> Findings:
     stability = context.stability_on_primitives if driven and context.tree.is_sound else None
     if stability is None or driven.isdisjoint(stability.links):
         return
-    fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
+    fixed = rigid_bodies(context.tree)[0].names
     for link in filter(fixed.__contains__, stability.links):
         is_directed = _chooses_direction(context.model, link)
         given = [] if is_directed else list(_friction(context.model, link).values())

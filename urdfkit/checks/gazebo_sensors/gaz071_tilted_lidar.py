@@ -47,7 +47,7 @@ GOOD = BAD.replace("0 0.3 0", "0 0 0.3")
 def check(context: Context) -> Findings:
     if not context.tree.is_sound or not _moves_level(context):
         return
-    fixed = {link.name for link, _ in rigid_bodies(context.tree)[0].links}
+    fixed = rigid_bodies(context.tree)[0].names
     for sensor in sensors(context.model):
         frame = frame_of(sensor, context.tree) if sensor.reference in fixed else None
         if frame is not None and planar_scan(sensor) and tilt(frame) > MAX_ADJUSTMENT:

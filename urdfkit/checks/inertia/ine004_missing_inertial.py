@@ -183,7 +183,7 @@ def _finding(body: RigidBody, context: Context) -> Finding | None:
     dropped = context.tree.below(name)
     if not any(links[n].visuals or links[n].collisions or links[n].mass for n in dropped):
         return None
-    children = [f"'{n}'" for n in dropped if n not in {link.name for link, _ in body.links}]
+    children = [f"'{n}'" for n in dropped if n not in body.names]
     others = ""
     if children:
         named = few(children, _MAX_NAMED - 1) if len(children) > _MAX_NAMED else listed(children)

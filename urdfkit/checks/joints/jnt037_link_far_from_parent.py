@@ -55,7 +55,7 @@ _JOINTS_WITHOUT_GAP = ("fixed", "revolute", "continuous")
 def check(context: Context) -> Findings:
     far = list(_far(context))
     bodies = rigid_bodies(context.tree) if far else ()
-    body_of = {link.name: body for body in bodies for link, _ in body.links}
+    body_of = {name: body for body in bodies for name in body.names}
     for joint, parent, child, (gap, longest) in far:
         if not (_is_second_arm(context, joint) or _is_bridged(context, parent, child, body_of)):
             yield Finding(

@@ -202,6 +202,6 @@ def _lowest(robot: Context) -> tuple[float, str] | None:
     stance = standing_verdict(robot)
     if stance.stability is None or not is_freestanding(robot.tree, stance.links):
         return None
-    fixed = {link.name for link, _ in rigid_bodies(robot.tree)[0].links}
+    fixed = rigid_bodies(robot.tree)[0].names
     wheels = [name for name in stance.links if name not in fixed]  # of the lowest links
     return stance.stability.ground, (wheels or stance.links)[0]

@@ -110,7 +110,7 @@ def gazebo(context: Context) -> Row:
                 "name": link.name,
                 "mass": link.properties.mass,
                 "center": list(link.properties.center),
-                "merged": [part.name for part, _ in link.body.links[1:]],
+                "merged": list(link.body.names[1:]),
             }
             for link in conversion.links
         ],

@@ -58,7 +58,7 @@ class Masses:
     @cached_property
     def body_of(self) -> dict[str, RigidBody]:
         """The rigid body of each link, by the name of the link."""
-        return {link.name: body for body in self.bodies for link, _ in body.links}
+        return {name: body for body in self.bodies for name in body.names}
 
     @cached_property
     def inertias(self) -> tuple[LinkInertia, ...]:
@@ -187,7 +187,7 @@ class Masses:
     def asymmetric_pairs(self) -> list[tuple[LinkInertia, LinkInertia]]:
         """Pairs with clearly different mass or moments, without another defect."""
         wrong = {link.name for link in self._defective}
-        wrong |= {link.name for body in self.without_inertia for link, _ in body.links}
+        wrong |= {name for body in self.without_inertia for name in body.names}
         return [
             (left, right)
             for left, right in self.symmetric_pairs

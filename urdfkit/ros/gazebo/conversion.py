@@ -82,7 +82,7 @@ class SimulatedLink:
     @cached_property
     def _merging_order(self) -> list[Link]:
         """The links of the body in the order in which shapes are merged: by joint name."""
-        left = {link.name for link, _ in self.body.links}  # prevents an endless loop
+        left = set(self.body.names)  # prevents an endless loop
         order: list[Link] = []
         stack = [self.name]
         while stack:
@@ -127,7 +127,7 @@ class SdfConversion:
         self.preserved = frozenset(_preserved(model))
         self.kept = self.preserved | {joint.name for joint in tree.children.get(WORLD, ())}
         self._bodies = rigid_bodies(tree, self.kept)
-        self._body_of = {link.name: body for body in self._bodies for link, _ in body.links}
+        self._body_of = {name: body for body in self._bodies for name in body.names}
         self.dropped: dict[str, str] = {}
         self.massless: list[RigidBody] = []
         self.stranded: list[RigidBody] = []
@@ -160,11 +160,7 @@ class SdfConversion:
     @cached_property
     def survivor(self) -> dict[str, str]:
         """Gazebo's link for each link of the URDF, which may be merged into it, by name."""
-        return {
-            link.name: simulated.name
-            for simulated in self.links
-            for link, _ in simulated.body.links
-        }
+        return {name: link.name for link in self.links for name in link.body.names}
 
     @cached_property
     def joint_names(self) -> frozenset[str]:
@@ -223,8 +219,7 @@ class SdfConversion:
             self.massless.append(body)
         if reason is None:
             return True
-        for link, _ in body.links:
-            self.dropped[link.name] = reason
+        self.dropped.update(dict.fromkeys(body.names, reason))
         return False
 
     def _is_massless(self, mass: float) -> bool:

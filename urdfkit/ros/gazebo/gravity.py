@@ -16,5 +16,5 @@ def links_without_gravity(tree: KinematicTree) -> set[str]:
     }
     if not flagged:
         return set()
-    bodies = [[link.name for link, _ in body.links] for body in rigid_bodies(tree)]
+    bodies = [body.names for body in rigid_bodies(tree)]
     return {name for names in bodies if not flagged.isdisjoint(names) for name in names}
