@@ -360,6 +360,15 @@ def test_the_mesh_of_another_series(tmp_path: Path) -> None:
     assert "mega" not in found.help
 
 
+def test_a_missing_mesh_of_a_package_that_xacro_finds(tmp_path: Path) -> None:
+    """All computers find the package, so that package:// is no remedy."""
+    package = add_package(tmp_path / "rover", "rover")
+    mesh = '<mesh filename="file://$(find rover)/meshes/max_wheels.dae"/>'
+    file = add_file(package / "urdf" / "max.xacro", xacro(link("base", shape("visual", mesh))))
+    (found,) = check(file, select=["MSH001"]).diagnostics
+    assert "package://" not in found.help
+
+
 def test_a_class_of_fortress_keeps_its_namespace(tmp_path: Path) -> None:
     plugin = '<plugin filename="ignition-gazebo-imu-system" name="ignition::gazebo::systems::IMU"/>'
     (found,) = of_world(tmp_path, "WLD005", launch=INCLUDE, world=plugin)

@@ -244,7 +244,8 @@ def _missing(context: Context, mesh: MeshReference, suggestions: MeshSuggestions
     if suggested is None:
         installed = suggestions.installed_reference(located)
         help = f"write {installed}, and add the package" if installed else ""
-        if not installed and located.scheme == "absolute":
+        is_found = "$(find" in mesh.at.span.text  # by all computers
+        if not installed and located.scheme == "absolute" and not is_found:
             help = "add the file, and write package://PACKAGE/..., which all computers find"
         return Finding(mesh.at, message, help, group_key=_missing_directory(located))
     new = suggested.reference
