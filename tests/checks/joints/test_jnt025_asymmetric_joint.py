@@ -570,3 +570,16 @@ def test_legs_of_which_one_is_turned() -> None:
     before, name, leg = turned.partition('name="lb1_lb2"')
     turned = before + name + leg.replace("0 0.005 -0.05", "0.01 0.005 -0.05", 1)
     assert not any("rb1_rb2" in message for message in messages("JNT025", turned))
+
+
+def test_two_cameras_of_one_product() -> None:
+    """Galaxea's R1: the lens of each is beside its middle, to the same side."""
+    text = quadruped()
+    for side in ("lf", "rf"):
+        text += (
+            f'<joint name="{side}2_camera" type="fixed"><parent link="{side}2"/>'
+            f'<child link="{side}_camera"/><origin xyz="0 0.0042 0"/></joint>'
+            f'<link name="{side}_camera"><visual><geometry><mesh filename="{side}_camera.stl"/>'
+            "</geometry></visual></link>"
+        )
+    assert messages("JNT025", text) == []

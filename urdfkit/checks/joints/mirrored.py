@@ -278,13 +278,18 @@ def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[
 
 
 def _has_copied_origin(pair: _Pair, context: Context) -> bool:
-    """True for counterparts with the same origin to one side, and a mesh for each side."""
+    """True for movable counterparts with the same origin to one side, and a mesh for each side.
+
+    Fixed ones may be the same product, such as two cameras.
+    """
     left, right = pair.left, pair.right
     place = left.origin.position
     links = (context.model.links_by_name.get(joint.child_name) for joint in (left, right))
     files = [body.file.value for link in links if link for body in link.visuals if body.file]
     is_copied = abs(place[1]) >= TOLERANCE and is_equal(place, right.origin.position)
-    if not (is_copied and is_equally_turned(left, right)) or _is_turned_copy(pair, context):
+    if not (is_copied and is_equally_turned(left, right) and right.is_single_dof):
+        return False
+    if _is_turned_copy(pair, context):
         return False
     return len(files) == 2 and bool(pairs(files))
 
