@@ -256,13 +256,13 @@ def test_a_value_that_removes_nothing_is_tried_once(monkeypatch: pytest.MonkeyPa
     ("parent", "child", "expected"),
     [
         (f"{P}base", f"{P}tip", None),
-        ("base", f"{P}tip", ("base", f"{P}base")),
-        (f"{P}base", "tip", ("tip", f"{P}tip")),
+        ("base", f"{P}tip", ("base", f"{P}base", "<parent>")),
+        (f"{P}base", "tip", ("tip", f"{P}tip", "<child>")),
         (f"{P}base", "hook", None),  # it may be in the package that is not found
     ],
 )
 def test_a_robot_without_a_package(
-    tmp_path: Path, parent: str, child: str, expected: tuple[str, str] | None
+    tmp_path: Path, parent: str, child: str, expected: tuple[str, str, str] | None
 ) -> None:
     """Robotnik's RBCAR: its sensors are in another repository, so that REF001 is skipped."""
     robot = tmp_path / "r.urdf.xacro"
@@ -282,7 +282,7 @@ def test_a_robot_without_a_package(
     if expected is None:
         assert found == []
     else:
-        name, written = expected
+        name, written, role = expected
         assert found == [
-            (naming("j", name, f"robot_{name}", "prefix", "robot_"), f"write {written}", name)
+            (naming(name, f"robot_{name}", "prefix", "robot_", role), f"write {written}", name)
         ]

@@ -23,7 +23,6 @@ Sources:
 
 import re
 from collections.abc import Iterator
-from itertools import product
 
 from urdfkit.lint.empty_arguments import empty_arguments
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
@@ -114,25 +113,26 @@ def _names_without_parameter(root: Element) -> Findings:
 
 
 def _names_without_value(context: Context) -> Findings:
-    """Links that joints name without an argument that is not empty; REF001 needs all packages."""
-    links = context.model.links_by_name
-    given = {**context.xacro.defaults, **context.arguments}
-    values = {argument: value for argument, value in given.items() if value.strip()}
-    for joint in context.model.joints:
-        ends = [end for end in (joint.parent, joint.child) if end and end.value not in links]
-        for end, (argument, value) in product(ends, values.items()):
-            defined = links.get(f"{value}{end.value}")
-            name = defined.at.attributes["name"] if defined else None
-            if name and not name.literal:
-                frame = joint.at.frame
-                span = _written(end.value, end.at.span, frame) or end.at.span
-                yield Finding(
-                    Location(span, frame),
-                    f"joint '{joint.name}': '{end.value}' is called '{name.value}', because "
-                    f"{argument} is '{value}'",
-                    f"write {_expression(argument, span.source)}{span.text}",
-                    related=(Related(name.span, "it is defined here"),),
-                )
+    """Names without the value of an argument that is not empty; REF001 needs all packages."""
+    root = context.document.root
+    defined = dict(_definitions(root))
+    values = {**context.xacro.defaults, **context.arguments}
+    lacking = {
+        name[len(value) :]: (argument, value, at)
+        for name, at in defined.items()
+        for argument, value in values.items()
+        if value.strip() and name.startswith(value) and not at.literal
+    }
+    for name, span, element in _references(root, lacking.keys() - defined.keys()):
+        argument, value, at = lacking[name]
+        written = _written(name, span, element.frame) or span
+        yield Finding(
+            Location(written, element.frame),
+            f"'{name}' is called '{at.value}', because {argument} is '{value}'; <{element.tag}> "
+            "names it without",
+            f"write {_expression(argument, written.source)}{written.text.strip()}",
+            related=(Related(at.span, "it is defined here"),),
+        )
 
 
 def _has_parameter(written: str, frame: CallFrame) -> bool:
