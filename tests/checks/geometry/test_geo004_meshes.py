@@ -131,6 +131,25 @@ def test_one_mesh_at_two_scales(
     assert at_scale == ([naming("arm", "collision", scale, "visual", "1 1 1")] if is_found else [])
 
 
+@pytest.mark.parametrize(
+    ("names", "is_found"), [(("lf", "rf", "lb", "rb"), True), (("lf", "rb"), False)]
+)
+def test_the_collision_of_a_similar_link(
+    tmp_path: Path, names: tuple[str, ...], is_found: bool
+) -> None:
+    """Mangdang's Mini Pupper: the legs have similar shapes, so that the boxes do not tell it."""
+    robot = '<link name="base"/>'
+    for name in names:
+        collision = "lf.stl" if name == "rb" else f"{name}.stl"
+        visual = meshed.mesh(f"{name}.stl", "visual")
+        robot += meshed.link(visual, meshed.mesh(collision), name=name)
+        robot += joint("base", name, "revolute")
+    files = {f"{name}.stl": meshed.SOUND for name in names}
+    (*found,) = meshed.reported(tmp_path, "GEO004", robot, files)
+    expected = [(naming("rb", "lf", "3"), "write rb.stl")] if is_found else []
+    assert [(one.message, one.help) for one in found] == expected
+
+
 OBJECT = b"v 0 0 0\nv 0.2 0 0\nv 0 0.12 0\nv 0 0 0.05\nf 1 2 3\nf 1 3 4\n"
 
 

@@ -16,6 +16,8 @@ The rule compares the bounding box of all collisions of a link with that of all 
 - A link has the visual mesh of its left or right counterpart, no link uses the mesh file of its own
   side, and other pairs have a mesh for each side. Or its collision is named after the other side
   than its visual, and no link uses the file of its own side.
+- Links have one mesh for visual and collision, but one link has it at two scales, or collides with
+  the mesh of another link.
 - A radius is exactly 10, 100 or 1000 times that of the same shape in the other. An info is exactly
   twice, or about twice that of a mesh: a diameter.
 
@@ -28,6 +30,7 @@ Sources:
 """
 
 import os
+from collections.abc import Iterator
 from math import isclose
 
 from urdfkit.checks.geometry.other_side import (
@@ -45,7 +48,7 @@ from urdfkit.robot.assets.visual_collision import (
     VisualCollisionPair,
 )
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.link import Body, Link
+from urdfkit.robot.link import Body, Link, Shape
 from urdfkit.robot.samples import collision_xml, link_xml, visual_xml
 from urdfkit.robot.shapes import BoundingBox
 from urdfkit.text.diagnostic import Edit
@@ -99,6 +102,8 @@ def check(context: Context) -> Findings:
     for pair in pairs.mismatches.get(Mismatch.ROTATION, ()):
         yield _rotated(pair, pairs.of_another_link(pair))
     yield from _other_scale(context)
+    reported = {pair.link.name for of_kind in pairs.mismatches.values() for pair in of_kind}
+    yield from _mesh_of_another_link(context, reported)
     yield from _diameters(context)
     for pair in pairs.each():
         yield from _diameter_of_mesh(pair)
@@ -234,13 +239,8 @@ def _rotated(pair: VisualCollisionPair, foreign: tuple[Body, str] | None) -> Fin
 def _other_scale(context: Context) -> Findings:
     """The only link that has one mesh at two scales, which are not those of two units."""
     same, other = 0, []
-    for link in context.model.links:
-        if len(link.visuals) != 1 or len(link.collisions) != 1:
-            continue
-        visual, collision = link.visuals[0].shape, link.collisions[0].shape
-        if not visual or not collision or not visual.filename or not collision.filename:
-            continue
-        if visual.filename.value == collision.filename.value:
+    for link, visual, collision in _links_with_two_meshes(context):
+        if _path(visual) == _path(collision):
             if visual.scale == collision.scale:
                 same += 1
             else:
@@ -258,6 +258,40 @@ def _other_scale(context: Context) -> Findings:
             related=(Related(visual.at.span, "the visual"),),
             confidence=Confidence.INFERRED,
         )
+
+
+def _mesh_of_another_link(context: Context, reported: set[str]) -> Findings:
+    """The only link that does not collide with its own visual, but with that of another link."""
+    links = list(_links_with_two_meshes(context))
+    other = [found for found in links if _path(found[1]) != _path(found[2])]
+    if len(other) != 1 or len(links) <= _CONSISTENT_LINKS + 1:
+        return
+    ((link, visual, collision),) = other
+    owners = [owner for owner, seen, _ in links if _path(seen) == _path(collision)]
+    if len(owners) == 1 and link.name not in reported:
+        yield Finding(
+            collision.at,
+            f"link '{link.name}': the collision is the mesh of '{owners[0].name}'; each of the "
+            f"other {len(links) - 1} links has one mesh for visual and collision",
+            f"write {_path(visual)}",
+            related=(Related(visual.at.span, "the visual"),),
+            confidence=Confidence.INFERRED,
+        )
+
+
+def _links_with_two_meshes(context: Context) -> Iterator[tuple[Link, Shape, Shape]]:
+    """The links with one mesh as their visual and one as their collision, with both."""
+    for link in context.model.links:
+        shapes = [body.shape for body in (*link.visuals, *link.collisions)]
+        if len(link.visuals) == len(link.collisions) == 1 and all(map(_path, shapes)):
+            visual, collision = shapes
+            assert visual is not None
+            assert collision is not None
+            yield link, visual, collision
+
+
+def _path(shape: Shape | None) -> str:
+    return shape.filename.value if shape and shape.filename else ""
 
 
 def _diameters(context: Context) -> Findings:
