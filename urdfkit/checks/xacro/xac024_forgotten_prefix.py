@@ -121,7 +121,7 @@ def _names_without_value(context: Context) -> Findings:
         name[len(value) :]: (argument, value, at)
         for name, at in defined.items()
         for argument, value in values.items()
-        if value.strip() and name.startswith(value) and not at.literal
+        if value.strip() and name.startswith(value) and name != value and not at.literal
     }
     for name, span, element in _references(root, lacking.keys() - defined.keys()):
         argument, value, at = lacking[name]
