@@ -268,7 +268,8 @@ def test_a_robot_without_a_package(
     robot = tmp_path / "r.urdf.xacro"
     robot.write_text(
         xacro_xml(
-            '<xacro:arg name="prefix" default="robot_"/><xacro:arg name="end" default="robot_tip"/>',
+            '<xacro:arg name="prefix" default="robot_"/>',
+            '<xacro:arg name="end" default="robot_tip"/>',
             '<gazebo reference=""/>',  # the end of FANUC's robots is an argument of this kind
             '<xacro:include filename="$(find sensors)/laser.xacro"/>',
             f'<link name="{P}base"/><link name="{P}tip"/>',
