@@ -182,7 +182,8 @@ def casters(rear_right: str) -> str:
         ("-0.3 -0.2 -0.1", ""),
         ("-0.3 -0.2 -0.05", "higher"),
         ("-0.3 -0.2 -0.2", "lower"),
-        ("-0.25 -0.2 -0.1", "not as far"),
+        ("-0.25 -0.2 -0.1", "forward"),
+        ("-0.4 -0.2 -0.1", "back"),
         ("-0.25 -0.2 -0.05", ""),  # differs in two coordinates
         ("-0.3 -0.25 -0.1", ""),
     ],
@@ -190,6 +191,14 @@ def casters(rear_right: str) -> str:
 def test_the_odd_one_of_four_corners(place: str, reason: str) -> None:
     expected = naming("rr_joint", f"{place} m", reason, "rl_joint", "-0.3 0.2 -0.1 m")
     assert messages("JNT025", casters(place)) == ([expected] if reason else [])
+
+
+def test_a_corner_at_the_place_of_another() -> None:
+    """Robotnik's RBCAR, whose origin is between the rear wheels."""
+    text = casters("1.9 -0.2 -0.1").replace('"0.3 ', '"1.9 ').replace('"-0.3 ', '"0.1 ')
+    assert messages("JNT025", text) == [
+        naming("rr_joint", "1.9 -0.2 -0.1 m", "forward", "rl_joint", "0.1 0.2 -0.1 m")
+    ]
 
 
 @pytest.mark.parametrize(

@@ -56,9 +56,9 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
     First those on one link, whose positions alone tell it, then those whose frames in the robot
     differ although the frames of their parents do not.
     """
-    reported = set()
+    reported: set[str] = set()
     for correct, wrong, reason in misplaced_siblings(context.model):
-        reported |= {correct.name, wrong.name}
+        reported |= _moved_with(correct, context) | _moved_with(wrong, context)
         if _would_overlap(context, correct, wrong):
             continue
         places = f"{_at(wrong)} {reason} its counterpart '{correct.name}' {_at(correct)}"
@@ -80,6 +80,12 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
             yield swapped.left, swapped.right, _shift(swapped)
         else:
             yield pair.left, pair.right, _shift(pair)
+
+
+def _moved_with(joint: Joint, context: Context) -> set[str]:
+    """The names of a joint and of those below it."""
+    below = set(context.tree.below(joint.child_name))
+    return {joint.name, *(one.name for one in context.model.joints if one.parent_name in below)}
 
 
 def _is_left_alone(pair: _Pair, counterparts: list[_Pair]) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.core.spatial import Vector
+from urdfkit.core.spatial import Vector, minus
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.symmetry import pairs
@@ -41,21 +41,26 @@ def misplaced_siblings(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
 def _odd_corner(
     left: Joint, right: Joint, mirrored: list[tuple[Joint, Joint]]
 ) -> tuple[Joint, Joint, str] | None:
-    """The one of four corners, such as casters, that differs from the other three in x or z."""
+    """The one of four corners, such as casters, that differs from the other three in x or z.
+
+    The corners are around the origin, or it is at the place of another one.
+    """
     (x, y, z), (a, b, c) = left.origin.position, right.origin.position
     is_moved = (abs(abs(x) - abs(a)) >= TOLERANCE) != (abs(z - c) >= TOLERANCE)
-    if abs(y) < TOLERANCE or abs(y + b) >= TOLERANCE or not is_moved or x * a < 0:
+    if abs(y) < TOLERANCE or abs(y + b) >= TOLERANCE or not is_moved:
         return None
+    others = [
+        joint for pair in mirrored if pair[0].parent_name == left.parent_name for joint in pair
+    ]
+    places = [joint.origin.position for joint in others]
     for correct, wrong in ((left, right), (right, left)):
         x, y, z = correct.origin.position
-        opposite = (-x, y, z)
-        for pair in mirrored:
-            is_there = any(is_equal(joint.origin.position, opposite) for joint in pair)
-            if is_there and pair[0].parent_name == left.parent_name and abs(x) >= TOLERANCE:
-                height = wrong.origin.position[2] - z
-                if abs(height) < TOLERANCE:
-                    return correct, wrong, "is not as far from the middle as"
-                return correct, wrong, f"is {'higher' if height > 0 else 'lower'} than"
+        is_corner = abs(x) >= TOLERANCE and any(is_equal(place, (-x, y, z)) for place in places)
+        if is_corner or any(is_equal(place, wrong.origin.position) for place in places):
+            forward, _, up = minus(wrong.origin.position, correct.origin.position)
+            if abs(up) >= TOLERANCE:
+                return correct, wrong, f"is {'higher' if up > 0 else 'lower'} than"
+            return correct, wrong, f"is further {'forward' if forward > 0 else 'back'} than"
     return None
 
 
