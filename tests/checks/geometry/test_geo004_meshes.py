@@ -132,7 +132,12 @@ def test_one_mesh_at_two_scales(
 
 
 @pytest.mark.parametrize(
-    ("names", "is_found"), [(("lf", "rf", "lb", "rb"), True), (("lf", "rb"), False)]
+    ("names", "is_found"),
+    [
+        (("lf", "rf", "lb", "rb"), True),
+        (("lf", "rb"), False),
+        (("lb", "lf", "rf", "rb"), False),  # of its counterpart, such as a wheel
+    ],
 )
 def test_the_collision_of_a_similar_link(
     tmp_path: Path, names: tuple[str, ...], is_found: bool
@@ -140,7 +145,7 @@ def test_the_collision_of_a_similar_link(
     """Mangdang's Mini Pupper: the legs have similar shapes, so that the boxes do not tell it."""
     robot = '<link name="base"/>'
     for name in names:
-        collision = "lf.stl" if name == "rb" else f"{name}.stl"
+        collision = f"{names[0]}.stl" if name == "rb" else f"{name}.stl"
         visual = meshed.mesh(f"{name}.stl", "visual")
         robot += meshed.link(visual, meshed.mesh(collision), name=name)
         robot += joint("base", name, "revolute")

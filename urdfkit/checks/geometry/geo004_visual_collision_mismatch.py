@@ -51,6 +51,7 @@ from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Body, Link, Shape
 from urdfkit.robot.samples import collision_xml, link_xml, visual_xml
 from urdfkit.robot.shapes import BoundingBox
+from urdfkit.robot.symmetry import pairs
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_first, remove_element
@@ -92,20 +93,20 @@ _UNIT_TOLERANCE = 1.08
 @rule(Severity.WARNING, help="compare both in RViz, and correct the one that is wrong")
 def check(context: Context) -> Findings:
     model, files = context.model, context.files
-    pairs = VisualCollisionPairs(model, context.mesh_solid, files.has_ambiguous_axes)
-    for pair in pairs.mismatches.get(Mismatch.APART, ()):
-        yield _apart(pair, context, pairs.of_another_link(pair))
-    for pair in pairs.mismatches.get(Mismatch.SIZE, ()):
-        wrong = pair.unusual(pairs.span)
+    compared = VisualCollisionPairs(model, context.mesh_solid, files.has_ambiguous_axes)
+    for pair in compared.mismatches.get(Mismatch.APART, ()):
+        yield _apart(pair, context, compared.of_another_link(pair))
+    for pair in compared.mismatches.get(Mismatch.SIZE, ()):
+        wrong = pair.unusual(compared.span)
         if not _is_in_millimetres(wrong, context):
             yield _of_size(pair, wrong)
-    for pair in pairs.mismatches.get(Mismatch.ROTATION, ()):
-        yield _rotated(pair, pairs.of_another_link(pair))
+    for pair in compared.mismatches.get(Mismatch.ROTATION, ()):
+        yield _rotated(pair, compared.of_another_link(pair))
     yield from _other_scale(context)
-    reported = {pair.link.name for of_kind in pairs.mismatches.values() for pair in of_kind}
+    reported = {pair.link.name for of_kind in compared.mismatches.values() for pair in of_kind}
     yield from _mesh_of_another_link(context, reported)
     yield from _diameters(context)
-    for pair in pairs.each():
+    for pair in compared.each():
         yield from _diameter_of_mesh(pair)
     for copied in meshes_of_the_other_side(context):
         name, side = copied.wrong.link.name, copied.correct.link.name
@@ -268,7 +269,9 @@ def _mesh_of_another_link(context: Context, reported: set[str]) -> Findings:
         return
     ((link, visual, collision),) = other
     owners = [owner for owner, seen, _ in links if _path(seen) == _path(collision)]
-    if len(owners) == 1 and link.name not in reported:
+    # A collision may be that of the other side: wheels are symmetric.
+    is_of_counterpart = bool(pairs((_path(visual), _path(collision))))
+    if len(owners) == 1 and link.name not in reported and not is_of_counterpart:
         yield Finding(
             collision.at,
             f"link '{link.name}': the collision is the mesh of '{owners[0].name}'; each of the "
