@@ -11,7 +11,7 @@
   for Jazzy or later).
 - A control plugin of a simulator loads only its own hardware and ignores any other, so that no
   controller can be activated: Gazebo Classic needs `gazebo_ros2_control/GazeboSystem`, Gazebo Sim
-  `gz_ros2_control/GazeboSimSystem`. It is a warning if a xacro argument has to select the hardware.
+  `gz_ros2_control/GazeboSimSystem`.
 
 Sources:
     ros2_control, component_parser.cpp: https://github.com/ros-controls/ros2_control/blob/master/hardware_interface/src/component_parser.cpp
@@ -26,18 +26,13 @@ import re
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.ros_control import (
-    control_plugin,
-    control_plugin_libraries,
-    simulated_hardware,
-)
+from urdfkit.ros.catalog.ros_control import control_plugin_libraries, simulated_hardware
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.ros_control import Component, ControlPlugin, called, components, control_plugins
 from urdfkit.ros.targets import CLASSIC, GZ, Targets
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
-from urdfkit.text.source import Span
 from urdfkit.workspace.plugin_descriptions import why_unknown
 
 BAD = robot_xml(SHOULDER, control_xml("mock_component/GenericSystem", driven_xml("shoulder")))
@@ -50,11 +45,6 @@ _OF_GZ = "gz_ros2_control"
 #: A condition with a plugin or the whole hardware in it.
 _CONDITIONAL = re.compile(
     r"<xacro:(if|unless)\b(?:(?!</xacro:\1).)*?<(?:hardware|plugin)\b", re.DOTALL
-)
-#: A hardware class or a library of Gazebo, in the text of a description.
-_NAMED = re.compile(
-    rb"""<!--.*?(?:-->|\Z)|<plugin>\s*([\w/]+)\s*</plugin>|\bfilename\s*=\s*["']([\w./-]+)["']""",
-    re.DOTALL,
 )
 #: Hardware classes of ros2_control, and of a package that many simulators use.
 _COMMON = ("mock_components/GenericSystem", "topic_based_ros2_control/TopicBasedSystem")
@@ -75,8 +65,6 @@ def check(context: Context) -> Findings:
         yield from _not_exported(component, context)
         if plugins:
             yield from _other_simulator(component, plugins, context.targets)
-    if plugins:
-        yield from _not_evaluated(context, plugins)
 
 
 def _missing(component: Component) -> Findings:
@@ -177,29 +165,3 @@ def _other_simulator(
             f"use {suitable}" if suitable else "use the control plugin of the same simulator",
             related=(Related(plugins[0].at.span, "control plugin"),),
         )
-
-
-def _not_evaluated(context: Context, plugins: list[ControlPlugin]) -> Findings:
-    """Hardware of a simulator in a condition that is false, which no control plugin loads."""
-    xacro, known = context.reading.xacro, simulated_hardware()
-    if xacro is None or not xacro.is_complete:
-        return
-    kinds = {plugin.kind for plugin in plugins}
-    found: list[tuple[str, Span]] = []
-    for source in xacro.sources:
-        for match in _NAMED.finditer(source.data):
-            hardware, library = (part.decode() if part else "" for part in match.groups())
-            kinds.add(control_plugin(library) or "")
-            if hardware in known:
-                found.append((hardware, Span(source, *match.span(1))))
-    evaluated = {part.plugin.span for part in components(context.model) if part.plugin}
-    suitable = " or ".join(name for name, hardware in known.items() if hardware.control in kinds)
-    for name, span in found:
-        if known[name].control not in kinds and span not in evaluated and suitable:
-            yield Finding(
-                span,
-                f"{plugins[0].filename} does not load hardware {name}",
-                f"use {suitable}",
-                related=(Related(plugins[0].at.span, "control plugin"),),
-                severity=Severity.WARNING,
-            )
