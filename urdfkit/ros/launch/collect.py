@@ -68,7 +68,7 @@ class Collector:
         self.descriptions: list[LaunchedDescription] = []
         #: Robots that MoveIt gets, which another launch file may start.
         self.configured: list[LaunchedDescription] = []
-        self.demos: list[tuple[LaunchedDescription, FileUse]] = []
+        self.built: list[tuple[LaunchedDescription, FileUse | None]] = []
         self.files: list[FileUse] = []
         self.packages: dict[str, PackageUse] = {}
         self.problems: list[Problem] = []
@@ -317,7 +317,7 @@ class Collector:
             self.names_parameters,
             tuple(self.includes),
             tuple(self.configured),
-            tuple(self.demos),
+            tuple(self.built),
         )
 
 

@@ -249,8 +249,9 @@ class Launch(Record):
     includes: tuple[IncludedFile, ...] = ()  # its includes, and those of its included files
     #: Robots that MoveItConfigsBuilder reads, with arguments.
     configured: tuple[LaunchedDescription, ...] = ()
-    #: Robots of the demos of moveit_configs_utils, each with the file of its controllers.
-    demos: tuple[tuple[LaunchedDescription, FileUse], ...] = ()
+    #: Robots of MoveItConfigsBuilder that ros2_control gets, each with the file of its controllers;
+    #: None stands for the parameter files of the launch file.
+    built: tuple[tuple[LaunchedDescription, FileUse | None], ...] = ()
 
     @property
     def programs(self) -> tuple[StartedProgram, ...]:

@@ -45,7 +45,8 @@ _PLANNER = re.compile(
 )
 #: Starts ros2_control with config/ros2_controllers.yaml.
 _DEMO = re.compile(rb"\bgenerate_demo_launch\(")
-
+#: Starts ros2_control with the parameter files of the launch file.
+_MANAGER = b"ros2_control_node"
 
 #: Import of a builder of another package, which has methods and files of its own.
 _OTHER = re.compile(
@@ -62,10 +63,10 @@ def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
         return
     collector.problems += _unknown_names(call, values)
     robot = values.text(argument(builder, 0, "robot_name"))
-    written = argument(builder, 1, "package_name")
-    package = values.text(written) if written else robot and f"{robot}_moveit_config"
+    package = values.package_of(builder)
     if not package:
         return
+    written = argument(builder, 1, "package_name")
     directory = collector.package(package, values.source, values.span(written or builder))
     if called(call) == "robot_description":
         _describe(call, directory or "", values, collector)
@@ -74,7 +75,7 @@ def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
     elif called(call) == "to_moveit_configs" and directory:
         _default_files(call, directory, values, collector)
         _required_files(call, builder, directory, values, collector)
-        _demo(call, robot, directory, values, collector)
+        _robot_and_controllers(call, robot, directory, values, collector)
     elif called(call) == "planning_pipelines" and directory:
         _default(call, values, collector)
         _named_pipelines(call, directory, values, collector)
@@ -250,33 +251,60 @@ def _wrapped(method: str, path: str, collector: Collector) -> None:
 
 def _describe(call: ast.Call, directory: str, values: Values, collector: Collector) -> None:
     """Record the robot of the builder with the arguments of its ``mappings``."""
+    robot = _described(call, directory, values)
+    if robot and robot.path.endswith(".xacro") and values.pairs(argument(call, 1, "mappings")):
+        collector.configured += [robot] if "" not in robot.unknown else []
+
+
+def _described(call: ast.Call, directory: str, values: Values) -> LaunchedDescription | None:
+    """The robot of a call of ``robot_description``; None if its file is not found."""
     path = values.text(argument(call, 0, "file_path")) or ""
     path = os.path.normpath(os.path.join(directory, path))
     given = argument(call, 1, "mappings")
-    if not path.endswith(".xacro") or given is None or not disk.is_file(path):
-        return
     pairs = [(values.text(key), values.text(value)) for key, value in values.pairs(given)]
     known = {name: value for name, value in pairs if name and value is not None}
     unknown = tuple(name or "" for name, value in pairs if not name or value is None)
-    if pairs and "" not in unknown:
-        span = values.span(call)
-        frame = frame_at(values.source, Tag(values.source, span.start, span.start), None)
-        collector.configured.append(LaunchedDescription(path, known, frame, unknown))
+    if given is not None and not pairs:
+        unknown = ("",)
+    return _launched(path, call, values, known, unknown)
 
 
-def _demo(
+def _launched(
+    path: str,
+    call: ast.Call,
+    values: Values,
+    arguments: dict[str, str],
+    unknown: tuple[str, ...] = (),
+) -> LaunchedDescription | None:
+    if not disk.is_file(path):
+        return None
+    span = values.span(call)
+    frame = frame_at(values.source, Tag(values.source, span.start, span.start), None)
+    return LaunchedDescription(path, arguments, frame, unknown)
+
+
+def _robot_and_controllers(
     call: ast.Call, robot: str | None, directory: str, values: Values, collector: Collector
 ) -> None:
-    """Record the robot and the controllers of a demo, which have names that are fixed."""
-    config, span = os.path.join(directory, "config"), values.span(call)
-    path = os.path.join(config, f"{robot}.urdf.xacro")
+    """Record the robot and the controllers of a launch file that starts ros2_control.
+
+    Those of a demo have fixed names.
+    """
+    given = _methods(call).get("robot_description")
+    config, default = os.path.join(directory, "config"), None
+    if given is not None:
+        built = _described(given, directory, values)
+    else:
+        default = os.path.join(config, f"{robot}.urdf.xacro") if robot else ""
+        built = _launched(default, call, values, {})
     controllers = os.path.join(config, "ros2_controllers.yaml")
-    is_default = robot and "robot_description" not in _methods(call)
-    is_demo = is_default and _DEMO.search(values.source.data)
-    if is_demo and disk.is_file(path) and disk.is_file(controllers):
-        frame = frame_at(values.source, Tag(values.source, span.start, span.start), None)
-        file = FileUse(controllers, True, span, PARAMETERS)
-        collector.demos.append((LaunchedDescription(path, {}, frame), file))
+    if built is None:
+        return
+    if _MANAGER in values.source.data:
+        collector.built.append((built, None))
+    elif default and _DEMO.search(values.source.data) and disk.is_file(controllers):
+        file = FileUse(controllers, True, values.span(call), PARAMETERS)
+        collector.built.append((built, file))
 
 
 def _methods(call: ast.Call) -> dict[str, ast.Call]:

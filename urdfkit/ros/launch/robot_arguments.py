@@ -54,8 +54,10 @@ def started_robots(launch: Launch, path: str) -> Iterator[tuple[str, RobotArgume
     for robot in launch.descriptions:
         arguments = RobotArguments(robot.arguments, path, robot.frame, robot.unknown, parameters)
         yield robot.path, arguments
-    for robot, file in launch.demos:
-        yield robot.path, RobotArguments({}, path, robot.frame, parameters=(file,))
+    for robot, file in launch.built if not launch.descriptions else ():
+        files = (file,) if file else launch.parameters if len(launch.built) == 1 else ()
+        arguments = RobotArguments(robot.arguments, path, robot.frame, robot.unknown, files)
+        yield robot.path, arguments
 
 
 def passed_arguments(

@@ -109,6 +109,10 @@ class Values:
         """The text of an attribute, a condition, an item or a call."""
         if isinstance(node, ast.Attribute) and node.attr == "parent":
             return _directory(self.text(node.value, depth + 1))
+        if isinstance(node, ast.Attribute) and node.attr == "package_path":
+            builder = self._builder(node.value)
+            package = self.package_of(builder) if builder else None
+            return self._directory_of(package, builder) if builder and package else None
         if isinstance(node, ast.IfExp):
             holds = self._holds(node.test, depth + 1)
             branch = node.body if holds else node.orelse
@@ -239,10 +243,26 @@ class Values:
     def _package_directory(self, call: ast.Call, depth: int) -> str | None:
         named = argument(call, 0, "package") or argument(call, 0, "package_name")
         package = self.text(named, depth + 1)
-        if package is None:
-            return None
-        directory = self.collector.package(package, self.source, self.span(call))
+        return None if package is None else self._directory_of(package, call)
+
+    def _directory_of(self, package: str, at: ast.expr) -> str:
+        directory = self.collector.package(package, self.source, self.span(at))
         return f"{UNKNOWN}/{package}" if directory is None else directory
+
+    def _builder(self, node: ast.expr | None) -> ast.Call | None:
+        """The MoveItConfigsBuilder on which a chain of methods is called, or None."""
+        for _ in range(MAX_DEPTH):
+            node = self.resolved(node)
+            if not isinstance(node, ast.Call) or called(node) == "MoveItConfigsBuilder":
+                return node if isinstance(node, ast.Call) else None
+            node = node.func.value if isinstance(node.func, ast.Attribute) else None
+        return None
+
+    def package_of(self, builder: ast.Call) -> str | None:
+        """The package that a MoveItConfigsBuilder reads."""
+        written = argument(builder, 1, "package_name")
+        robot = self.text(argument(builder, 0, "robot_name"))
+        return self.text(written) if written else robot and f"{robot}_moveit_config"
 
     def configuration(self, name: str, depth: int = 0) -> str | None:
         """The value of an argument of the launch file; None if unknown."""
