@@ -135,6 +135,13 @@ def test_executables_that_start(tmp_path: Path, setup: str, config: str | None) 
     assert started(tmp_path, setup, config) == []
 
 
+@pytest.mark.parametrize(("module", "hint"), [("talkr", "; did you mean 'talker'?"), ("baker", "")])
+def test_a_module_of_another_name(tmp_path: Path, module: str, hint: str) -> None:
+    """ROS2_gazebo: test_node is not suber_node."""
+    (found,) = started(tmp_path, RUNNING.replace("arm.talker", f"arm.{module}"))
+    assert found.message == f"executable 'talk': there is no module arm.{module}{hint}"
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [

@@ -9,7 +9,7 @@ from fnmatch import fnmatchcase
 
 from urdfkit.checks.package.build_files import is_missing, package_file
 from urdfkit.core import disk
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import did_you_mean, hint_for, nearest, nearest_file_name
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.launch.python_names import bound_names
 from urdfkit.text.python_source import nodes, parse
@@ -91,16 +91,16 @@ def _missing_packages(setup: Source, entries: list[EntryPoint], directory: str) 
 def _missing_modules(setup: Source, entries: list[EntryPoint], directory: str) -> Findings:
     """Executables whose module or function does not exist."""
     for entry in entries:
-        package, _, rest = entry.module.partition(".")
+        package = entry.module.partition(".")[0]
         if not disk.is_directory(os.path.join(directory, package)):
             continue  # of another package
         path = os.path.join(directory, *entry.module.split("."))
         source = package_file(directory, os.path.relpath(f"{path}.py", directory))
         if source is None and not disk.exists(path) and not disk.exists(f"{path}.py"):
             files = disk.names_or_empty(os.path.dirname(path))
-            names = [file.removesuffix(".py") for file in files]
+            similar = nearest_file_name(f"{os.path.basename(path)}.py", files)
             message = f"executable '{entry.name}': there is no module {entry.module}"
-            message += did_you_mean(rest, names)
+            message += hint_for(similar and similar.removesuffix(".py"))
             help = "fix the name, or create the module"
             yield Finding(_span_of(setup, entry), message, help, severity=Severity.WARNING)
         elif source and entry.function.rpartition(".")[2].encode() not in source.data:
