@@ -70,6 +70,13 @@ def test_arguments_of_the_user_are_checked_alone(tmp_path: Path) -> None:
     assert [one.code for one in _found(tmp_path, body, sim="false")] == ["GEO002"]
 
 
+def test_arguments_of_the_configuration_are_not_switched(tmp_path: Path) -> None:
+    robot = '[[robot]]\nfile = "urdf/robot.xacro"\narguments.sim = "false"\n'
+    add_file(tmp_path / "urdfkit.toml", robot)
+    _found(tmp_path, f"{ARGUMENT.format('false')}{ROBOT}\n{BLOCK.format('if')}")
+    assert shown_files([str(tmp_path)], Options()).endswith("robot.xacro sim:=false\n")
+
+
 @pytest.mark.parametrize(
     "block",
     [

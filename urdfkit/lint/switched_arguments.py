@@ -32,7 +32,7 @@ def switched(started: list[tuple[Job, Context]]) -> Iterator[Job]:
     if not any(value.lower() in _OTHER for value in defaults.values()):
         return
     sets = [{**defaults, **variant.arguments} for variant, _ in started]
-    names = _words_in_conditions(context).intersection(defaults)
+    names = _words_in_conditions(context).intersection(defaults).difference(job.arguments)
     left = MAX_SWITCHED
     for name in filter(names.__contains__, defaults):  # in their order
         values = {arguments.get(name, "").lower() for arguments in sets}
