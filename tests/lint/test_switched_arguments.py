@@ -8,6 +8,7 @@ from tests.workspaces import add_file
 from tests.xacros import xacro
 from urdfkit import check
 from urdfkit.cli.shown_files import shown_files
+from urdfkit.lint.config_reader import load
 from urdfkit.lint.options import Options
 from urdfkit.lint.switched_arguments import MAX_SWITCHED
 from urdfkit.text.diagnostic import Diagnostic, Severity
@@ -71,10 +72,11 @@ def test_arguments_of_the_user_are_checked_alone(tmp_path: Path) -> None:
 
 
 def test_arguments_of_the_configuration_are_not_switched(tmp_path: Path) -> None:
-    robot = '[[robot]]\nfile = "urdf/robot.xacro"\narguments.sim = "false"\n'
-    add_file(tmp_path / "urdfkit.toml", robot)
     _found(tmp_path, f"{ARGUMENT.format('false')}{ROBOT}\n{BLOCK.format('if')}")
-    assert shown_files([str(tmp_path)], Options()).endswith("robot.xacro sim:=false\n")
+    robot = '[[robot]]\nfile = "urdf/robot.xacro"\narguments.sim = "false"\n'
+    config = load(str(add_file(tmp_path / "urdfkit.toml", robot)))
+    shown = shown_files([str(tmp_path)], Options(config=config)).splitlines()
+    assert [line.rpartition(" ")[2] for line in shown] == ["sim:=false"]
 
 
 @pytest.mark.parametrize(
