@@ -222,6 +222,8 @@ def test_wheels_with_meshes(tmp_path: Path, left: float, right: float, found: st
     files = {"tyre.stl": TYRE}
     reports = meshed.reported(tmp_path, "TRE008", with_meshes(left, right), files)
     assert [one.message for one in reports] == ([found] if found else [])
+    if left != right:
+        assert reports[0].span.text.startswith('<joint name="left_joint"')
 
 
 @pytest.mark.parametrize(("wheels", "count"), [(4, 1), (3, 0)])

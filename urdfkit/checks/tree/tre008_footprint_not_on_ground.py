@@ -86,7 +86,7 @@ def check(context: Context) -> Findings:
             is_level = max(gaps.values(), default=0.0) < TOLERANCE
             is_too_low = is_too_low and is_level and abs(rise) <= _MAX_RISE
             yield Finding(
-                joints[0].at,
+                tree.parents[link][0].at if standing else joints[0].at,
                 f"the lowest collision point (link '{link}') is {abs(height):.3g} m {side} "
                 f"'{name}', which by convention lies on the ground{lifted_wheels}{standing}",
                 f"raise '{link}' to the height of the other wheels"
