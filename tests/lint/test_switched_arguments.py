@@ -56,6 +56,23 @@ def test_an_error_is_a_warning_and_an_info_is_left_out(tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("block", "count"),
+    [
+        ('<xacro:if value="$(arg sim)">{}</xacro:if>', 1),
+        ("{}", 0),  # akros2_description: nopath is for a program that looks elsewhere
+    ],
+)
+def test_other_values_of_what_it_has_are_not_reported(
+    tmp_path: Path, block: str, count: int
+) -> None:
+    value = '<xacro:if value="$(arg sim)"><xacro:property name="p" value="am"/></xacro:if>'
+    tag = block.format('<gazebo reference="${p}"><mu1>1</mu1></gazebo>')
+    given = '<xacro:property name="p" value="arm"/>'
+    found = _found(tmp_path, f"{ARGUMENT.format('false')}{ROBOT}{given}{value}\n{tag}")
+    assert [one.code for one in found] == ["GEO002", *["GAZ001"] * count]
+
+
 def test_a_launch_file_starts_it_with_the_other_value(tmp_path: Path) -> None:
     add_file(
         tmp_path / "launch" / "sim.launch",

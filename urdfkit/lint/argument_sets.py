@@ -62,7 +62,15 @@ def _with_booleans(
         text = _expanded_text(robot)
         if text is not None and text not in texts and own <= _links_and_joints(robot):
             texts.add(text)
-            yield variant, robot
+            present = frozenset(place for _, other in started for place in _tags(other))
+            yield variant._replace(present=present), robot
+
+
+def _tags(context: Context) -> Iterator[tuple[str, int, int]]:
+    """The places of the tags of a description."""
+    for element in context.document.root.walk():
+        span = element.span
+        yield span.source.path, span.start, span.end
 
 
 def _with_missing(

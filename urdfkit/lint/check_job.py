@@ -21,7 +21,7 @@ from urdfkit.lint.runner import FileResult, run_rules
 from urdfkit.lint.unknown_arguments import unknown_arguments
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
 from urdfkit.text.file_kinds import has_srdf_tags
-from urdfkit.text.source import shown
+from urdfkit.text.source import Span, shown
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
@@ -109,7 +109,7 @@ def check_sets(sets: Iterable[tuple[Job, Context]], options: Options) -> list[Ch
 
 
 def _with_switched(started: list[Checked], switched: list[Checked]) -> Iterator[Checked]:
-    """The results of one robot with another boolean: what it does not show as it is started.
+    """The results of one robot with another boolean, about what this adds to it.
 
     Its errors are warnings, since nobody may want this robot, and its infos are left out.
     """
@@ -118,9 +118,18 @@ def _with_switched(started: list[Checked], switched: list[Checked]) -> Iterator[
         new = [
             one._replace(severity=Severity.WARNING, variants=(job.switched,))
             for one in result.diagnostics
-            if one.severity is not Severity.INFO and _identity(one) not in known
+            if one.severity is not Severity.INFO
+            and _identity(one) not in known
+            and not _is_present(one.span, job)
         ]
         yield job, result._replace(diagnostics=tuple(new))
+
+
+def _is_present(span: Span, job: Job) -> bool:
+    """True for a place in a tag that the robot also has as it is started."""
+    return any(
+        path == span.source.path and start <= span.start < end for path, start, end in job.present
+    )
 
 
 def _with_unknown_values(job: Job, context: Context, result: FileResult) -> FileResult:

@@ -48,6 +48,8 @@ class Job(Record):
     assumed: str = ""
     #: A boolean argument with the value that nobody passes, as ``name=value``; may be empty.
     switched: str = ""
+    #: The places of the tags that the robot also has without it: path, start and end.
+    present: frozenset[tuple[str, int, int]] = frozenset()
     #: Arguments whose default is checked although no launch file starts the robot with it.
     replaced: frozenset[str] = frozenset()
     #: Arguments whose value the launch file knows only at run time; "" stands for any name.
