@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.fixing import FIXED_JOINT, fix, write
 from tests.workspaces import add_file
-from tests.xacros import xacro
+from tests.xacros import NAMESPACE, xacro
 from urdfkit import check
 from urdfkit.cli.shown_files import shown_files
 from urdfkit.lint.config_reader import load
@@ -123,3 +124,12 @@ def test_at_most_some_are_switched_one_at_a_time(tmp_path: Path) -> None:
         "",
         *(f"{name}:=true" for name in names[:MAX_SWITCHED]),
     ]
+
+
+def test_what_it_has_and_what_is_added_to_it_is_fixed(tmp_path: Path) -> None:
+    added = FIXED_JOINT.replace('"a"', '"c"').replace('"b"', '"d"').replace('"j"', '"k"')
+    block = f'<xacro:if value="$(arg sim)">{added}</xacro:if>'
+    body = f"{ARGUMENT.format('false')}{FIXED_JOINT}{block}"
+    write(tmp_path, "r.urdf.xacro", body, NAMESPACE)
+    (file,) = fix(tmp_path).files
+    assert (file.before.count(b"<axis"), file.after.count(b"<axis")) == (2, 0)

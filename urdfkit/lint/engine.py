@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core import disk, limits
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint import rule_index, rules
-from urdfkit.lint.argument_sets import as_checked, as_launched
+from urdfkit.lint.argument_sets import as_checked
 from urdfkit.lint.check_job import check_context, check_job, check_one_of_many, check_sets, reader
 from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
@@ -147,14 +147,16 @@ def contexts(
 ) -> Iterator[Context | None]:
     """The descriptions that a check with the same options reads, in the same order.
 
-    None stands for a launch file, and for a duplicate of another description, for which only some
-    rules run. Descriptions are read one by one, as the iterator advances.
+    None stands for a launch file, for a duplicate of another description, for which only some rules
+    run, and for a robot with another boolean, of which only what this adds is reported.
+    Descriptions are read one by one, as the iterator advances.
     """
     options = options.with_config()
     resolver = Resolver(options.packages, texts=options.texts)
     for planned_job in planned(files, resolver, options).jobs:
-        for job, context in as_launched(planned_job, reader(options, resolver)):
-            yield None if is_launch(job.path) or job.codes else context
+        for job, context in as_checked(planned_job, reader(options, resolver)):
+            is_partial = is_launch(job.path) or job.codes or job.switched
+            yield None if is_partial else context
 
 
 def _checked(
