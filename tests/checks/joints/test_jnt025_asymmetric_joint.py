@@ -481,6 +481,22 @@ def test_one_side_is_fixed() -> None:
     assert not any("is fixed" in message for message in messages("JNT025", plain))
 
 
+def test_tips_of_the_fingers_of_one_hand() -> None:
+    """rai-robotModels: the right hand of Baxter is 1.1 m beside the plane of the robot."""
+    text = "".join(
+        joint(f"{side}_{part}", "revolute", f'<origin xyz="0 {y} 0.2"/>{limit("-1", "1")}', parent)
+        for side, y in (("left", 1), ("right", -1))
+        for part, parent in (("shoulder", "base"), ("elbow", f"{side}_shoulder_link"))
+    )
+    text += joint("suction_cup", "fixed", "", "left_elbow_link")
+    for side, y in (("l", 0.02), ("r", -0.02)):
+        slide = limit("0", "0.02")
+        text += joint(f"hand_{side}_finger", "prismatic", slide, "right_elbow_link")
+        tip = f'<origin xyz="0 {y} 0.1"/>'
+        text += joint(f"hand_{side}_tip", "fixed", tip, f"hand_{side}_finger_link")
+    assert messages("JNT025", robot(text)) == []
+
+
 @pytest.mark.parametrize(
     ("sole", "other", "found"),
     [

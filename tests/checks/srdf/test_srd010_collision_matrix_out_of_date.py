@@ -59,6 +59,12 @@ def test_an_overlap_by_rounding_is_an_info(tmp_path: Path, near: float, severity
     assert found.severity.value == severity
 
 
+def test_a_matrix_for_a_program_that_never_checks_connected_links(tmp_path: Path) -> None:
+    """personalrobotics/herb_description: OpenRAVE."""
+    found = reported(tmp_path, SOME.replace("arm", "hand"))
+    assert {one.severity.value for one in found if "overlap" in one.message} == {"info"}
+
+
 def test_separate_links_are_accepted(tmp_path: Path) -> None:
     assert reported(tmp_path, SOME, near=0.21) == []
 

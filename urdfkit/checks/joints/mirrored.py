@@ -69,7 +69,7 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
         reported |= {correct.name, wrong.name}
     joints = by_key((joint.parent_name, joint) for joint in context.model.joints)
     movable = list(_pairs(context, context.symmetric_joints))
-    fixed = list(_pairs(context, _fixed_joints(context)))
+    fixed = list(_pairs(context, _fixed_joints(context, movable)))
     asymmetric = _asymmetric(movable, movable, context, joints)
     for pair in (*asymmetric, *_asymmetric(fixed, movable, context, joints)):
         if pair.right.name in reported:
@@ -197,10 +197,10 @@ def on_another_branch(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
             yield above[counterpart], above[child], link
 
 
-def _fixed_joints(context: Context) -> list[tuple[Joint, Joint]]:
-    """Counterparts that are fixed to movable counterparts, such as feet to shanks."""
+def _fixed_joints(context: Context, counterparts: list[_Pair]) -> list[tuple[Joint, Joint]]:
+    """Fixed joints whose parents are counterparts on two sides, such as feet of shanks."""
     fixed = {joint.name: joint for joint in context.model.joints if joint.kind == "fixed"}
-    movable = {(left.child_name, right.child_name) for left, right in context.symmetric_joints}
+    movable = {(pair.left.child_name, pair.right.child_name) for pair in counterparts}
     return [
         (fixed[left], fixed[right])
         for left, right in pairs(fixed)

@@ -5,8 +5,9 @@
   checked for collisions. Links are also adjacent if only links without collision geometry are
   between them, or if both are next to the same link without collision geometry.
 - A pair that a joint connects overlaps at the zero pose and is not disabled (warning; an info if
-  the overlap is less than 1 mm). MoveIt finds the collision in every pose, and cannot plan. An SRDF
-  without any matrix is not reported.
+  the overlap is less than 1 mm, or no such pair is disabled: OpenRAVE and Pinocchio never check
+  them). MoveIt finds the collision in every pose, and cannot plan. An SRDF without any matrix is
+  not reported.
 
 The matrix is older than the links, or was edited by hand; `urdfkit collisions -o` updates it.
 
@@ -54,17 +55,26 @@ def check(context: Context) -> Findings:
         yield from _not_adjacent(context, srdf)
     if not srdf.disabled:
         return
+    is_for_moveit = _disables_connected_links(context, srdf)
     for pair in context.collisions.contacts_in_moveit.pairs:
         if not (pair.is_adjacent or pair.is_rigid) or srdf.disables(frozenset(pair.names)):
             continue
         if pair.contact and pair.contact.depth > _MIN_DEPTH:
             first, second = sorted(pair.names)
+            is_certain = is_for_moveit and pair.contact.depth > _DEEP
             yield Finding(
                 srdf.root,
                 f"connected links '{first}' and '{second}' overlap by "
                 f"{1000 * pair.contact.depth:.3g} mm, but their collisions are not disabled",
-                severity=Severity.WARNING if pair.contact.depth > _DEEP else None,
+                severity=Severity.WARNING if is_certain else None,
+                group_key="connected links",
             )
+
+
+def _disables_connected_links(context: Context, srdf: Srdf) -> bool:
+    known, adjacency = srdf.known("link"), Adjacency(context.tree)
+    pairs = (tuple(pair) for pair in srdf.disabled if len(pair) == 2 and pair <= known)
+    return any(adjacency.is_adjacent(first, second) for first, second in pairs)
 
 
 def _not_adjacent(context: Context, srdf: Srdf) -> Findings:
