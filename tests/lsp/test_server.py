@@ -18,6 +18,8 @@ import urdfkit
 from tests.conftest import MISSION, ROOT
 from tests.lsp.edited import XACRO
 from tests.lsp.editor import PATIENCE, Conversation, Editor, session, talk
+from tests.workspaces import add_file
+from tests.xacros import xacro
 from urdfkit.core.installation import install_command
 from urdfkit.lsp.main_thread import MainThreadExecutor
 from urdfkit.lsp.text import to_path, to_uri
@@ -461,3 +463,18 @@ async def _run(directory: Path) -> tuple[int | None, str]:
     )
     _, errors = await process.communicate()
     return process.returncode, errors.decode()
+
+
+def test_the_variants_that_have_a_finding_are_in_its_message(held: Held, tmp_path: Path) -> None:
+    reference = '<gazebo reference="am"><mu1>1</mu1></gazebo>'
+    block = f'<xacro:if value="$(arg sim)">{reference}</xacro:if>'
+    body = f'<xacro:arg name="sim" default="false"/><link name="arm"/>{block}'
+    robot = add_file(tmp_path / "robot.urdf.xacro", xacro(body))
+
+    async def conversation(editor: Editor) -> None:
+        file = editor.open(robot, robot.read_text())
+        await editor.until(file.uri, lambda found: "GAZ001" in codes(found))
+        (one,) = (one for one in editor.found[file.uri] if one.code == "GAZ001")
+        assert one.message.splitlines()[0].endswith(" (variants: sim=true)")
+
+    held(conversation)

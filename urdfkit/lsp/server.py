@@ -212,7 +212,7 @@ class Server(LanguageServer):
 
     def diagnostic(self, finding: Diagnostic) -> lsp.Diagnostic:
         """A finding for the protocol; macro calls are related locations."""
-        texts = (finding.message, finding.help) if finding.help else (finding.message,)
+        texts = filter(None, (finding.message_with_variants, finding.help))
         message = "\n".join(map(printable, texts))
         related = [(note.span, note.message) for note in finding.related]
         for call in finding.calls[:8]:

@@ -133,6 +133,12 @@ class Diagnostic(Record):
     variants: tuple[str, ...] = ()
 
     @property
+    def message_with_variants(self) -> str:
+        """The message with the variants in parentheses, for formats that have no place for them."""
+        variants = f" (variants: {', '.join(self.variants)})" if self.variants else ""
+        return self.message + variants
+
+    @property
     def element(self) -> str:
         """Path of the first element after expansion; empty if there is none."""
         return self.calls[0].element if self.calls else ""

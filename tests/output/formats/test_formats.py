@@ -39,3 +39,11 @@ def test_every_format_obeys_the_law(name: str) -> None:
         assert (quiet == text) is not hasattr(module, "findings")
     assert written.__doc__
     assert module.__doc__
+
+
+@pytest.mark.parametrize(
+    "name", sorted({*formats.names()} - {"full", "json", "statistics", "text"})
+)
+def test_a_format_without_a_place_for_variants_has_them_in_the_message(name: str) -> None:
+    found = FOUND._replace(variants=("left", "right"))
+    assert "over 1 m (variants: left, right)" in formats.get(name)(report(found, rules=("TRE003",)))

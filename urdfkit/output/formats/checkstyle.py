@@ -25,7 +25,7 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
             _file(root, files, diagnostic.span.source.path),
             place,
             diagnostic.severity.value,
-            diagnostic.message,
+            diagnostic.message_with_variants,
             diagnostic.code,
         )
     for crash in report.crashed:

@@ -19,5 +19,5 @@ def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterato
     """The findings and crashed rules only."""
     page = TextPage(color, _WIDE)
     for finding in report.diagnostics:
-        yield f"{page.head(finding)}\n"
+        yield f"{page.head(finding._replace(message=finding.message_with_variants))}\n"
     yield from crashes(report, page)

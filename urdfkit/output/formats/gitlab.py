@@ -26,7 +26,7 @@ def _issue(diagnostic: Diagnostic, mark: str) -> dict[str, Any]:
     line, column = span.source.position(span.start)
     end_line, end_column = span.source.position(span.end)
     return {
-        "description": diagnostic.message,
+        "description": diagnostic.message_with_variants,
         "check_name": f"{diagnostic.code} {diagnostic.name}",
         "fingerprint": mark,
         "severity": _SEVERITIES[diagnostic.severity],

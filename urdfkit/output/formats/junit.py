@@ -80,8 +80,8 @@ def _case(suite: Element, path: str, name: str, diagnostics: list[Diagnostic]) -
 
 
 def _line(diagnostic: Diagnostic) -> str:
-    text = f"{diagnostic.span}: {diagnostic.severity.value} {diagnostic.code} {diagnostic.message}"
-    return f"{text} (variants: {', '.join(diagnostic.variants)})" if diagnostic.variants else text
+    kind = f"{diagnostic.severity.value} {diagnostic.code}"
+    return f"{diagnostic.span}: {kind} {diagnostic.message_with_variants}"
 
 
 def _count(root: Element) -> None:

@@ -51,7 +51,7 @@ def _table(diagnostics: Sequence[Diagnostic]) -> Iterator[str]:
 
 
 def _what(diagnostic: Diagnostic) -> str:
-    parts = [escape(diagnostic.message)]
+    parts = [escape(diagnostic.message_with_variants)]
     if len(diagnostic.calls) > 1:
         parts[0] += f" (expanded from {len(diagnostic.calls)} places)"
     if diagnostic.help:

@@ -92,7 +92,7 @@ def _invocation(report: Report) -> dict[str, Any]:
 
 
 def _result(diagnostic: Diagnostic, number: int, mark: str) -> dict[str, Any]:
-    text = diagnostic.message
+    text = diagnostic.message_with_variants
     if diagnostic.help:
         text += f"\n{diagnostic.help}"
     location: dict[str, Any] = _location(diagnostic.span)
