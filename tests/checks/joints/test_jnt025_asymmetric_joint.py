@@ -484,7 +484,12 @@ def test_one_side_is_fixed() -> None:
 def test_tips_of_the_fingers_of_one_hand() -> None:
     """rai-robotModels: the right hand of Baxter is 1.1 m beside the plane of the robot."""
     text = "".join(
-        joint(f"{side}_{part}", "revolute", f'<origin xyz="0 {y} 0.2"/>{limit("-1", "1")}', parent)
+        joint(
+            f"{side}_{part}",
+            "revolute",
+            f'<origin xyz="0 {y} 0.2" rpy="0 0 {y}"/>{limit("-1", "1")}',
+            parent,
+        )
         for side, y in (("left", 1), ("right", -1))
         for part, parent in (("shoulder", "base"), ("elbow", f"{side}_shoulder_link"))
     )
