@@ -59,6 +59,18 @@ def test_paths_start_at_the_test_then_at_the_root(project: Project) -> None:
     outcome(project.run("inner"), passed=1)
 
 
+@pytest.mark.parametrize("read", ["model", "report"])
+def test_an_unknown_argument_is_a_warning(project: Project, read: str) -> None:
+    result = project.test(
+        f"""
+def test_it(urdf):
+    with pytest.warns(UserWarning, match="argument 'sid'; did you mean 'side'"):
+        urdf("urdf/arm.urdf.xacro", sid="right").{read}
+"""
+    )
+    outcome(result, passed=1)
+
+
 @pytest.mark.parametrize("fixture", ["urdf", "check_urdf"])
 def test_an_unknown_path_is_reported_without_a_traceback(project: Project, fixture: str) -> None:
     text = outcome(

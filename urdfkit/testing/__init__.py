@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import os
 import tempfile
+import warnings
 from collections.abc import Iterable, Mapping
 from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from urdfkit.core.suggest import hint_for
 from urdfkit.errors import UrdfkitError
 from urdfkit.lint.config import Config
 from urdfkit.lint.config_reader import load
@@ -22,6 +24,7 @@ from urdfkit.lint.engine import check
 from urdfkit.lint.loading import context_of
 from urdfkit.lint.report import Report
 from urdfkit.lint.rule_index import matching
+from urdfkit.lint.unknown_arguments import unknown_arguments
 from urdfkit.output.comparison.differences import Tolerances, differences
 from urdfkit.output.comparison.renames import renames
 from urdfkit.robot.joint import Joint
@@ -52,6 +55,9 @@ __all__ = [
 class Description:
     """A model with its arguments and its configuration; it is read once.
 
+    An argument that it does not declare makes a warning: xacro ignores it, and a test with a typo
+    would pass with another robot.
+
     Args:
         path: of the file.
         arguments: for xacro; they override those of the configuration.
@@ -73,12 +79,16 @@ class Description:
         self.config = _config(path) if config is None else config  # its configuration
         #: For xacro, including those of the configuration.
         self.arguments = self.config.entry(path, arguments, variant).arguments
+        self._passed = tuple(arguments or ())
 
     @cached_property
     def report(self) -> Report:
         """The report of ``urdfkit check``."""
         config = self.config._replace(robots=())
-        return check(self.path, arguments=self.arguments, config=config)
+        report = check(self.path, arguments=self.arguments, config=config)
+        for typo in report.argument_typos:
+            warnings.warn(typo, stacklevel=2)
+        return report
 
     @property
     def model(self) -> RobotModel:
@@ -101,6 +111,9 @@ class Description:
         context = context_of(source, resolver, self.arguments, trust=trust, cache=True)
         if context.reading.document is None:
             raise AssertionError(_text(self._why_unreadable()))
+        for name, suggested in unknown_arguments(context, self._passed).items():
+            message = f"{self.path} has no argument '{name}'{hint_for(suggested)}"
+            warnings.warn(message, stacklevel=2)
         return context
 
     @cached_property
