@@ -86,8 +86,7 @@ class Description:
         """The report of ``urdfkit check``."""
         config = self.config._replace(robots=())
         report = check(self.path, arguments=self.arguments, config=config)
-        for typo in report.argument_typos:
-            warnings.warn(typo, stacklevel=2)
+        self._warn_of_unknown(report.unknown_arguments)
         return report
 
     @property
@@ -111,10 +110,15 @@ class Description:
         context = context_of(source, resolver, self.arguments, trust=trust, cache=True)
         if context.reading.document is None:
             raise AssertionError(_text(self._why_unreadable()))
-        for name, suggested in unknown_arguments(context, self._passed).items():
-            message = f"{self.path} has no argument '{name}'{hint_for(suggested)}"
-            warnings.warn(message, stacklevel=2)
+        self._warn_of_unknown(unknown_arguments(context, self._passed).items())
         return context
+
+    def _warn_of_unknown(self, unknown: Iterable[tuple[str, str]]) -> None:
+        """Warn of passed arguments; those of the configuration may be for other robots."""
+        for name, suggested in unknown:
+            if name in self._passed:
+                message = f"{self.path} has no argument '{name}'{hint_for(suggested)}"
+                warnings.warn(message, stacklevel=3)
 
     @cached_property
     def dynamics(self) -> Dynamics:
