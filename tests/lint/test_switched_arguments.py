@@ -74,6 +74,17 @@ def test_other_values_of_what_it_has_are_not_reported(
     assert [one.code for one in found] == ["GEO002", *["GAZ001"] * count]
 
 
+@pytest.mark.parametrize(("other", "count"), [("hand", 0), ("", 1)])
+def test_what_another_boolean_adds_is_not_missing(tmp_path: Path, other: str, count: int) -> None:
+    """thinclab/ur3e_irl_project: the motors of a conveyor without its rollers."""
+    link = f'<link name="{other}"/>' if other else ""
+    more = (
+        f'<xacro:arg name="more" default="false"/><xacro:if value="$(arg more)">{link}</xacro:if>'
+    )
+    found = _found(tmp_path, f"{ARGUMENT.format('false')}{ROBOT}{more}\n{BLOCK.format('if')}")
+    assert [one.code for one in found if one.variants] == ["GAZ001"] * count
+
+
 def test_a_launch_file_starts_it_with_the_other_value(tmp_path: Path) -> None:
     add_file(
         tmp_path / "launch" / "sim.launch",

@@ -57,13 +57,20 @@ def _with_booleans(
     """
     texts = {_expanded_text(robot) for _, robot in started}
     own = _links_and_joints(started[0][1])
+    others: list[tuple[Job, Context]] = []
     for variant in switched(started) if None not in texts else ():
         robot = read(variant)
         text = _expanded_text(robot)
         if text is not None and text not in texts and own <= _links_and_joints(robot):
             texts.add(text)
-            present = frozenset(place for _, other in started for place in _tags(other))
-            yield variant._replace(present=present), robot
+            others.append((variant, robot))
+    if not others:
+        return
+    present = frozenset(place for _, robot in started for place in _tags(robot))
+    extending = [variant for variant, robot in others if own < _links_and_joints(robot)]
+    for variant, robot in others:
+        needs_others = any(other != variant for other in extending)
+        yield variant._replace(present=present, needs_others=needs_others), robot
 
 
 def _tags(context: Context) -> Iterator[tuple[str, int, int]]:

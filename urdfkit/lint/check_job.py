@@ -121,6 +121,7 @@ def _with_switched(started: list[Checked], switched: list[Checked]) -> Iterator[
             if one.severity is not Severity.INFO
             and _identity(one) not in known
             and not _is_present(one.span, job)
+            and not (job.needs_others and rule_index.get(one.code).depends_on_arguments)
         ]
         yield job, result._replace(diagnostics=tuple(new))
 

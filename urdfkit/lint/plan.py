@@ -50,6 +50,8 @@ class Job(Record):
     switched: str = ""
     #: The places of the tags that the robot also has without it: path, start and end.
     present: frozenset[tuple[str, int, int]] = frozenset()
+    #: True if another boolean argument adds links or joints, which may have to come with this one.
+    needs_others: bool = False
     #: Arguments whose default is checked although no launch file starts the robot with it.
     replaced: frozenset[str] = frozenset()
     #: Arguments whose value the launch file knows only at run time; "" stands for any name.
