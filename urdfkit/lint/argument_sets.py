@@ -55,10 +55,13 @@ def _with_booleans(
     Not if it does not expand then, since the values may not be meant for each other; nor without
     a link or joint that controllers and SRDFs may name.
     """
+    jobs = list(switched(started))
+    if not jobs:
+        return  # most robots: what follows writes the whole text
     texts = {_expanded_text(robot) for _, robot in started}
     own = _links_and_joints(started[0][1])
     others: list[tuple[Job, Context]] = []
-    for variant in switched(started) if None not in texts else ():
+    for variant in jobs if None not in texts else ():
         robot = read(variant)
         text = _expanded_text(robot)
         if text is not None and text not in texts and own <= _links_and_joints(robot):
@@ -66,18 +69,21 @@ def _with_booleans(
             others.append((variant, robot))
     if not others:
         return
-    present = frozenset(place for _, robot in started for place in _tags(robot))
+    present = _tags(robot for _, robot in started)
     extending = [variant for variant, robot in others if own < _links_and_joints(robot)]
     for variant, robot in others:
         needs_others = any(other != variant for other in extending)
         yield variant._replace(present=present, needs_others=needs_others), robot
 
 
-def _tags(context: Context) -> Iterator[tuple[str, int, int]]:
-    """The places of the tags of a description."""
-    for element in context.document.root.walk():
-        span = element.span
-        yield span.source.path, span.start, span.end
+def _tags(robots: Iterable[Context]) -> dict[str, list[tuple[int, int]]]:
+    """The places of the tags of descriptions, in order, by the path of their file."""
+    tags: dict[str, set[tuple[int, int]]] = {}
+    for robot in robots:
+        for element in robot.document.root.walk():
+            span = element.span
+            tags.setdefault(span.source.path, set()).add((span.start, span.end))
+    return {path: sorted(places) for path, places in tags.items()}
 
 
 def _with_missing(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import re
 import sys
+from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator
 
 from urdfkit.core.grouping import by_key
@@ -123,14 +124,15 @@ def _with_switched(started: list[Checked], switched: list[Checked]) -> Iterator[
             and not _is_present(one.span, job)
             and not (job.needs_others and rule_index.get(one.code).depends_on_arguments)
         ]
-        yield job, result._replace(diagnostics=tuple(new))
+        # The job is sent to another process.
+        yield job._replace(present={}), result._replace(diagnostics=tuple(new))
 
 
 def _is_present(span: Span, job: Job) -> bool:
     """True for a place in a tag that the robot also has as it is started."""
-    return any(
-        path == span.source.path and start <= span.start < end for path, start, end in job.present
-    )
+    tags = job.present.get(span.source.path, [])
+    before = bisect_right(tags, span.start, key=lambda tag: tag[0])
+    return before > 0 and span.start < tags[before - 1][1]
 
 
 def _with_unknown_values(job: Job, context: Context, result: FileResult) -> FileResult:

@@ -48,8 +48,8 @@ class Job(Record):
     assumed: str = ""
     #: A boolean argument with the value that nobody passes, as ``name=value``; may be empty.
     switched: str = ""
-    #: The places of the tags that the robot also has without it: path, start and end.
-    present: frozenset[tuple[str, int, int]] = frozenset()
+    #: The places of the tags that the robot also has without it, in order, by path.
+    present: Mapping[str, list[tuple[int, int]]] = {}
     #: True if another boolean argument adds links or joints, which may have to come with this one.
     needs_others: bool = False
     #: Arguments whose default is checked although no launch file starts the robot with it.
