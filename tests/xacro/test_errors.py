@@ -322,6 +322,16 @@ def test_what_was_meant_is_reported(tmp_path: Path, body: str, help: str) -> Non
     assert help in problem.help
 
 
+def test_a_text_beside_a_property_that_is_not_evaluated(tmp_path: Path) -> None:
+    body = (
+        "<xacro:property name='bad' value='${1/0}'/><xacro:property name='w' value='0,5'/>\n"
+        "<a b='${bad if 1 > 2 else w/2}'/>"
+    )
+    (problem,) = run(tmp_path, body).problems
+    assert problem.span.text == "${bad if 1 > 2 else w/2}"
+    assert problem.help.startswith("'w' is '0,5', which is text")
+
+
 def test_a_property_without_prefix_is_one_problem(tmp_path: Path) -> None:
     """The old style, of which one robot made 620 errors; a comment defines nothing."""
     xacro = run(

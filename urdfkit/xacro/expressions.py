@@ -176,10 +176,15 @@ class Scope(dict[str, Any]):
         return self._names[name] if guard is None else guard
 
     def texts(self, names: Iterable[str]) -> Iterator[tuple[str, str]]:
-        """The names of the model whose values are text, with these."""
+        """The names of the model whose values are text, with these; nothing is evaluated for it."""
         for name in names:
-            if name in self._names and isinstance(value := self._names[name], str):
-                yield name, value
+            table: Any = self._names
+            while isinstance(table, dict) and not dict.__contains__(table, name):
+                table = getattr(table, "parent", None)
+            if isinstance(table, dict) and name not in getattr(table, "unevaluated", ()):
+                value = dict.__getitem__(table, name)
+                if isinstance(value, str):
+                    yield name, value
 
 
 def evaluate(text: str, names: Any, sandbox: Sandbox) -> Any:
