@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 #: Most arguments of a robot that are switched, one at a time.
 MAX_SWITCHED = 4
+#: A robot of more elements is not checked once more for each of them.
+MAX_ELEMENTS = 5_000
 _OTHER = {"true": "false", "false": "true"}
 _CONDITION = re.compile(rb"<xacro:(?:if|unless)\b[^<>]*?\bvalue\s*=\s*(?:\"([^\"]*)|'([^']*))")
 _WORD = re.compile(r"\w+")
@@ -28,8 +30,10 @@ def switched(started: list[tuple[Job, Context]]) -> Iterator[Job]:
         started: the robot with the sets of arguments with which it is started.
     """
     job, context = started[0]
-    defaults = context.reading.defaults
-    if not any(value.lower() in _OTHER for value in defaults.values()):
+    document, defaults = context.reading.document, context.reading.defaults
+    if document is None or not any(value.lower() in _OTHER for value in defaults.values()):
+        return
+    if sum(1 for _ in document.root.walk()) > MAX_ELEMENTS:
         return
     sets = [{**defaults, **variant.arguments} for variant, _ in started]
     names = _words_in_conditions(context).intersection(defaults).difference(job.arguments)
