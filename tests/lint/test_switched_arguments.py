@@ -1,4 +1,4 @@
-"""Boolean arguments that no launch file switches: what is in their conditions is checked."""
+"""Values of arguments that no launch file passes: what is in their conditions is checked."""
 
 from pathlib import Path
 
@@ -44,6 +44,29 @@ def test_both_values_are_checked(
     found = _found(tmp_path, f"{ARGUMENT.format(default)}{ROBOT}\n{BLOCK.format(tag)}")
     (reference,) = [one for one in found if one.code == "GAZ001"]
     assert (reference.span.line, reference.variants) == (3, variants)
+
+
+@pytest.mark.parametrize(
+    ("condition", "tried"),
+    [
+        ("${sensor == 'lidar'}", ["sensor=lidar"]),
+        ("${'$(arg sensor)' == 'lidar'}", ["sensor=lidar"]),
+        ("${sensor in ('lidar',)}", []),
+        ("${sensor != 'lidar'}", []),
+        ("${sensor == 'none'}", []),  # as it is started
+        ("${other == 'lidar'}", []),
+    ],
+)
+def test_a_value_that_a_condition_compares_with_is_tried(
+    tmp_path: Path, condition: str, tried: list[str]
+) -> None:
+    names = '<xacro:arg name="sensor" default="none"/><xacro:property name="other" value="none"/>'
+    sensor = '<xacro:property name="sensor" value="$(arg sensor)"/>'
+    block = f'<xacro:if value="{condition}"><gazebo reference="am"><mu1>1</mu1></gazebo></xacro:if>'
+    found = _found(tmp_path, f"{names}{sensor}{ROBOT}\n{block}")
+    variants = [one.variants for one in found if one.code == "GAZ001"]
+    is_started = condition in ("${sensor == 'none'}", "${sensor != 'lidar'}")
+    assert variants == ([()] if is_started else [(one,) for one in tried])
 
 
 def test_an_error_is_a_warning_and_an_info_is_left_out(tmp_path: Path) -> None:

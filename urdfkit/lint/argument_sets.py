@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 def as_checked(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Context]]:
     """A job with its description, for each set of arguments that it is checked with.
 
-    These are the sets with which it is started, and those with another boolean.
+    These are the sets with which it is started, and those with another value in a condition.
     """
     started = as_launched(job, read)
-    return started if job.overriding is None else [*started, *_with_booleans(started, read)]
+    return started if job.overriding is None else [*started, *_with_switched(started, read)]
 
 
 def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Context]]:
@@ -47,10 +47,10 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
     return _with_other_robots(job, read, context, sets) if sets else [(job, context)]
 
 
-def _with_booleans(
+def _with_switched(
     started: list[tuple[Job, Context]], read: Callable[[Job], Context]
 ) -> Iterator[tuple[Job, Context]]:
-    """A robot with the other value of each of its booleans that adds something to it.
+    """A robot with each other value of its arguments that adds something to it.
 
     Not if it does not expand then, since the values may not be meant for each other; nor without
     a link or joint that controllers and SRDFs may name.

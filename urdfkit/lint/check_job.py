@@ -110,7 +110,7 @@ def check_sets(sets: Iterable[tuple[Job, Context]], options: Options) -> list[Ch
 
 
 def _with_switched(started: list[Checked], switched: list[Checked]) -> Iterator[Checked]:
-    """The results of one robot with another boolean, about what this adds to it.
+    """The results of one robot with another value of an argument, about what this adds to it.
 
     Its errors are warnings, since nobody may want this robot, and its infos are left out.
     """

@@ -1,12 +1,12 @@
-"""Boolean arguments of a robot that no launch file switches, such as that of its simulation.
+"""Values of arguments that add a part to a robot, and with which no launch file starts it.
 
-What is in an ``<xacro:if>`` of such an argument is checked, too.
+What is in an ``<xacro:if>`` of ``$(arg use_gazebo)`` or ``${sensor == 'lidar'}`` is checked, too.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.plan import Job
@@ -14,44 +14,59 @@ from urdfkit.lint.plan import Job
 if TYPE_CHECKING:
     from urdfkit.lint.context import Context
 
-#: Most arguments of a robot that are switched, one at a time.
+#: Most further values of arguments with which a robot is checked, one at a time.
 MAX_SWITCHED = 4
 #: A robot of more elements is not checked once more for each of them.
 MAX_ELEMENTS = 5_000
-_OTHER = {"true": "false", "false": "true"}
+_BOOLEANS = ("true", "false")
 _CONDITION = re.compile(rb"<xacro:(?:if|unless)\b[^<>]*?\bvalue\s*=\s*(?:\"([^\"]*)|'([^']*))")
 _WORD = re.compile(r"\w+")
+#: ``sensor == 'lidar'``, ``'$(arg sensor)' == 'lidar'``
+_COMPARED = re.compile(r"(\w+)\)?[\"']?\s*==\s*[\"']([\w.-]+)[\"']")
 
 
 def switched(started: list[tuple[Job, Context]]) -> Iterator[Job]:
-    """A robot with the other value of each boolean argument that a condition names.
+    """A robot with each other value of an argument that a condition asks for.
 
     Args:
         started: the robot with the sets of arguments with which it is started.
     """
     job, context = started[0]
     document, defaults = context.reading.document, context.reading.defaults
-    if document is None or not any(value.lower() in _OTHER for value in defaults.values()):
-        return
-    if sum(1 for _ in document.root.walk()) > MAX_ELEMENTS:
+    if document is None or not defaults:
         return
     sets = [{**defaults, **variant.arguments} for variant, _ in started]
-    names = _words_in_conditions(context).intersection(defaults).difference(job.arguments)
-    left = MAX_SWITCHED
-    for name in filter(names.__contains__, defaults):  # in their order
-        values = {arguments.get(name, "").lower() for arguments in sets}
-        if left and len(values) == 1 and (value := _OTHER.get(*values)):
-            left -= 1
+    conditions = _conditions(context)
+    others = [
+        (name, value)
+        for name in defaults
+        if name in conditions and name not in job.arguments
+        for value in _others({arguments[name] for arguments in sets}, conditions[name])
+    ]
+    if others and sum(1 for _ in document.root.walk()) <= MAX_ELEMENTS:
+        for name, value in others[:MAX_SWITCHED]:
             arguments = {**job.arguments, name: value}
             yield job._replace(arguments=arguments, may_fail=True, switched=f"{name}={value}")
 
 
-def _words_in_conditions(context: Context) -> set[str]:
+def _others(known: set[str], compared: Iterable[str]) -> list[str]:
+    """The values that are not known: the other boolean, or those of comparisons."""
+    booleans = {value.lower() for value in known}
+    if booleans.issubset(_BOOLEANS):
+        return [value for value in _BOOLEANS if value not in booleans]
+    return [value for value in compared if value not in known]
+
+
+def _conditions(context: Context) -> dict[str, list[str]]:
+    """The values with which conditions compare a name, by each name in them."""
     assert context.reading.xacro is not None, "only a xacro has arguments"
-    found = (
-        match
-        for source in context.reading.xacro.sources
-        for match in _CONDITION.findall(source.data)
-    )
-    texts = (b" ".join(match).decode("utf-8", "replace") for match in found)
-    return {word for text in texts for word in _WORD.findall(text)}
+    values: dict[str, list[str]] = {}
+    for source in context.reading.xacro.sources:
+        for match in _CONDITION.findall(source.data):
+            text = b"".join(match).decode("utf-8", "replace")
+            for name in _WORD.findall(text):
+                values.setdefault(name, [])
+            for name, value in _COMPARED.findall(text):
+                if value not in values[name]:
+                    values[name].append(value)
+    return values
