@@ -46,11 +46,11 @@ class Job(Record):
     launched: tuple[Launched, ...] = ()
     #: Argument values that no launch file passes to this robot, as ``name=value``; may be empty.
     assumed: str = ""
-    #: A boolean argument with the value that nobody passes, as ``name=value``; may be empty.
+    #: An argument with a value that nobody passes, as ``name=value``; may be empty.
     switched: str = ""
     #: The places of the tags that the robot also has without it, in order, by path.
     present: Mapping[str, list[tuple[int, int]]] = {}
-    #: True if another boolean argument adds links or joints, which may have to come with this one.
+    #: True if another such value adds links or joints, which may have to come with this one.
     needs_others: bool = False
     #: Arguments whose default is checked although no launch file starts the robot with it.
     replaced: frozenset[str] = frozenset()
