@@ -148,7 +148,8 @@ def contexts(
     """The descriptions that a check with the same options reads, in the same order.
 
     None stands for a launch file, for a duplicate of another description, for which only some rules
-    run, and for a robot with another value of an argument, of which only what this adds is reported.
+    run, and for a robot with another value of an argument, of which only the additions are
+    reported.
     Descriptions are read one by one, as the iterator advances.
     """
     options = options.with_config()
