@@ -22,7 +22,7 @@ def limited(key: str, value: str) -> str:
 @pytest.mark.parametrize(("kind", "key", "unit"), UNITS)
 @pytest.mark.parametrize(("value", "severity"), [("0", Severity.WARNING), ("-0.5", Severity.ERROR)])
 def test_one_joint(kind: str, key: str, unit: str, value: str, severity: Severity) -> None:
-    text = robot(joint("a", kind, limited(key, value)), joint("b", "revolute", limit("-1", "1")))
+    text = robot(joint("a", kind, limited(key, value)), joint("b", "continuous"))
     (found,) = reported("JNT008", text)
     assert found.message == naming("a", key, f"{value} {unit}", *(["0"] if value < "0" else []))
     assert found.severity is severity

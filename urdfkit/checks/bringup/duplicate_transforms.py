@@ -17,7 +17,7 @@ from urdfkit.checks.bringup.published_robots import published_robots
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.launch.bridges import is_bridge
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.given_parameters import given_parameter
+from urdfkit.ros.launch.given_parameters import given_parameter, lacks_description
 from urdfkit.ros.launch.spawned_controllers import topic_name
 from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import nodes_in_files
@@ -43,6 +43,7 @@ def second_publisher(context: Context, programs: list[StartedProgram]) -> Findin
     """A second robot_state_publisher of the same robot."""
     paths = {description.path for description in context.launch.descriptions}
     publishers = [node for node in programs if node.package == _PUBLISHER and _is_plain(node)]
+    publishers = [node for node in publishers if not lacks_description(node)]
     for node in publishers[1:] if len(paths) == 1 and not context.launch.has_scopes else ():
         yield Finding(
             node.at,

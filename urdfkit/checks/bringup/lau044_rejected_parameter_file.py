@@ -46,6 +46,8 @@ FILES = {
     "package.xml": b"<package><name>arm</name></package>",
 }
 
+#: Keys of the description of a map, which map_server reads itself.
+_OF_MAPS = {"image", "resolution", "origin"}
 #: Functions of Nav2 that write the file anew.
 _REWRITTEN = (b"RewrittenYaml", b"ReplaceString")
 
@@ -89,7 +91,7 @@ def _rejected(source: Source, may_be_outside: bool, *, is_rewritten: bool) -> It
                 yield Finding(key.span, message, "write the name of the node, or /**, above it")
             elif isinstance(value, Value | list):
                 if not may_be_outside:
-                    yield _outside(key, owner)
+                    yield _outside(key, owner, is_map=set(mapping(load(source))) >= _OF_MAPS)
                 return  # at the first one
             elif key != PARAMETERS:
                 sections.append((value, key))
@@ -97,7 +99,7 @@ def _rejected(source: Source, may_be_outside: bool, *, is_rewritten: bool) -> It
         yield from _wrong_values(parameters, is_rewritten=is_rewritten)
 
 
-def _outside(key: Key, owner: Key | None) -> Finding:
+def _outside(key: Key, owner: Key | None, *, is_map: bool) -> Finding:
     """A value that is not below ``ros__parameters``."""
     if key == PARAMETERS:
         message = f"ROS 2 rejects the file: {PARAMETERS} has no values"
@@ -107,6 +109,8 @@ def _outside(key: Key, owner: Key | None) -> Finding:
     if is_typo and owner is not None:
         return Finding(owner.span, f"{message}, but '{owner}'", f"write {PARAMETERS}")
     help = f"write {PARAMETERS}: above it, below the name of the node"
+    if is_map:
+        help = "remove it from the parameters: a map is for yaml_filename of map_server"
     return Finding(key.span, message, help)
 
 

@@ -71,6 +71,9 @@ def _unknown(
     message = f"{use.title} refers to unknown {reference.kind} '{name}'{use.outcome}"
     help = f"did you mean '{suggested}'?" if suggested else f"name a {reference.kind} of this robot"
     words, model = name.replace(",", " ").split(), context.model
+    is_still = all(joint.kind == "fixed" for joint in model.joints)
+    if reference.kind == "joint" and is_still and not suggested:
+        help = "add the joint: no joint of this robot moves"
     names = model.links_by_name if reference.kind == "link" else model.joints_by_name
     if len(words) > 1 and all(word in names for word in words):
         help = f"name one of them: the tag does not take several {reference.kind}s"

@@ -5,7 +5,8 @@ motor command with the URDF's limit has no effect. ros2_control and DART, Gazebo
 engine, stop a joint with a velocity limit of 0, even against gravity; MoveIt reads it as "no limit"
 and then cannot time a trajectory. CAD exporters write 0 for "unknown". If some joints have a
 transmission or ros2_control, joints without one are passive and are not reported; nor are casters
-and rollers, which have no motor, for their effort.
+and rollers, which have no motor, for their effort, nor the only continuous joint with an effort of
+0 and a velocity above it, next to joints with an effort: it is the passive joint of a pendulum.
 
 A negative limit is an error: Pinocchio rejects the robot, Drake aborts on a negative velocity,
 ros2_control and MoveIt drop the sign. Gazebo reads it as "no limit": it is a warning if the robot
@@ -59,6 +60,8 @@ def check(context: Context) -> Findings:
             if joint.name in active
             or not (active or (key == "effort" and is_passive(joint, active)))
         ]
+        if key == "effort" and not active and any(limit.value > 0 for _, limit in limits):
+            zero = [] if len(zero) == 1 and _turns_freely(zero[0][0]) else zero
         if zero:
             yield _finding(zero, key, "0", Severity.WARNING)
         negative = [(joint, limit) for joint, limit in limits if limit.value < 0]
@@ -68,6 +71,12 @@ def check(context: Context) -> Findings:
             yield _finding(negative, key, f"{negative[0][1].value:g}", severity)
     for joint in context.model.joints:
         yield from _negative_dynamics(joint)
+
+
+def _turns_freely(joint: Joint) -> bool:
+    """True for a continuous joint with a velocity limit above 0."""
+    velocity = joint.limit.velocity if joint.limit else None
+    return joint.kind == "continuous" and velocity is not None and velocity.value > 0
 
 
 def _is_for_gazebo_alone(targets: Targets) -> bool:

@@ -13,9 +13,20 @@ Sources:
 from collections.abc import Mapping
 
 from urdfkit.core.suggest import TYPO, nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
+from urdfkit.lint.rules import (
+    Context,
+    Finding,
+    Findings,
+    Location,
+    Need,
+    Related,
+    Severity,
+    reported,
+    rule,
+)
 from urdfkit.ros.launch.collect import needs_xacro
 from urdfkit.ros.launch.contents import StartedProgram
+from urdfkit.ros.launch.given_parameters import lacks_description
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -46,12 +57,24 @@ def check(context: Context) -> Findings:
         if (parameters.get(_PARAMETER) or "").endswith((".urdf", ".xacro")):
             message = f"{_PARAMETER} is the path of a file, not the text of the robot"
             yield Finding(node.at, message, _EXPANDED)
-        if _PARAMETER not in parameters:
+        if lacks_description(node):
             names = sorted(parameters)
             mistake = next((name for name in names if nearest(name, [_PARAMETER], TYPO)), "")
             other = f"; '{mistake}' is not '{_PARAMETER}'" if mistake else ""
             message = f"robot_state_publisher has no parameter {_PARAMETER}{other}"
-            yield Finding(node.at, message)
+            yield _without_robot(context, node, message, has_typo=bool(mistake))
+
+
+def _without_robot(
+    context: Context, node: StartedProgram, message: str, *, has_typo: bool
+) -> Finding:
+    started = [other for other in context.launch.started if other.package == node.package]
+    publishing = next((other for other in started if not lacks_description(other)), None)
+    if has_typo or publishing is None or publishing.namespace != node.namespace:
+        return Finding(node.at, message)
+    note = Related(publishing.span, "this robot_state_publisher has the robot")
+    help = "remove the node: another one publishes the robot"
+    return Finding(node.at, message, help, related=(note,))
 
 
 def _unexpanded(

@@ -68,20 +68,26 @@ def lost_remappings(use: PluginUse) -> Iterator[LostRemapping]:
     others = facts["read_by_classic"].get(use.filename)
     if others is None or use.plugin is None or _sensor(use, "type") in _OTHER_CAMERAS:
         return
-    entries = facts["classic"][use.filename].split(", ")
-    written = [_with_camera(text.split()[1], use) for text in entries]
-    written += [_with_camera(name, use) for name in others.split()]
-    names = {_resolved(name, space, use) for name in written}
+    entries = [text.split() for text in facts["classic"][use.filename].split(", ")]
+    read = [_with_camera(name, use) for name in others.split()]
+    written = [_with_camera(entry[1], use) for entry in entries if _holds(entry[2:], use)] + read
+    names = {_resolved(_with_camera(entry[1], use), space, use) for entry in entries}
+    names.update(_resolved(name, space, use) for name in read)
     for item in use.values("ros/remapping"):
         old, _, new = (part.strip() for part in item.text.partition(":="))
         is_open = new in ("", old) or any(mark in item.text for mark in "${")
         is_open = is_open or old.strip("/") in _OF_ALL
         resolved = {_resolved(old, space, use), _resolved(new, space, use)}
         if not is_open and resolved.isdisjoint(names):
-            words = _words(old.rpartition("/")[2])
-            likely = max(written, key=lambda name: len(words & _words(name.partition("/")[2])))
-            is_likely = len(written) == 1 or words & _words(likely.partition("/")[2])
-            yield LostRemapping(item, likely if is_likely else "", new)
+            yield LostRemapping(item, _likely(old, written), new)
+
+
+def _likely(old: str, written: list[str]) -> str:
+    """The topic that a wrong name stands for: that which ends with it, or has most of its words."""
+    words, ending = _words(old.rpartition("/")[2]), "/" + old.lstrip("~/")
+    common = {name: len(words & _words(name.partition("/")[2])) for name in written}
+    likely = max(written, key=lambda name: (name.endswith(ending), common[name]))
+    return likely if len(written) == 1 or common[likely] else ""
 
 
 def _words(topic: str) -> set[str]:

@@ -30,6 +30,13 @@ def given_parameter(program: StartedProgram, name: str, resolver: Resolver) -> s
     return next(iter(values), "") if len(values) < 2 else None
 
 
+def lacks_description(program: StartedProgram) -> bool:
+    """True for a robot_state_publisher that stops, as it gets no robot."""
+    given = program.parameters.every
+    is_publisher = program.package == "robot_state_publisher" and not program.words
+    return is_publisher and given is not None and "robot_description" not in given
+
+
 def topic_of_program(program: StartedProgram, name: str, resolver: Resolver) -> str | None:
     """Full name of a topic in the catalogue, which may be PARAMETER=DEFAULT; None if unknown."""
     parameter, _, default = name.partition("=")

@@ -25,8 +25,8 @@ class ModelSpawner(Record):
 
 
 _NUMBER = re.compile(r"-[\d.]")
-#: An option joined to its value, which argparse accepts: ``-z0.5``.
-_WITH_NUMBER = re.compile(r"-([A-Za-z])(-?[\d.]+)$")
+#: An option and its value in one word, which argparse accepts: ``-z0.5``, ``-z 0.5``.
+_WITH_NUMBER = re.compile(r"-([A-Za-z]) *(-?[\d.]+) *$")
 
 
 def model_spawner(program: StartedProgram) -> ModelSpawner | None:
