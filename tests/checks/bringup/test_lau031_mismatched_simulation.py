@@ -6,6 +6,7 @@ import pytest
 
 from tests.checks.bringup.nodes import MANAGER, NODE, STATE, messages
 from tests.launched import reported
+from tests.naming import naming
 
 
 @pytest.mark.parametrize(
@@ -59,6 +60,18 @@ def test_a_clock_that_is_remapped(tmp_path: Path, words: str, more: str, count: 
     bridge = NODE.format("ros_gz_bridge", "parameter_bridge", f"arguments=[{topic}{words}]{more}")
     found = messages(tmp_path, "LAU031", state + spawn + bridge + GAZEBO)
     assert len([one for one in found if "/clock" in one]) == count
+
+
+@pytest.mark.parametrize(("publisher", "count"), [("True", 1), ("False", 0)])
+def test_programs_that_do_not_use_their_time(tmp_path: Path, publisher: str, count: int) -> None:
+    """A robot for a competition: `create` has the parameter, and robot_state_publisher has it."""
+    sim_time = "parameters=[{'use_sim_time': True}]"
+    spawn = NODE.format("ros_gz_sim", "create", f"arguments=['-topic', 'x'], {sim_time}")
+    bridge = NODE.format("ros_gz_bridge", "parameter_bridge", f"arguments=[], {sim_time}")
+    state = STATE.format(f", parameters=[{{'robot_description': x, 'use_sim_time': {publisher}}}]")
+    found = messages(tmp_path, "LAU031", spawn + bridge + state + GAZEBO)
+    expected = naming("robot_state_publisher", "use_sim_time", "/clock", "0")
+    assert [one for one in found if "/clock" in one] == [expected] * count
 
 
 @pytest.mark.parametrize(

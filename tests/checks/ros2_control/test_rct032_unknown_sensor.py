@@ -95,6 +95,7 @@ def test_the_sensor_of_an_admittance_controller(tmp_path: Path) -> None:
         controller("b", FORCE, sensor_name="''"),
         controller("b", "acme/Own", sensor_name="x"),
         controller("b", IMU_BROADCASTER, sensor_name="$(var prefix)imu"),
+        controller("b", IMU_BROADCASTER, sensor_name="<namespace>/imu"),  # ReplaceString of Nav2
     ],
 )
 def test_existing_or_unknown_sensor_is_accepted(tmp_path: Path, text: str) -> None:

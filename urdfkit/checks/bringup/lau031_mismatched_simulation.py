@@ -21,6 +21,8 @@ Sources:
     Ekumen-OS/andino_gz#39: https://github.com/Ekumen-OS/andino_gz/issues/39
 """
 
+from collections.abc import Sequence
+
 from urdfkit.checks.bringup.gz_bridges import bridges_of_gz
 from urdfkit.checks.bringup.known_programs import known_programs
 from urdfkit.checks.bringup.unloaded_hardware import (
@@ -61,6 +63,8 @@ _CLOCK = "clock"
 _SLIDERS = "joint_state_publisher"
 _SIM_TIME = "use_sim_time"
 _PUBLISHER = "robot_state_publisher"
+#: Programs that do not use the time of their node.
+_TIMELESS = (("ros_gz_sim", "create"), ("ros_gz_bridge", "parameter_bridge"))
 #: Launch files of ROS that start Gazebo and no bridge.
 _GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign_gazebo.launch.py")
 
@@ -95,7 +99,8 @@ def _paused(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
 
 def _missing_clock(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes that use the time of a gz-sim whose clock is not bridged."""
-    waiting = _waiting(programs, context.resolver)
+    timed = [node for node in programs if (node.package, node.executable) not in _TIMELESS]
+    waiting = _waiting(timed, context.resolver)
     starts_gz = any(world.generation == GZ for world in worlds(context.launch))
     unread = (path.rpartition("/")[2] for path in context.launch.unread)
     if waiting is None or not starts_gz or not all(file in _GAZEBO for file in unread):
@@ -105,7 +110,7 @@ def _missing_clock(context: Context, programs: tuple[StartedProgram, ...]) -> Fi
         return
     yield Finding(
         (bridges[0] if bridges else waiting).at,
-        f"'{waiting.executable}' waits with {_SIM_TIME} for /clock, which nothing publishes",
+        f"'{waiting.executable}' uses {_SIM_TIME}, but nothing publishes /clock: its time stays 0",
         "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock",
     )
 
@@ -170,7 +175,7 @@ def _wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) ->
         yield Finding(node.at, message, help, severity=Severity(severity))
 
 
-def _waiting(programs: tuple[StartedProgram, ...], resolver: Resolver) -> StartedProgram | None:
+def _waiting(programs: Sequence[StartedProgram], resolver: Resolver) -> StartedProgram | None:
     """The first program that certainly runs, and uses simulation time."""
     running = (node for node in programs if node.is_sure)
     return next((node for node in running if _sim_time(node, resolver) is True), None)

@@ -25,7 +25,7 @@ from urdfkit.ros.gazebo.samples import control_xml, gazebo_xml, sensor_xml, soli
 from urdfkit.ros.gazebo.sensors import sensors
 from urdfkit.ros.ros_control import Component, components
 from urdfkit.text.editing.edits import fix_value
-from urdfkit.text.grammar import is_expression
+from urdfkit.text.located_yaml import is_template
 
 BAD = robot_xml(
     solid_xml("base"),
@@ -77,7 +77,7 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
         for name, value in named_sensors(controller).items():
             # A namespace before the name may be added by the broadcaster.
             is_known = any(other == name or other.endswith(f"/{name}") for other in exported)
-            if name and not is_expression(name) and not is_known:
+            if name and not is_template(name) and not is_known:
                 yield Finding(
                     value.span,
                     f"{controller.title}: sensor '{name}' does not exist in "
