@@ -7,13 +7,16 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.core import disk
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import Suggester, hint_for
+from urdfkit.core.words import few
 from urdfkit.text.comments import without_comments
 from urdfkit.workspace.cmake import cmake_text
 from urdfkit.workspace.file_head import is_inside, read_head
 from urdfkit.workspace.resolve import Resolver
 
 _COMMAND = "pluginlib_export_plugin_description_file"
+#: Classes that a message lists.
+_MAX_NAMED = 4
 #: The package with the base class, and the file.
 _EXPORT = re.compile(rf"(?i)\b{_COMMAND}\s*\(\s*\"?([^\s\")]+)\"?\s+\"?([^\s\")]+)")
 #: Commands of CMake that may export classes elsewhere.
@@ -44,8 +47,11 @@ def why_unknown(name: str, base: str, near: str, resolver: Resolver) -> tuple[st
     if any(name in (_exported(other, key) or ()) for key, other in packages.items()):
         return None  # of another package, under this name
     known = [other for other, category in exported.items() if category == base] or list(exported)
-    message = f"package '{package}' exports no class '{name}'{did_you_mean(name, known)}"
-    return message, f"write {nearest(name, known) or known[0]}, or add it to the plugin description"
+    suggested = Suggester(known).suggested(name)
+    message = f"package '{package}' exports no class '{name}'{hint_for(suggested)}"
+    every = few(known, _MAX_NAMED)
+    written = suggested or (f"one of {every}" if len(known) > 1 else every)
+    return message, f"write {written}, or add it to the plugin description"
 
 
 def _exported(directory: str, package: str) -> dict[str, str] | None:

@@ -43,7 +43,7 @@ def test_a_list_where_one_name_counts() -> None:
     """A rover with six wheels, whose plugin drives one joint on each side."""
     tag = "<leftJoint>left_joint, right_joint</leftJoint><rightJoint>right_joint</rightJoint>"
     (found,) = reported("GAZ021", WHEELS + plugin("libgazebo_ros_diff_drive.so", tag))
-    assert found.help == naming("one", "joints")
+    assert found.help == naming("<leftJoint>")
 
 
 def test_the_name_of_a_link_is_not_a_joint() -> None:

@@ -89,4 +89,4 @@ def test_copies_are_one_finding_and_the_order_of_sdf_is_known() -> None:
     (found,) = reported("INE003", robot)
     assert found.message == naming("a", "-0.0113, 0.00021, 0.0421 kg·m²", "b")
     assert [note.span.line for note in found.related] == [5]
-    assert found.help == naming('ixx="0.03"', 'ixy="0.001"', 'iyy="0.02"', 'izz="0.01"')
+    assert found.help == naming('ixx="0.03"', 'ixy="0.001"', 'ixz="0"', 'iyy="0.02"', 'izz="0.01"')

@@ -15,6 +15,7 @@ from urdfkit.robot.inertials.tensor_text import format_moments, format_tensor
 from urdfkit.robot.link import Tensor
 from urdfkit.text.diagnostic import Confidence, Fix
 
+DIAGONAL = Tensor(1, 0, 0, 1, 0, 1)
 #: Of 12 kg in BOX.
 BOX_MOMENTS = (0.1, 0.05, 0.13)
 
@@ -52,7 +53,7 @@ def test_without_a_cause_the_shape_is_proposed() -> None:
     diagnosis = unlike(part("a", 12, (7, 7, 7), BOX))
     assert (diagnosis.cause, diagnosis.confidence) == ("", Confidence.INFERRED)
     assert diagnosis.tensor == pytest.approx((0.1, 0, 0, 0.05, 0, 0.13))
-    assert str(diagnosis) == 'write ixx="0.1" iyy="0.05" izz="0.13"'
+    assert diagnosis.describe(DIAGONAL) == 'write ixx="0.1" iyy="0.05" izz="0.13"'
 
 
 def test_many_links_with_one_tensor_are_compared_with_each_other_once(
@@ -83,7 +84,7 @@ def test_units(unit: str, factor: float) -> None:
     ixx, iyy, izz = (value * excess for value in (0.1, 0.05, 0.13))
     assert diagnosis.tensor == pytest.approx((ixx, 0, 0, iyy, 0, izz))
     written = f'write ixx="{ixx:g}" iyy="{iyy:g}" izz="{izz:g}"'
-    assert str(diagnosis) == f"the tensor is in {unit}: {written}"
+    assert diagnosis.describe(DIAGONAL) == f"the tensor is in {unit}: {written}"
 
 
 def test_units_in_si() -> None:
@@ -168,7 +169,7 @@ def test_in_the_order_of_sdf() -> None:
         Tensor(0.03, 0.001, 0, 0.02, 0.002, 0.01),
         Confidence.GUESSED,
     )
-    assert str(diagnosis) == (
+    assert diagnosis.describe(DIAGONAL) == (
         "perhaps the tensor is in the order ixx iyy izz ixy ixz iyz; then it is "
         'ixx="0.03" ixy="0.001" iyy="0.02" iyz="0.002" izz="0.01"'
     )
@@ -178,13 +179,15 @@ def test_the_first_two_rows_of_the_matrix() -> None:
     matrix = ((0.03, 0.004, 0.0), (0.004, 0.02, 0.001), (0.0, 0.001, 0.01))
     diagnosis = impossible((*matrix[0], *matrix[1]))
     assert diagnosis.tensor is None
-    assert str(diagnosis).startswith("the tensor contains the first two rows of the matrix")
+    assert diagnosis.describe(DIAGONAL).startswith(
+        "the tensor contains the first two rows of the matrix"
+    )
 
 
 def test_equal_numbers_are_no_rows_of_a_matrix() -> None:
     """ROSbot's box: 0.01 at five of six places."""
     diagnosis = impossible((0.01, 0.01, 0, 0.01, 0.01, 0.01))
-    assert "rows" not in str(diagnosis)
+    assert "rows" not in diagnosis.describe(DIAGONAL)
 
 
 def test_a_wrong_sign_of_a_moment() -> None:
@@ -226,7 +229,7 @@ def test_else_the_shape_or_nothing() -> None:
     by_shape = impossible(moments, shape("collision", BOX))
     assert (by_shape.cause, by_shape.confidence) == ("", Confidence.INFERRED)
     assert by_shape.tensor == pytest.approx((0.1, 0, 0, 0.05, 0, 0.13))
-    assert str(impossible(moments, shape("collision", MESH))) == ""
+    assert impossible(moments, shape("collision", MESH)).describe(DIAGONAL) == ""
 
 
 def test_no_proposal_is_impossible() -> None:
@@ -240,16 +243,21 @@ def test_no_proposal_is_impossible() -> None:
 
 
 @pytest.mark.parametrize(
-    ("tensor", "text"),
+    ("tensor", "present", "text"),
     [
-        (Tensor(1, 0, 0, 2, 0, 3), 'ixx="1" iyy="2" izz="3"'),
-        (Tensor(1, 0.5, 0, 2, 0, 3), 'ixx="1" ixy="0.5" iyy="2" izz="3"'),
-        (Tensor(1, 1e-17, 2e-5, 2, 0, 3), 'ixx="1" iyy="2" izz="3"'),
-        (Tensor(1 / 3, 0, 0, 2e-7, 0, 1 / 3), 'ixx="0.333333" iyy="2e-07" izz="0.333333"'),
+        (Tensor(1, 0, 0, 2, 0, 3), DIAGONAL, 'ixx="1" iyy="2" izz="3"'),
+        (Tensor(1, 0, 0, 2, 0, 3), Tensor(1, 5, 0, 2, 0, 3), 'ixx="1" ixy="0" iyy="2" izz="3"'),
+        (Tensor(1, 0.5, 0, 2, 0, 3), DIAGONAL, 'ixx="1" ixy="0.5" iyy="2" izz="3"'),
+        (Tensor(1, 1e-17, 2e-5, 2, 0, 3), DIAGONAL, 'ixx="1" iyy="2" izz="3"'),
+        (
+            Tensor(1 / 3, 0, 0, 2e-7, 0, 1 / 3),
+            DIAGONAL,
+            'ixx="0.333333" iyy="2e-07" izz="0.333333"',
+        ),
     ],
 )
-def test_how_a_tensor_is_written(tensor: Tensor, text: str) -> None:
-    assert format_tensor(tensor) == text
+def test_how_a_tensor_is_written(tensor: Tensor, present: Tensor, text: str) -> None:
+    assert format_tensor(tensor, present) == text
 
 
 def test_equal_values_are_written_once() -> None:

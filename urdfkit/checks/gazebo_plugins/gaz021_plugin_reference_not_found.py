@@ -75,8 +75,9 @@ def _unknown(
     if reference.kind == "joint" and is_still and not suggested:
         help = "add the joint: no joint of this robot moves"
     names = model.links_by_name if reference.kind == "link" else model.joints_by_name
-    if len(words) > 1 and all(word in names for word in words):
-        help = f"name one of them: the tag does not take several {reference.kind}s"
+    if len(words) > 1 and any(word in names for word in words):
+        tag = item.path.rpartition("/")[2]
+        help = f"name one in each <{tag}>, which does not take several {reference.kind}s"
     return Finding(item.at, message, help, fix)
 
 

@@ -81,5 +81,9 @@ def _finding(inertia: LinkInertia, masses: Masses) -> Finding:
     diagnosis = diagnose_impossible(inertia, masses)
     fix = replacement(inertia, diagnosis.tensor)
     return Finding(
-        inertia.at, f"link '{inertia.link.name}': {message}", str(diagnosis), fix, weight=weight
+        inertia.at,
+        f"link '{inertia.link.name}': {message}",
+        diagnosis.describe(inertia.tensor),
+        fix,
+        weight=weight,
     )

@@ -244,7 +244,8 @@ def _missing(context: Context, mesh: MeshReference, suggestions: MeshSuggestions
     if suggested is None:
         installed = suggestions.installed_reference(located)
         help = f"write {installed}, and add the package" if installed else ""
-        is_found = "$(find" in mesh.at.span.text  # by all computers
+        written = mesh.at.span.text
+        is_found = "$(find" in written or ("${" in written and _is_of_package(context, located))
         if not installed and located.scheme == "absolute" and not is_found:
             help = "add the file, and write package://PACKAGE/..., which all computers find"
         return Finding(mesh.at, message, help, group_key=_missing_directory(located))
@@ -252,6 +253,13 @@ def _missing(context: Context, mesh: MeshReference, suggestions: MeshSuggestions
     fix = _fix(mesh, new, f"refer to {new}") if suggested.sure else None
     group_key = f"{'fixed' if fix else 'suggested'} {_missing_directory(located)}"
     return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key=group_key)
+
+
+def _is_of_package(context: Context, located: ResolvedReference) -> bool:
+    """True if a path is in a package of the workspace, so that a property has $(find ...)."""
+    packages = context.resolver.packages
+    above = packages.enclosing(located.tried[0])
+    return above is not None and above[1] in packages.known(context.source.path).values()
 
 
 def _found_above(context: Context, mesh: MeshReference, directory: str) -> Finding:

@@ -79,8 +79,7 @@ def other_name(name: str, directory: str) -> Findings:
     source = package_file(directory, file) if file else None
     if source is None:
         return
-    # With several projects, such as a superbuild around it, one of them is the package.
-    every = list(re.finditer(_NAMES[file], source.data))
+    every = _names(source)
     if every and name not in [match.group(1).decode() for match in every]:
         project = every[0]
         yield Finding(
@@ -90,6 +89,19 @@ def other_name(name: str, directory: str) -> Findings:
             "use the same name in both files",
             severity=Severity.WARNING,
         )
+
+
+def _names(source: Source) -> list[re.Match[bytes]]:
+    """The names in a build file; of several projects, as in a superbuild, one is the package."""
+    return list(re.finditer(_NAMES[os.path.basename(source.path)], source.data))
+
+
+def is_registered(name: str, directory: str) -> bool:
+    """True if a setup.py registers the package under a name, that of package.xml or another."""
+    setup = package_file(directory, "setup.py")
+    if setup is None or b"resource_index" not in setup.data:
+        return False
+    return any(match.group(1).decode() == name for match in _names(setup))
 
 
 def package_file(directory: str, file: str) -> Source | None:

@@ -18,6 +18,7 @@ Sources:
 import os
 from collections.abc import Iterator
 
+from urdfkit.checks.package.build_files import is_registered
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound
@@ -81,6 +82,8 @@ def check(context: Context) -> Findings:
             continue
         seen.add(name)
         if other := _other_name(name, span, context.resolver):
+            if is_registered(name, os.path.dirname(other.path)):
+                continue  # its package.xml is wrong (PKG008)
             message = f"package '{name}' is called '{other.package}' in {other.path}"
             yield Finding(span, message, f"write {other.package}, or rename the package")
             continue

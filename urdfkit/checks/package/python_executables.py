@@ -7,7 +7,7 @@ import posixpath
 import re
 from fnmatch import fnmatchcase
 
-from urdfkit.checks.package.build_files import is_missing, package_file
+from urdfkit.checks.package.build_files import is_missing, is_registered, package_file
 from urdfkit.core import disk
 from urdfkit.core.suggest import did_you_mean, hint_for, nearest, nearest_file_name
 from urdfkit.lint.rules import Finding, Findings, Severity
@@ -60,8 +60,9 @@ def not_runnable(name: str, directory: str) -> Findings:
             f"script_dir=$base/lib/{name}",
         )
     for match in _DIRECTORY.finditer(written) if config and entries else ():
-        if match.group(1).decode() != name and config is not None:
-            message = f"the executables are installed to lib/{match.group(1).decode()}"
+        installed = match.group(1).decode()
+        if installed != name and not is_registered(installed, directory) and config is not None:
+            message = f"the executables are installed to lib/{installed}"
             yield Finding(Span(config, *match.span(1)), message, f"write {name}")
     if b"package_dir" not in setup.data:
         yield from _missing_packages(setup, entries, directory)

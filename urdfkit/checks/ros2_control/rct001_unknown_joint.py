@@ -28,7 +28,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
-from urdfkit.core.suggest import Suggester, did_you_mean, hint_for
+from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, hint_for, nearest
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
@@ -184,10 +184,18 @@ def _controller_joints(context: Context) -> Findings:
         for use in of_file:
             is_of_robot = use.fits or _is_broadcaster_of_robot(use, uses)
             for joint in _unknown_to_robot(use, known, context, is_of_robot=is_of_robot):
-                hint = suggester.hint(joint.text) or hint_for(_with_other_words(joint.text, free))
+                hint = _hint(joint.text, use, suggester, free)
                 is_likely = is_of_robot or bool(hint)
                 if is_likely or not is_fitting:
                     yield _unknown_joint(use, joint, hint, context, is_likely=is_likely)
+
+
+def _hint(name: str, use: _Use, suggester: Suggester, free: set[str]) -> str:
+    """The joint that is probably meant, which the controller does not list already."""
+    suggested = suggester.suggested(name)
+    if suggested in {joint.text for joint in use.joints} and not is_mistyped(name, suggested):
+        suggested = nearest(name, sorted(free), TYPO) or ""
+    return hint_for(suggested or _with_other_words(name, free))
 
 
 def _of_uncalled_macros(context: Context) -> Iterator[str]:

@@ -59,15 +59,16 @@ class Diagnosis(Record):
     tensor: Tensor | None  # the intended tensor, in kg·m²; None if unknown
     confidence: Confidence  # of the proposal
 
-    def __str__(self) -> str:
-        """The cause and the correction, in one line; empty if both are unknown."""
+    def describe(self, present: Tensor) -> str:
+        """The cause and the correction of the present tensor, in one line; empty if unknown."""
         if self.tensor is None:
             return f"the tensor {self.cause}" if self.cause else ""
+        written = format_tensor(self.tensor, present)
         if not self.cause:
-            return f"write {format_tensor(self.tensor)}"
+            return f"write {written}"
         if self.confidence is Confidence.GUESSED:
-            return f"perhaps the tensor {self.cause}; then it is {format_tensor(self.tensor)}"
-        return f"the tensor {self.cause}: write {format_tensor(self.tensor)}"
+            return f"perhaps the tensor {self.cause}; then it is {written}"
+        return f"the tensor {self.cause}: write {written}"
 
 
 def diagnose_unlike_shape(link: LinkInertia, masses: Masses) -> Diagnosis:

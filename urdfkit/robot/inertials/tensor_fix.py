@@ -20,7 +20,7 @@ def advice(link: LinkInertia, diagnosis: Diagnosis) -> str:
     if diagnosis.tensor and (joint := excessive_joint(link, diagnosis.tensor)):
         return f"give it more mass first: joint '{joint.name}' has too much effort for less inertia"
     if not from_macro(link.at):
-        return str(diagnosis)
+        return diagnosis.describe(link.tensor)
     where = "correct it in the macro, or in the values that it is called with"
     return f"the tensor {diagnosis.cause}; {where}" if diagnosis.cause else ""
 

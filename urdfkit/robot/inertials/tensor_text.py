@@ -9,10 +9,12 @@ from urdfkit.robot.link import Tensor
 PRODUCT_ROUNDING = 2e-3
 
 
-def format_tensor(tensor: Tensor) -> str:
-    """The attributes of a tensor, without products of inertia that are 0."""
-    texts = zip(Tensor._fields, digits(tensor), strict=True)
-    return " ".join(f'{key}="{text}"' for key, text in texts if text != "0" or key[1] == key[2])
+def format_tensor(tensor: Tensor, present: Tensor) -> str:
+    """The attributes of a tensor, without products of inertia that are 0, as at present."""
+    texts = zip(Tensor._fields, digits(tensor), present, strict=True)
+    return " ".join(
+        f'{key}="{text}"' for key, text, old in texts if text != "0" or old or key[1] == key[2]
+    )
 
 
 def digits(tensor: Tensor) -> list[str]:

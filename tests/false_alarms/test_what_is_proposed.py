@@ -1,0 +1,120 @@
+"""Findings that were right, and whose help would have sent the author the wrong way."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.controls import CLASSIC, ROBOT, control, controller, driven, reported_with_file
+from tests.gazebos import plugin
+from tests.jointed import joint, limit, robot
+from tests.launched import MANIFEST
+from tests.massive import BOX, inertial, link, shape
+from tests.naming import naming
+from tests.reported import reported
+from tests.workspaces import add_file, add_files, add_package
+from tests.xacros import xacro
+from urdfkit import check
+
+ENDLESS = limit("0", "0", "10", "2")
+
+
+@pytest.mark.parametrize(
+    ("unknown", "suggested"), [("rr_swerve", ["mr_swerve"]), ("rf_swervee", ["rf_swerve"])]
+)
+def test_a_joint_that_the_controller_has_already(
+    tmp_path: Path, unknown: str, suggested: list[str]
+) -> None:
+    """A base with wheels lf, rf and mr, whose controllers are those of one with four."""
+    wheels = robot(*(joint(f"{side}_swerve", "continuous", ENDLESS) for side in ("lf", "rf", "mr")))
+    text = controller("c", joints=f"[lf_swerve, rf_swerve, {unknown}]")
+    (found,) = reported_with_file("RCT001", tmp_path, text, "", robot=wheels)
+    assert found.message == naming("c", unknown, *suggested)
+
+
+@pytest.mark.parametrize(
+    ("name", "help"),
+    [
+        ("arms/MMTrajectoryControler", "write arms/MMTrajectoryController, or"),
+        (
+            "arms/ScaledJointTrajectoryController",
+            "write one of arms/MMTrajectoryController, arms/MM",
+        ),
+    ],
+)
+def test_a_class_of_which_only_the_kind_is_alike(tmp_path: Path, name: str, help: str) -> None:
+    """A servo, a path and a trajectory controller in one package, and the type of a fourth."""
+    classes = ("arms/MMTrajectoryController", "arms/MMServoController")
+    library = "".join(f'<class name="{one}" type="{one}" base_class_type="x"/>' for one in classes)
+    build = "find_package(ament_cmake)\npluginlib_export_plugin_description_file("
+    files = {
+        "CMakeLists.txt": f"{build}controller_interface arms.xml)\n",
+        "arms.xml": f'<library path="arms">{library}</library>',
+    }
+    add_files(add_package(tmp_path / "arms", "arms"), files)
+    text = controller("c", kind=name)
+    (found,) = reported_with_file("RCT034", tmp_path, text, control(driven("swing")), robot=ROBOT)
+    assert found.help.startswith(help)
+
+
+@pytest.mark.parametrize(("installed", "count"), [("hands", 0), ("feet", 1)])
+def test_a_package_whose_manifest_alone_has_another_name(
+    tmp_path: Path, installed: str, count: int
+) -> None:
+    """setup.py, setup.cfg, the index and the launch files agree, so that ROS finds the programs."""
+    manifest = MANIFEST.replace(
+        "</package>", "<export><build_type>ament_python</build_type></export></package>"
+    )
+    setup = (
+        "from setuptools import setup\n\npackage_name = 'hands'\nsetup(\n    name=package_name,\n"
+        "    data_files=[('share/ament_index/resource_index/packages', "
+        "['resource/' + package_name])],\n"
+        "    entry_points={'console_scripts': ['grip = hands.grip:main']},\n)\n"
+    )
+    add_files(
+        tmp_path / "hands",
+        {
+            "package.xml": manifest,
+            "setup.py": setup,
+            "setup.cfg": f"[install]\ninstall_scripts=$base/lib/{installed}\n",
+            "resource/hands": "",
+            "hands/grip.py": "def main(): ...\n",
+            "launch/a.launch.py": "from launch_ros.actions import Node\n"
+            "x = Node(package='hands', executable='grip')\n",
+        },
+    )
+    path = tmp_path / "hands/launch/a.launch.py"
+    found = [one.message for one in check(path, select=["PKG008"]).diagnostics]
+    assert naming("hands", "setup.py", "arm", "package.xml") in found
+    assert found.count(naming(f"lib/{installed}")) == len(found) - 1 == count
+    assert not any("'hands'" in one.message for one in check(path, select=["PKG001"]).diagnostics)
+
+
+def test_products_of_a_tensor_that_become_zero() -> None:
+    """A hand with the product 5.7e-03 beside moments of 1e-06, all others as they should be."""
+    moments = (4e-6, 5.7e-3, 0.0, 1.5e-5, 0.0, 1.3e-5)
+    (found,) = reported("INE003", link("a", shape("collision", BOX), inertial(0.06, moments)))
+    assert 'ixy="0"' in found.help
+    assert "ixz" not in found.help
+
+
+def test_a_list_of_joints_in_one_tag() -> None:
+    """libgazebo_ros_joint_state_publisher.so reads one name in each <joint_name>."""
+    tags = "<joint_name>swing, slide, lost</joint_name>"
+    block = plugin("libgazebo_ros_joint_state_publisher.so", tags)
+    (found,) = reported("GAZ021", ROBOT + control(driven("swing"), plugin=CLASSIC) + block)
+    assert found.help == naming("<joint_name>")
+
+
+@pytest.mark.parametrize(
+    ("directory", "is_portable"), [("$(find hull)/mesh", True), ("/home/me/hull/mesh", False)]
+)
+def test_a_property_with_the_directory_of_the_meshes(
+    tmp_path: Path, directory: str, is_portable: bool
+) -> None:
+    """A torpedo: `file://$(find ...)` in a property is found by all computers."""
+    mesh = '<geometry><mesh filename="file://${meshes}/hull.dae"/></geometry>'
+    text = f'<xacro:property name="meshes" value="{directory}"/>'
+    text = xacro(f'{text}<link name="a"><visual>{mesh}</visual></link>')
+    path = add_file(add_package(tmp_path / "hull", "hull") / "urdf/a.xacro", text)
+    (found,) = check(path, select=["MSH001"]).diagnostics
+    assert ("package://" not in found.help) is is_portable
