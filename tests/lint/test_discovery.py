@@ -11,7 +11,7 @@ from tests.xacros import xacro
 from urdfkit import check
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.config import Config, RobotEntry
-from urdfkit.lint.discovery import affected, discover
+from urdfkit.lint.discovery import affected, discover, launch_files
 from urdfkit.lint.options import Options
 from urdfkit.text import source
 from urdfkit.workspace.resolve import Resolver
@@ -185,6 +185,19 @@ def test_the_texts_of_many_robots_are_not_kept(tmp_path: Path, monkeypatch: pyte
     finally:
         tracemalloc.stop()
     assert most < 20 * len(text)
+
+
+@pytest.mark.parametrize(
+    ("name", "count"), [("bringup.py", 1), ("helpers.py", 0), ("a_launch.py", 1)]
+)
+def test_programs_in_a_directory_of_launch_files(tmp_path: Path, name: str, count: int) -> None:
+    """clydemcqueen/orca4: ``ros2 launch orca_bringup bringup.py``."""
+    text = (
+        "def generate_launch_description():\n    pass\n" if name == "bringup.py" else "VALUE = 1\n"
+    )
+    path = add_file(tmp_path / "launch" / name, text)
+    found = launch_files(str(tmp_path), Config(), Resolver().directories)
+    assert list(found) == [str(path)] * count
 
 
 @pytest.mark.parametrize("name", ["box.model", "box.gazebo", "box.xml", "box"])

@@ -139,7 +139,14 @@ def launch_files(directory: str, config: Config, directories: Directories) -> It
 def _is_readable_launch(path: str, config: Config) -> bool:
     if not is_launch(path) or matches(config.relative(path), config.exclude):
         return False
-    return disk.is_file(path) and os.access(path, os.R_OK) and not _is_template(path)
+    is_readable = disk.is_file(path) and os.access(path, os.R_OK)
+    return is_readable and not (_is_template(path) or _is_helper(path))
+
+
+def _is_helper(path: str) -> bool:
+    """True for a module beside launch files, which they import."""
+    is_marked = path.endswith("launch.py") or not path.endswith(".py")
+    return not is_marked and b"def generate_launch_description" not in read_head(path)
 
 
 def _is_template(path: str) -> bool:

@@ -42,8 +42,10 @@ _LAUNCH = (
 
 
 def is_launch(path: str) -> bool:
-    """True if a file has the name of a launch file."""
-    return path.endswith(_LAUNCH)
+    """True if a file has the name of a launch file, or is a program in a directory of them."""
+    if path.endswith(_LAUNCH):
+        return True
+    return path.endswith(".py") and os.path.basename(os.path.dirname(path)) == "launch"
 
 
 def has_srdf_tags(root: Element) -> bool:
