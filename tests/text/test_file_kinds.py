@@ -65,5 +65,5 @@ def test_xacro_by_its_content(name: str, text: str, expected: bool) -> None:
 def test_launch_files_by_their_names() -> None:
     names = ("a.launch", "a.launch.py", "a_launch.xml", "launch.py", "a.launch.json")
     assert [is_launch(name) for name in names] == [True, True, True, False, False]
-    names = ("launch/bringup.py", "p/launch/a-launch.py", "p/bringup.py", "launch/data.xml")
-    assert [is_launch(name) for name in names] == [True, True, False, False]
+    others = ("launch/bringup.py", "p/launch/a-launch.py", "p/bringup.py", "launch/data.xml")
+    assert [is_launch(name) for name in others] == [True, True, False, False]
