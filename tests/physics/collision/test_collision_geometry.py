@@ -163,3 +163,15 @@ def test_flanges_that_lie_on_one_another_need_no_triangles(
     )
     with pytest.raises(TypeError):
         query.distance(SAME, deep, 0.0)
+
+
+def test_meshes_that_are_apart_are_not_tested_for_a_collision(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A hand of 313,000 triangles: excluding a collision takes coal longer than the distance."""
+    shells = mesh(cube(tmp_path / "o.stl", 0.5, 5)), mesh(cube(tmp_path / "i.stl", 0.1, 5))
+    query = DistanceQuery(*geometries(*shells))
+    monkeypatch.setattr(query, "_depth", None)
+    assert query.distance(SAME, np.zeros(3), inf) == pytest.approx(0.4)
+    assert query.distance(SAME, np.zeros(3), 0.1) == pytest.approx(0.1)
+    assert query.distance(SAME, np.zeros(3), 0.0) == 0

@@ -213,16 +213,18 @@ class DistanceQuery:
         is_shallow = -_SHALLOW < bound < -TOUCH
         if self.is_exact or is_shallow or bound >= max(limit, TOUCH):
             return bound
-        if bound <= TOUCH:
+        if bound > TOUCH:
+            return max(0.0, self._measure(self.first.exact, self.second.exact, limit))
+        # Few poses collide: coal needs less time for the distance than to exclude a collision.
+        free = max(0.0, self._measure(self.first.exact, self.second.exact, max(limit, 2 * TOUCH)))
+        if free <= TOUCH:
             depth = self._depth(self._one)
             if 0 < depth <= TOUCH:  # another pair of triangles may be deeper
                 depth = self._depth(self._many)
             if depth > TOUCH:
                 # coal's depth of triangles may be the length of one of them
                 return max(-depth, bound) if bound < -TOUCH else -depth
-            if limit <= 0:
-                return 0.0
-        return max(0.0, self._measure(self.first.exact, self.second.exact, limit))
+        return min(free, max(limit, 0.0))
 
     def is_deeper(self, rotation: Floats, translation: Floats, depth: float) -> bool:
         """True if the bodies overlap by more than a depth.
