@@ -39,6 +39,20 @@ def test_duplicate_in_one_block() -> None:
     ]
 
 
+def test_copied_joint_of_one_block_whose_name_was_not_changed() -> None:
+    """As in a quadruped: RR_calf_joint twice, and RL_calf_joint not at all."""
+    robot = "".join(f'<link name="{name}"/>' for name in ("base", "fl", "fr", "rl"))
+    for name in ("fl", "fr", "rl"):
+        robot += f'<joint name="{name}_calf_joint" type="continuous"><parent link="base"/>'
+        robot += f'<child link="{name}"/></joint>'
+    calves = [driven(f"{name}_calf_joint") for name in ("fl", "fr", "fr")]
+    (found,) = reported("RCT007", robot + control(*calves))
+    assert found.message == naming("fr_calf_joint", "position", "twice")
+    assert "'rl_calf_joint'" in (found.help or "")
+    (found,) = reported("RCT007", robot + control(*calves, driven("rl_calf_joint")))
+    assert "calf" not in (found.help or "")
+
+
 def test_different_interfaces_of_one_joint_may_be_in_two_blocks() -> None:
     sensor = '<joint name="swing"><state_interface name="velocity"/></joint>'
     text = control(driven("swing")) + control(sensor, name="s", kind="sensor")

@@ -5,6 +5,9 @@ CommandInterface with already existing key". In Humble only one of the two is us
 blocks for the real hardware and for the simulation are both active: choose one with a xacro
 argument.
 
+A joint that is declared twice in one block is often the copy of another one, whose name was not
+changed.
+
 Two blocks have the same name (warning): the controller manager reports "Hardware name is
 duplicated" and starts without the second; the control plugins of Gazebo do not check this. A macro
 that is called for two arms must also add its prefix to the name of the block.
@@ -19,6 +22,7 @@ from itertools import chain
 
 from urdfkit.core.grouping import repeated
 from urdfkit.core.record import Record
+from urdfkit.core.suggest import nearest
 from urdfkit.core.words import few
 from urdfkit.lint.empty_arguments import prefixes_to_pass
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
@@ -41,7 +45,8 @@ _MAX_NAMED = 3
 @rule(Severity.ERROR, help="keep one of the two")
 def check(context: Context) -> Findings:
     blocks, to_pass = components(context.model), prefixes_to_pass(context)
-    for finding in chain(_duplicate_names(blocks), _duplicate_interfaces(blocks)):
+    undeclared = _undeclared(context, blocks)
+    for finding in chain(_duplicate_names(blocks), _duplicate_interfaces(blocks, undeclared)):
         if to_pass:
             yield finding._replace(help=to_pass, severity=Severity.WARNING)
         else:
@@ -60,7 +65,14 @@ def _duplicate_names(blocks: list[Component]) -> Findings:
         )
 
 
-def _duplicate_interfaces(blocks: list[Component]) -> Findings:
+def _undeclared(context: Context, blocks: list[Component]) -> set[str]:
+    """The names of the joints that move by themselves and are in no block."""
+    moving = {joint.name for joint in context.model.joints if joint.is_single_dof}
+    followers = {joint.name for joint in context.model.joints if joint.mimic}
+    return moving - followers - {part.name for block in blocks for part in block.joints}
+
+
+def _duplicate_interfaces(blocks: list[Component], undeclared: set[str]) -> Findings:
     """One finding for two blocks, or for each joint with a duplicate interface in one block."""
     first: dict[tuple[str, ...], tuple[int, Interface]] = {}
     duplicates: dict[tuple[int, int], dict[str, _Duplicate]] = {}
@@ -77,7 +89,11 @@ def _duplicate_interfaces(blocks: list[Component]) -> Findings:
         if number != before and len(parts) > 1:
             yield _duplicate_block(blocks[number], blocks[before], list(parts))
         else:
-            yield from (_duplicate(duplicate, blocks[before]) for duplicate in parts.values())
+            for name, duplicate in parts.items():
+                # A block that was copied within its component, and not renamed.
+                is_copy = number == before and duplicate.part.kind == "joint"
+                intended = nearest(name, undeclared) if is_copy else None
+                yield _duplicate(duplicate, blocks[before], intended)
 
 
 class _Duplicate(Record):
@@ -96,12 +112,13 @@ def _duplicate_block(block: Component, first: Component, names: list[str]) -> Fi
     )
 
 
-def _duplicate(duplicate: _Duplicate, first: Component) -> Finding:
+def _duplicate(duplicate: _Duplicate, first: Component, intended: str | None) -> Finding:
     part, interface = duplicate.part, duplicate.interface
     return Finding(
         interface.at,
         f"{part.kind} '{part.name}': {interface.direction} interface '{interface.name}' is "
         "declared twice",
+        f"name one of the two '{intended}', which is not declared" if intended else "",
         related=(Related(duplicate.first.at.span, f"first declared here, in {first.called}"),),
         group_key=first.called,
     )
