@@ -144,6 +144,8 @@ def test_the_hint_of_a_speller() -> None:
         ("imageTopic", "imageTopicName", "imageTopicName"),
         ("max_linear_acceleration", "min_acceleration", ""),
         ("max_aceleration", "max_acceleration", "max_acceleration"),
+        ("frontal_laser_rotation_link", "front_laser_link", ""),
+        ("frontl_laser_link", "front_laser_link", "front_laser_link"),
     ],
 )
 def test_a_word_in_front_changes_the_meaning(word: str, known: str, suggested: str) -> None:

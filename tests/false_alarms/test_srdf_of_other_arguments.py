@@ -123,6 +123,52 @@ def test_the_robot_of_moveit_in_a_large_repository(tmp_path: Path, name: str, co
     assert len(found) == count
 
 
+GRIPPER = xacro(
+    """<xacro:arg name="gripper" default=""/><link name="base"/>
+  <xacro:property name="gripper" value="$(arg gripper)"/>
+  <xacro:if value="${gripper != \'\'}"><xacro:include filename="PATH"/></xacro:if>"""
+)
+FINGER = """<robot><link name="finger"/><joint name="grip" type="fixed">
+<parent link="base"/><child link="finger"/></joint></robot>
+"""
+BUILDER = """\
+from launch import LaunchDescription
+from moveit_configs_utils import MoveItConfigsBuilder
+
+def generate_launch_description():
+    config = MoveItConfigsBuilder("r", package_name="arm").METHODto_moveit_configs()
+    return LaunchDescription([Node(package="moveit_ros_move_group", executable="move_group",
+        parameters=[config.to_dict()])])
+"""
+
+
+@pytest.mark.parametrize("path", ["finger.xacro", "$(find fingers)/finger.xacro"])
+@pytest.mark.parametrize(
+    ("arguments", "method", "count"),
+    [
+        ("gripper:=two_fingers", "", 0),
+        ("", "", 2),
+        ("gripper:=two_fingers", 'robot_description(mappings={"gripper": ""}).', 2),
+    ],
+)
+def test_the_arguments_that_the_setup_assistant_was_given(
+    tmp_path: Path, arguments: str, method: str, count: int, path: str
+) -> None:
+    """Kinova's Link 6: the builder passes them to the xacro in config, too."""
+    setup = "moveit_setup_assistant_config:\r\n  urdf:\r\n    package: robots\r\n"
+    setup += f"    relative_path: r.urdf.xacro\r\n    xacro_args: {arguments}\r\n"
+    files = {
+        ".setup_assistant": setup,
+        "config/r.urdf.xacro": GRIPPER.replace("PATH", path),
+        "config/finger.xacro": FINGER,
+        "config/r.srdf": SRDF.replace("NAME", "finger").replace("tool", "base"),
+    }
+    text = BUILDER.replace("METHOD", method)
+    reported(tmp_path / "arm", "SRD001", "a.launch.py", text, files)
+    found = check(tmp_path / "arm", select=["SRD001"]).diagnostics
+    assert len(found) == count
+
+
 NAMED = """\
 Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[{
     "robot_description": Command(["xacro ", FindPackageShare("arm"), "/r.urdf.xacro name:=r2"])}])

@@ -8,10 +8,13 @@ from tests.controls import CLASSIC, ROBOT, control, controller, driven, reported
 from tests.gazebos import plugin
 from tests.jointed import joint, limit, robot
 from tests.launched import MANIFEST
+from tests.launched import reported as of_launch
 from tests.massive import BOX, inertial, link, shape
+from tests.meshed import SOUND
 from tests.naming import naming
 from tests.reported import reported
 from tests.workspaces import add_file, add_files, add_package
+from tests.xacros import reported as xacro_findings
 from tests.xacros import xacro
 from urdfkit import check
 
@@ -87,6 +90,43 @@ def test_a_package_whose_manifest_alone_has_another_name(
     assert naming("hands", "setup.py", "arm", "package.xml") in found
     assert found.count(naming(f"lib/{installed}")) == len(found) - 1 == count
     assert not any("'hands'" in one.message for one in check(path, select=["PKG001"]).diagnostics)
+
+
+def test_a_property_that_is_used_without_the_dollar() -> None:
+    """A wheel with friction="{wheel_friction}": the property must not be deleted."""
+    value = '<xacro:property name="wheel_friction" value="0.1"/>'
+    mark = '<gazebo reference="base"><mu1>{}</mu1><mu2>0.1</mu2></gazebo>'
+    for text, codes in (("{wheel_friction}", ["XAC003"]), ("0.2", ["XAC004"])):
+        found = [
+            one
+            for code in ("XAC003", "XAC004")
+            for one in xacro_findings(code, value + '<link name="base"/>' + mark.format(text))
+        ]
+        assert [one.code for one in found] == codes
+
+
+def test_a_file_below_a_directory_that_is_no_longer_there(tmp_path: Path) -> None:
+    """The meshes of a UR5e in robots/ur5e/meshes/visual, and once below meshes/ur5e."""
+    package = add_package(tmp_path / "arm", "arm")
+    add_files(package, {"robots/ur5e/meshes/visual/base.stl": SOUND})
+    mesh = '<geometry><mesh filename="package://arm/robots/ur5e/meshes/ur5e/visual/base.stl"/>'
+    text = f'<robot name="r"><link name="a"><visual>{mesh}</geometry></visual></link></robot>'
+    (found,) = check(add_file(package / "urdf/a.urdf", text), select=["MSH001"]).diagnostics
+    assert found.help == naming("package://arm/robots/ur5e/meshes/visual/base.stl")
+
+
+@pytest.mark.parametrize(
+    ("package", "effect"), [("map_server", "roslaunch"), ("nav2_map_server", "lifecycle")]
+)
+def test_a_map_server_of_ros_1_that_is_started_twice(
+    tmp_path: Path, package: str, effect: str
+) -> None:
+    """A robot whose navigation starts it, and includes a file that does."""
+    node = f'<node pkg="{package}" type="map_server" name="map_server"/>'
+    text = f'{node}<include file="$(find arm)/launch/b.launch"/>'
+    files = {"launch/b.launch": f"<launch>{node}</launch>"}
+    (found,) = of_launch(tmp_path / "arm", "LAU043", "a.launch", text, files)
+    assert effect in found.message
 
 
 def test_products_of_a_tensor_that_become_zero() -> None:

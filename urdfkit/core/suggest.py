@@ -257,7 +257,11 @@ def _has_more_words(word: str, other: str) -> bool:
     if len(others) > 1 and others < words:
         return not words - others <= _KINDS
     is_cut_short = other.casefold().startswith(word.casefold())
-    return words < others and not (others - words <= _KINDS or is_cut_short)
+    if words < others:
+        return not (others - words <= _KINDS or is_cut_short)
+    own, misspelt = words - others, others - words
+    # Of ``front_rotation`` and ``frnt`` one is no typo.
+    return len(own) > len(misspelt) > 0 and all(nearest(each, own) for each in misspelt)
 
 
 def _has_another_word(word: str, other: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.workspace.file_head import head_text, read_head
@@ -18,6 +18,7 @@ _ROBOT_NAME = r"<robot\b[^<>]*\bname\s*=\s*[\"']([^\"'$]+)[\"']"
 #: A section of ``.setup_assistant`` with its content; compiled when needed, which is rare.
 _SECTION = r"(?mi)^([ \t]*){}:[ \t]*\n((?:\1[ \t]+\S.*\n?)+)"
 _ENTRY = r"(?m)^\s*{}:\s*\"?([^\s\"]+)"
+_ARGUMENTS = r"(?m)^\s*xacro_args:[ \t]*[\"']?([^\"'\n]*)"
 
 
 def srdf_files(robot: str, resolver: Resolver) -> list[str]:
@@ -187,6 +188,7 @@ class SetupAssistant(Record):
     urdf: str = ""  # path of the robot's file in its package
     srdf: str = ""  # path of the SRDF in the MoveIt package
     has_arguments: bool = False  # True if the robot is expanded with arguments
+    arguments: Mapping[str, str] = {}  # these arguments
 
     def is_for(self, robot: str, package: tuple[str, str]) -> bool:
         """True if it refers to a robot file of a package, or to the URDF made of a xacro."""
@@ -198,7 +200,7 @@ class SetupAssistant(Record):
 
 def setup_assistant(directory: str) -> SetupAssistant:
     """The settings of a MoveIt package."""
-    text = head_text(os.path.join(directory, ".setup_assistant"), 100_000)
+    text = head_text(os.path.join(directory, ".setup_assistant"), 100_000).replace("\r\n", "\n")
 
     def section(name: str) -> str:
         match = re.search(_SECTION.format(name), text)
@@ -209,7 +211,15 @@ def setup_assistant(directory: str) -> SetupAssistant:
         return match.group(1) if match else ""
 
     urdf, srdf = section("urdf"), entry(section("srdf"), "relative_path")
-    return SetupAssistant(entry(urdf, "package"), entry(urdf, "relative_path"), srdf, ":=" in urdf)
+    match = re.search(_ARGUMENTS, urdf)
+    pairs = (word.partition(":=") for word in match.group(1).split()) if match else ()
+    return SetupAssistant(
+        entry(urdf, "package"),
+        entry(urdf, "relative_path"),
+        srdf,
+        ":=" in urdf,
+        {name: value for name, mark, value in pairs if mark},
+    )
 
 
 def _inner(directory: str, resolver: Resolver) -> Iterator[str]:

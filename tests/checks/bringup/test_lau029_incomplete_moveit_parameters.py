@@ -113,9 +113,13 @@ def test_files_that_the_builder_needs(tmp_path: Path, calls: str, missing: str) 
     assert found.message.rpartition(": ")[2] == missing
 
 
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
 @pytest.mark.parametrize(("file", "count"), [("b.srdf", 0), ("arm.srdf", 1)])
-def test_the_srdf_that_the_setup_assistant_names(tmp_path: Path, file: str, count: int) -> None:
+def test_the_srdf_that_the_setup_assistant_names(
+    tmp_path: Path, file: str, count: int, end: str
+) -> None:
     setup = "moveit_setup_assistant_config:\n  srdf:\n    relative_path: config/b.srdf\n"
+    setup = setup.replace("\n", end)
     calls = ".planning_pipelines(load_all=False).joint_limits(x).robot_description_kinematics(y)"
     text = BUILDER.replace(".to_moveit", f"{calls}.to_moveit")
     files = {".setup_assistant": setup, f"config/{file}": "<robot name='r'/>"}

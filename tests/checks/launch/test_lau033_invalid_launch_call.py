@@ -34,6 +34,10 @@ from tests.launched import PYTHON, reported
             "xacro.process_file('a.xacro', mappings={'sim': True})",
             "the value of an argument of xacro is a bool",
         ),
+        (
+            "Node(package='a', parameters=[{'robot_description': xacro.parse('a.xacro')}])",
+            "parse() returns an XML document",
+        ),
         ("builder.robot_description('a.xacro', {'n': 2})", "the value of an argument of xacro is"),
     ],
 )
@@ -60,6 +64,8 @@ def test_programs_that_launch_rejects(tmp_path: Path, text: str, message: str) -
         "a = [b]\nLaunchDescription([*a, c])",
         "a = LaunchConfiguration('b').perform(context)\nc = 'd' + a",
         "PythonLaunchDescriptionSource([FindPackageShare('a'), '/launch/b.launch.py'])",
+        # hsrb_moveit_config: a function of the package, which returns the text
+        "Node(package='a', parameters=[{'robot_description': description.parse('a.xacro')}])",
     ],
 )
 def test_programs_that_launch_accepts(tmp_path: Path, text: str) -> None:

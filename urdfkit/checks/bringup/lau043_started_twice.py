@@ -4,7 +4,8 @@
   second fails to activate. Load it with `--inactive`.
 - `ros2_control_node` runs next to Gazebo's plugin, which runs its own controller manager: a spawner
   may reach either.
-- A server of Nav2 is started twice: lifecycle managers change the state of both.
+- A server of Nav2 is started twice: lifecycle managers change the state of both. In ROS 1,
+  roslaunch rejects two nodes of one name.
 - Two models of one name are spawned in Gazebo, which rejects the second.
 
 Programs with a condition that is known only at run time are ignored.
@@ -36,6 +37,9 @@ nodes = [
 ]
 """
 GOOD = BAD.replace('"right", "-name", "arm"', '"right", "-name", "arm_2"')
+
+#: Packages of ROS 1 with such a server.
+_OF_ROS1 = ("amcl", "map_server")
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
@@ -97,7 +101,7 @@ def _second_manager(context: Context, programs: list[StartedProgram]) -> Finding
 
 
 def _second_server(context: Context, programs: list[StartedProgram]) -> Findings:
-    """A second node of the same name of Nav2 or slam_toolbox."""
+    """A second node of the same name of Nav2 or slam_toolbox, or of navigation in ROS 1."""
     servers = data("nodes")["lifecycle"].split()
     first: dict[tuple[str, str | None], StartedProgram] = {}
     for node in programs if not context.launch.has_scopes else ():
@@ -105,9 +109,12 @@ def _second_server(context: Context, programs: list[StartedProgram]) -> Findings
             continue
         other = first.setdefault((node.title, node.namespace), node)
         if other.span != node.span:
+            effect = "lifecycle managers change the state of both"
+            if node.package in _OF_ROS1:
+                effect = "roslaunch rejects two nodes of one name"
             yield Finding(
                 node.at,
-                f"'{node.title}' is started twice: lifecycle managers change the state of both",
+                f"'{node.title}' is started twice: {effect}",
                 "start it once",
                 related=(Related(other.span, "it is started here, too"),),
             )

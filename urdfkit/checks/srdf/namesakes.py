@@ -4,6 +4,7 @@ import os
 from collections.abc import Iterator
 from itertools import chain, islice
 
+from urdfkit.core import disk
 from urdfkit.lint.rules import Context
 from urdfkit.ros.launch.robot_arguments import launches_of_package, launches_of_workspace
 from urdfkit.ros.moveit.srdf import Srdf
@@ -21,13 +22,22 @@ def launched_namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
 
     They are this robot with other arguments, or another revision of it.
     """
-    place = (srdf.path, context.resolver)
-    launches = chain(launches_of_package(*place), launches_of_workspace(*place))
-    descriptions = (description for launch in launches for description in launch.descriptions)
-    for description in islice(descriptions, _MAX_STARTED):
-        robot = context.other_robot(description.path, description.arguments)
+    for robot in _launched(context, srdf):
         if robot.is_readable and robot.model.name in (context.model.name, srdf.root.get("name")):
             yield robot
+
+
+def _launched(context: Context, srdf: Srdf) -> Iterator[Context]:
+    """The robots of the launch files of the workspace, also those that MoveIt's builder reads."""
+    place = (srdf.path, context.resolver)
+    launches = chain(launches_of_package(*place), launches_of_workspace(*place))
+    descriptions = (
+        description
+        for launch in launches
+        for description in (*launch.descriptions, *(robot for robot, _ in launch.built))
+    )
+    for description in islice(descriptions, _MAX_STARTED):
+        yield context.other_robot(description.path, description.arguments)
 
 
 def _namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
@@ -54,13 +64,22 @@ def names_in_namesakes(context: Context, srdf: Srdf) -> set[str]:
 
 
 def has_incomplete_namesake(context: Context, srdf: Srdf) -> bool:
-    """True if the SRDF may be for a xacro of its name next to a URDF that lacks a package."""
-    directory, own = os.path.split(os.path.abspath(context.source.path))
-    name = srdf.root.get("name") or ""
-    if not srdf.unknown or is_xacro(context.source) or not name:
+    """True if the SRDF may be for a robot that lacks a package.
+
+    That is a xacro with other arguments, or for a URDF the xacro next to it of the SRDF's name.
+    """
+    own = disk.real(context.source.path)
+    directory, name = os.path.dirname(own), srdf.root.get("name") or ""
+    if not srdf.unknown:
         return False
-    names = context.resolver.directories.entries(directory) or ()
-    paths = (os.path.join(directory, file) for file in names if file != own)
-    xacros = (path for path in paths if path.endswith(".xacro") and has_robot_name(path, name))
-    problems = (context.other_robot(path, {}).reading.problems for path in xacros)
-    return any(problem.code == "XAC011" for problem in chain.from_iterable(problems))
+    if is_xacro(context.source):
+        robots = (one for one in _launched(context, srdf) if disk.real(one.source.path) == own)
+        return any(map(_lacks_package, robots))
+    names = context.resolver.directories.entries(directory) or () if name else ()
+    xacros = (os.path.join(directory, file) for file in names if file.endswith(".xacro"))
+    namesakes = (path for path in xacros if has_robot_name(path, name))
+    return any(_lacks_package(context.other_robot(path, {})) for path in namesakes)
+
+
+def _lacks_package(robot: Context) -> bool:
+    return any(problem.code == "XAC011" for problem in robot.reading.problems)

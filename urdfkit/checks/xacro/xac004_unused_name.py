@@ -35,6 +35,8 @@ _COMMON_NUMBERS = (-1.0, 0.0, 1.0)
 #: Most names that nothing defines that are compared with each unused one.
 _MAX_UNDEFINED = 100
 _COLOUR = re.compile(rb"""\brgba\s*=\s*(["'])[^"']*\1""")
+#: A use without the dollar, which XAC003 reports.
+_WITHOUT_DOLLAR = re.compile(rb"(?<![$\w}])\{([A-Za-z_]\w*)\}")
 _NUMBER = re.compile(rb"(?<![\w.])[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
 
 
@@ -57,6 +59,9 @@ def _properties(context: Context, undefined: Iterable[str]) -> Findings:
         if (name := definition.name.removeprefix("**")) not in context.xacro.usage.names
         and definition.tag.source is context.source
     ]
+    text = blank_comments(context.source.data) if unused else b""
+    meant = {name.decode() for name in re.findall(_WITHOUT_DOLLAR, text)}
+    unused = [(definition, name) for definition, name in unused if name not in meant]
     written = _numbers_written(context) if unused else set()
     commented = _names_in_comments(context) if unused else set()
     for definition, name in unused:

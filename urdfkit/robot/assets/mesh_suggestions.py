@@ -158,7 +158,7 @@ class MeshSuggestions:
         for path in paths:
             common, ours, theirs = _without_common_end(directory, relative_path(path, base))
             # Exclude the same part of another model of the series.
-            if not (own := numbers_in(ours)) or numbers_in(theirs) in ([], own):
+            if not (own := {*numbers_in(ours)}) or {*numbers_in(theirs)} in (set(), own):
                 by_common.setdefault(common, []).append(path)
         best = max(by_common, default=0)
         files = by_common.get(best, [])

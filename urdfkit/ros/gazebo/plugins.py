@@ -76,7 +76,7 @@ class PluginUse:
 
     @property
     def title(self) -> str:
-        return f"plugin '{self.name}' ({self.filename})"
+        return f"plugin '{self.name}' ({self.filename or 'without filename'})"
 
     @property
     def outcome(self) -> str:

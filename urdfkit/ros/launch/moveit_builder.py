@@ -288,15 +288,17 @@ def _robot_and_controllers(
 ) -> None:
     """Record the robot and the controllers of a launch file that starts ros2_control.
 
-    Those of a demo have fixed names.
+    Those of a demo have fixed names. The robot alone if the setup assistant was given arguments
+    for it: the builder passes them to xacro where it gets no mappings.
     """
     given = _methods(call).get("robot_description")
+    assisted = setup_assistant(directory).arguments
     config, default = os.path.join(directory, "config"), None
     if given is not None:
         built = _described(given, directory, values)
     else:
         default = os.path.join(config, f"{robot}.urdf.xacro") if robot else ""
-        built = _launched(default, call, values, {})
+        built = _launched(default, call, values, dict(assisted))
     controllers = os.path.join(config, "ros2_controllers.yaml")
     if built is None:
         return
@@ -305,6 +307,8 @@ def _robot_and_controllers(
     elif default and _DEMO.search(values.source.data) and disk.is_file(controllers):
         file = FileUse(controllers, True, values.span(call), PARAMETERS)
         collector.built.append((built, file))
+    elif default and assisted:
+        collector.built.append((built, None))
 
 
 def _methods(call: ast.Call) -> dict[str, ast.Call]:

@@ -201,9 +201,16 @@ def _values(node: ast.expr | None, values: Values) -> Iterator[Problem]:
             if is_method and isinstance(text, ast.Attribute):
                 message = f"{text.attr} is a method, but launch expects a string"
                 yield values.problem("LAU033", value, message, f"write {text.attr}()")
-            elif called(text) in _DOCUMENTS:
+            elif called(text) in _DOCUMENTS and not _is_of_another_module(text):
                 message = f"{called(text)}() returns an XML document, but launch expects a string"
                 yield values.problem("LAU033", value, message, "append .toxml()")
+
+
+def _is_of_another_module(call: ast.expr | None) -> bool:
+    """True for a function or method of something other than the module xacro."""
+    function = call.func if isinstance(call, ast.Call) else None
+    owner = function.value if isinstance(function, ast.Attribute) else None
+    return owner is not None and not (isinstance(owner, ast.Name) and owner.id == "xacro")
 
 
 def _words(node: ast.expr | None, values: Values) -> Iterator[Problem]:
