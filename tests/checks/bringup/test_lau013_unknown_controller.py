@@ -93,6 +93,7 @@ def test_parameters_of_the_launch_file_are_accepted(tmp_path: Path, parameters: 
         SPAWN_2.format("'arm_controler', '--controller-manager', '/cm'"),
         SPAWN_2.format("'-c', '/cm', 'grip'"),
         "ExecuteProcess(cmd=['ros2', 'control', 'load_controller', '--set-state', 'active', 'x'])",
+        SPAWN_2.format("'x'") + "; Node(package='twist_stamper')",  # it defines no controller
     ],
 )
 def test_ros_2(tmp_path: Path, spawn: str) -> None:
@@ -107,7 +108,7 @@ def test_ros_2(tmp_path: Path, spawn: str) -> None:
         SPAWN_2.format("'x', '--controller-type', 'a/B'"),
         SPAWN_2.format("name"),
         SPAWN_2.format("'arm_controller', '--ros-args', 'x'"),
-        "Node(package='grip_bringup')\n" + SPAWN_2.format("'x'"),
+        "FindPackageShare('grip_bringup')\n" + SPAWN_2.format("'x'"),
     ],
 )
 def test_valid_in_ros_2(tmp_path: Path, spawn: str) -> None:

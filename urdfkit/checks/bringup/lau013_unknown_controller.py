@@ -203,7 +203,10 @@ def _typed_by_themselves(
 
 def _is_whole(launch: Launch) -> bool:
     """True if all packages and files that may define controllers are available."""
-    is_known = (p.searched is None or comes_with_ros(p.name) for p in launch.packages)
+    is_known = (
+        package.searched is None or package.is_only_started or comes_with_ros(package.name)
+        for package in launch.packages
+    )
     return all(file.exists for file in launch.parameters) and all(is_known)
 
 

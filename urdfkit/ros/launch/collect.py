@@ -86,7 +86,16 @@ class Collector:
         self.sets_sim_time = self.sets_sim_time or of_sim_time
 
     def package(self, name: str, source: Source, span: Span) -> str | None:
-        """The directory of a package; records that it is needed."""
+        """The directory of a package; records that its files are needed."""
+        return self._package(name, source, span)
+
+    def started_package(self, name: str, source: Source, span: Span) -> None:
+        """Record that a program of a package is needed."""
+        self._package(name, source, span, is_only_started=True)
+
+    def _package(
+        self, name: str, source: Source, span: Span, *, is_only_started: bool = False
+    ) -> str | None:
         if "/" in name and name[:1].isalpha():
             self._path_as_package(name, span)
             return None
@@ -95,7 +104,10 @@ class Collector:
             searched = None
         except PackageNotFound as error:
             directory, searched = None, error.searched
-        self.packages.setdefault(name, PackageUse(name, span, searched))
+        use = PackageUse(name, span, searched, is_only_started)
+        first = self.packages.setdefault(name, use)
+        if first.is_only_started and not is_only_started:
+            self.packages[name] = first._replace(is_only_started=False)
         return directory
 
     def _built(self, name: str, path: str) -> str:

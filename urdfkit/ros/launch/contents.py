@@ -96,6 +96,7 @@ class PackageUse(Record):
     name: str
     span: Span
     searched: tuple[str, ...] | None
+    is_only_started: bool = False  # True if the launch file starts its programs, and uses no file
 
 
 class Word(Record):

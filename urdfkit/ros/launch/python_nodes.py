@@ -110,7 +110,7 @@ def _package(file: PythonLaunchFile, call: ast.Call) -> str | None:
     node = argument(call, None, "package")
     name = file.values.text(node)
     if name and node is not None:
-        file.collector.package(name, file.source, file.values.span(node))
+        file.collector.started_package(name, file.source, file.values.span(node))
     return name
 
 

@@ -79,7 +79,7 @@ def _package(file: XmlLaunchFile, element: Element) -> str | None:
     attribute = element.attributes.get("pkg")
     name = file.text(attribute)
     if attribute and name:
-        file.collector.package(name, file.source, attribute.span)
+        file.collector.started_package(name, file.source, attribute.span)
     return name
 
 
