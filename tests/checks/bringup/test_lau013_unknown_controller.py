@@ -108,7 +108,8 @@ def test_ros_2(tmp_path: Path, spawn: str) -> None:
         SPAWN_2.format("'x', '--controller-type', 'a/B'"),
         SPAWN_2.format("name"),
         SPAWN_2.format("'arm_controller', '--ros-args', 'x'"),
-        "FindPackageShare('grip_bringup')\n" + SPAWN_2.format("'x'"),
+        "Node(parameters=[FindPackageShare('grip').find('grip') + '/c.yaml'])\n"
+        + SPAWN_2.format("'x'"),
     ],
 )
 def test_valid_in_ros_2(tmp_path: Path, spawn: str) -> None:
