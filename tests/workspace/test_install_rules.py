@@ -47,6 +47,7 @@ def test_cmake(tmp_path: Path, text: str, path: str, installed: bool) -> None:
         ("data_files=[('share/arm/urdf', glob('urdf/*'))]", False),
         ("for root, _, files in os.walk('.'): pass", True),
         ("glob('**/*', recursive=True)", True),
+        ("data_files=[('share/arm/meshes', glob('meshes/*.dae', recursive=True))]", False),
     ],
 )
 def test_setup_py(tmp_path: Path, text: str, installed: bool) -> None:

@@ -37,7 +37,7 @@ _COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
 _VARIABLE = r"\$\{(\w+)\}"
 _IS_PYTHON = rb"<build_type\b[^<>]*>\s*ament_python\s*<"
 #: Words of a setup.py that lists its files at build time.
-_WALK = r"\b(?:walk|rglob|scandir|recursive|isdir|is_dir)\b|\*\*"
+_WALK = r"\b(?:walk|rglob|scandir|isdir|is_dir)\b|\*\*"
 
 
 def build_file(directory: str) -> str:
