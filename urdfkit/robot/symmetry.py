@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
 from urdfkit.core.grouping import by_key
-from urdfkit.core.spatial import Vector
+from urdfkit.core.spatial import Rotation, Vector, vector
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Link
 from urdfkit.robot.tree import KinematicTree
@@ -147,19 +147,28 @@ def joint_pairs(tree: KinematicTree) -> list[tuple[Joint, Joint]]:
     return [(above[a][0], above[b][0]) for a, b in separate]
 
 
-def have_same_meshes(one: Link | None, other: Link | None) -> bool:
+def are_copies(one: Link | None, other: Link | None) -> bool:
     """True for two links with the same meshes: both sides have the same product, such as an arm.
 
-    They are copies, not mirror images.
+    They are not mirror images. A part that is turned over in the frame of its link, to fit the
+    other side, is no copy.
     """
     meshes = _visual_meshes(one)
     return bool(meshes) and meshes == _visual_meshes(other)
 
 
-def _visual_meshes(link: Link | None) -> list[tuple[str, Vector]]:
-    """The meshes of the visuals with their scales, also those that do not exist."""
-    shapes = [body.shape for body in link.visuals] if link else []
-    return [(shape.filename.value, shape.scale) for shape in shapes if shape and shape.filename]
+def _visual_meshes(link: Link | None) -> list[tuple[str, Vector, Rotation]]:
+    """The meshes of the visuals with scale and rotation, also those that do not exist."""
+    return [
+        (body.file.value, body.shape.scale, _rounded(body.origin.rotation))
+        for body in (link.visuals if link else ())
+        if body.shape and body.file
+    ]
+
+
+def _rounded(rotation: Rotation) -> Rotation:
+    x, y, z = (vector(round(part, 2) + 0.0 for part in row) for row in rotation)
+    return x, y, z
 
 
 def on_separate_branches(

@@ -120,7 +120,12 @@ def test_the_same_part_on_both_sides() -> None:
         mesh = f'<visual><geometry><mesh filename="{name}.stl"/></geometry></visual>'
         text = text.replace(inside, inside + mesh)
     assert len(messages("INE012", text)) == 1
-    assert messages("INE012", text.replace("b.stl", "a.stl")) == []
+    same = text.replace("b.stl", "a.stl")
+    assert messages("INE012", same) == []
+    # The hips of a Go1: the part is turned over in the frame of the right link.
+    start, right = same.split('<link name="right_leg_c">')
+    over = right.replace("<visual>", '<visual><origin rpy="3.14159 0 0"/>', 1)
+    assert len(messages("INE012", f'{start}<link name="right_leg_c">{over}')) == 1
 
 
 def test_small_coordinates_of_copies_that_are_turned() -> None:

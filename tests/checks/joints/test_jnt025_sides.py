@@ -161,6 +161,13 @@ def test_the_same_arm_on_both_sides() -> None:
     assert len(messages("JNT025", wheels)) == 1
 
 
+def test_one_part_that_is_turned_over_for_the_other_side() -> None:
+    """The hips of a Go1: one mesh, and in the frames of the right links it is turned over."""
+    start, right = with_mesh(corners("0.1"), "fl_arm_link", "fr_arm_link").split("fr_arm_link", 1)
+    over = right.replace("<visual>", '<visual><origin rpy="3.14159 0 0"/>', 1)
+    assert len(messages("JNT025", f"{start}fr_arm_link{over}")) == 1
+
+
 def test_a_gripper_that_both_hands_have() -> None:
     """A NAO: both hands open from 0 to 1; Romeo's gripper is at the same side of both wrists."""
     text = arms("right_shoulder_link", MIRRORED)

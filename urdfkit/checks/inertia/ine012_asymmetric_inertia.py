@@ -27,7 +27,7 @@ from urdfkit.robot.inertials.masses import Masses, unlike
 from urdfkit.robot.inertials.tensor_text import format_moments
 from urdfkit.robot.link import Tensor
 from urdfkit.robot.samples import hand_xml, inertial_xml
-from urdfkit.robot.symmetry import have_same_meshes
+from urdfkit.robot.symmetry import are_copies
 from urdfkit.text.document import Element
 
 _ORIGINS = ['<origin xyz="0 0.02 0"/>'], ['<origin xyz="0 -0.02 0"/>']
@@ -132,7 +132,7 @@ def _wrong_signs(masses: Masses) -> Iterator[_WrongSign]:
 
 
 def _are_mirrored(masses: Masses, left: LinkInertia, right: LinkInertia) -> bool:
-    if have_same_meshes(left.link, right.link):
+    if are_copies(left.link, right.link):
         return False
     one, other = (masses.tree.frames.get(link.name) for link in (left, right))
     if one is None or other is None:

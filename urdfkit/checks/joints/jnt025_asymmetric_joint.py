@@ -46,7 +46,7 @@ from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import hand_xml
-from urdfkit.robot.symmetry import have_same_meshes, pairs
+from urdfkit.robot.symmetry import are_copies, pairs
 from urdfkit.robot.values import number
 
 _AXIS = '<axis xyz="0 1 0"/>'
@@ -231,7 +231,7 @@ def _ranges(context: Context) -> Findings:
     for left, right in context.symmetric_joints:
         if not leaders.isdisjoint((left.name, right.name)):
             continue  # the same gripper on both sides, which opens alike
-        if have_same_meshes(links.get(left.child_name), links.get(right.child_name)):
+        if are_copies(links.get(left.child_name), links.get(right.child_name)):
             continue
         ours, theirs, is_opposite = bounds(left), bounds(right), _is_opposite(frames, left, right)
         if ours is None or theirs is None or is_opposite is None:

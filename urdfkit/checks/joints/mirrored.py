@@ -20,7 +20,7 @@ from urdfkit.lint.context import Context
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.shapes import solid
-from urdfkit.robot.symmetry import has_one_side, have_same_meshes, pairs
+from urdfkit.robot.symmetry import are_copies, has_one_side, pairs
 
 #: In m: tolerance, as robots are not quite symmetric.
 _ASYMMETRY = 0.004
@@ -263,7 +263,7 @@ def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[
     """True for counterparts on mirrored links, to the same side of them."""
     left, right = pair.left, pair.right
     frames, links = context.tree.frames, context.model.links_by_name
-    if have_same_meshes(links.get(left.parent_name), links.get(right.parent_name)):
+    if are_copies(links.get(left.parent_name), links.get(right.parent_name)):
         return False
     left_parent, right_parent = frames.get(left.parent_name), frames.get(right.parent_name)
     if left_parent is None or right_parent is None or left.parent_name == right.parent_name:
