@@ -76,6 +76,33 @@ def test_a_separation_that_no_multiplier_explains(
     assert ["wheel_separation is" in one.message for one in found] == [True] * count
 
 
+def test_one_wheel_with_a_misplaced_decimal_point(tmp_path: Path) -> None:
+    model = '<link name="base"/>' + wheel("l", 0, 0.2) + wheel("r", 0, -0.2, radius=1.0)
+    text = controller(
+        "d",
+        DIFF,
+        left_wheel_names="[l]",
+        right_wheel_names="[r]",
+        wheel_separation="0.4",
+        wheel_radius="0.1",
+    )
+    (found,) = reported(tmp_path, text, model)
+    assert found.message == naming("d", "r_link", "1 m", "l_link", "0.1 m")
+    assert found.span.text == '<cylinder radius="1.0" length="0.05"/>'
+    (note, *_) = found.related
+    assert note.span.text == '<cylinder radius="0.1" length="0.05"/>'
+
+
+def test_wheel_of_a_plugin_with_another_radius_than_its_counterpart() -> None:
+    model = BASE + tyre("left", 0.15, radius=0.01) + tyre("right", -0.15)
+    tags = "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint>"
+    size = "<wheel_separation>0.3</wheel_separation><wheel_diameter>0.2</wheel_diameter>"
+    text = model + gazebo_plugin("libgazebo_ros_diff_drive.so", tags + size)
+    (found,) = messages("RCT014", text)
+    assert "'left'" in found
+    assert "0.01 m" in found
+
+
 def test_separation(tmp_path: Path) -> None:
     (found,) = reported(tmp_path, drive(0.3, 0.1), robot())
     assert found.message == naming("d", "wheel_separation", "0.3 m", "0.4 m")
@@ -126,9 +153,8 @@ def test_several_wheels_on_a_side_may_be_calibrated(
 def test_unknown_dimensions(tmp_path: Path) -> None:
     mesh = robot().replace('<cylinder radius="0.1" length="0.05"/>', '<mesh filename="w.stl"/>')
     assert reported(tmp_path, drive(0.4, 7), mesh) == []
-    assert reported(tmp_path, drive(0.4, 7), robot().replace('"0.1"', '"0.3"', 1)) == [], (
-        "two sizes"
-    )
+    (found,) = reported(tmp_path, drive(0.4, 7), robot().replace('"0.1"', '"0.3"', 1))
+    assert "7 m" not in found.message, "two sizes"
     assert reported(tmp_path, drive(9, 9).replace("fl", "xl"), robot()) == [], "RCT001"
     assert reported(tmp_path, drive(9, 9).replace("9", "nine"), robot()) == []
 
@@ -251,7 +277,8 @@ def test_wheel_on_its_side_is_ignored() -> None:
 
 def test_wheels_of_different_sizes_have_no_common_diameter() -> None:
     robot = BASE + tyre("left", 0.15) + tyre("right", -0.15, radius=0.2)
-    assert of_plugin(plugged(diameter="1", robot=robot)) == []
+    (found,) = of_plugin(plugged(diameter="1", robot=robot))
+    assert "<wheel_diameter>" not in found
 
 
 def test_wheels_at_the_same_place(tmp_path: Path) -> None:

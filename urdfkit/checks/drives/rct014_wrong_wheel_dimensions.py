@@ -6,6 +6,9 @@ turns by the wrong angle. The model defines the positions of the wheels and, if 
 geometry is a cylinder or a sphere, their radius. Use these values in the plugin or the parameter
 file; use multipliers for corrections.
 
+A left and a right wheel with different radii are reported at the one that the drive does not have:
+the robot leans, and drives in a curve.
+
 An info: a separation larger than the track, if a side has several wheels. They slip in turns, and
 the value may be calibrated.
 
@@ -32,6 +35,7 @@ from urdfkit.lint.rules import Finding, Findings, Need, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.drives import DrivenWheel, Wheel, drive_of, metres, pairs, wheel_of, wheels
 from urdfkit.ros.gazebo.samples import DRIVE, DRIVEN
+from urdfkit.text.diagnostic import Related
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -41,6 +45,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.catalog.ros_control import Measure
     from urdfkit.ros.controllers import Controller
     from urdfkit.ros.gazebo.plugins import PluginUse
+    from urdfkit.text.document import Element
 
 #: Relative difference, within which real robots are calibrated.
 TOLERANCE = 0.05
@@ -78,7 +83,7 @@ def check(context: Context) -> Findings:
             findings = [list(_check_controller(controller, context)) for controller in alternatives]
             fewest = min(map(len, findings))
             for finding in chain.from_iterable(each for each in findings if len(each) == fewest):
-                yield finding._replace(related=(file.note,))
+                yield finding._replace(related=(*finding.related, file.note))
 
 
 def _check_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
@@ -86,6 +91,10 @@ def _check_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
     size = "diameter" if kind.diameter else "radius"
     sizes = [(2 if kind.diameter else 1) * radius for radius in _radius([d.wheel for d in driven])]
     track = _separations(driven)
+    written = metres(use, kind.size) if kind.size else None
+    expected = written[1] / (2 if kind.diameter else 1) if written else 0.0
+    sides = [(left.wheel, right.wheel) for left, right in pairs(driven)]
+    yield from _unequal(sides, expected, context, use.title)
     for name, measured, real in ((kind.size, size, sizes), (kind.separation, "separation", track)):
         parameter = metres(use, name) if name else None
         if parameter is None or not real:
@@ -100,6 +109,36 @@ def _check_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
             severity = Severity.INFO if is_info else None
             weight = abs(value - real[0])
             yield Finding(at, message, _help(real[0]), weight=weight, severity=severity)
+
+
+def _unequal(
+    sides: Iterable[tuple[Wheel, Wheel]], expected: float, context: Context, title: str
+) -> Findings:
+    """The first left and right wheel of a drive whose radii differ.
+
+    Args:
+        expected: the radius according to the drive, in m.
+    """
+    for left, right in sides:
+        if not left.radius or not right.radius or _radius([left, right]):
+            continue
+        wrong, other = sorted((left, right), key=lambda each: -abs((each.radius or 0) - expected))
+        at, right_at = (_shape(wheel, context) for wheel in (wrong, other))
+        yield Finding(
+            at,
+            f"{title}: wheel '{wrong.joint.child_name}' has a radius of {wrong.radius:.4g} m, "
+            f"wheel '{other.joint.child_name}' {other.radius:.4g} m",
+            "write the same radius for both",
+            related=(Related(right_at.span, f"wheel '{other.joint.child_name}'"),),
+        )
+        return
+
+
+def _shape(wheel: Wheel, context: Context) -> Element:
+    """The shape of a wheel of known radius, which is its only collision."""
+    shape = context.model.links_by_name[wheel.joint.child_name].collisions[0].shape
+    assert shape is not None
+    return shape.at
 
 
 def _separations(driven: list[DrivenWheel]) -> list[float]:
@@ -122,6 +161,11 @@ def _by_wheels(controllers: Iterable[Controller]) -> Iterable[list[Controller]]:
 def _check_controller(controller: Controller, context: Context) -> Findings:
     kind = controller.kind
     for measure in kind.measures if kind else ():
+        if measure.kind == "separation":
+            left, right = (_wheels(controller, names, context) for names in measure.sides)
+            radii = [number(value.text) for value in controller.values(["wheel_radius"])]
+            sides, expected = zip(left, right, strict=False), radii[0] if radii else None
+            yield from _unequal(sides, expected or 0.0, context, controller.title)
         values = controller.values([measure.parameter])
         value = number(values[0].text) if values else None
         real = _lengths_in_model(measure, controller, context)
