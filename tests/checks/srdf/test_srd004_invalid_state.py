@@ -54,3 +54,24 @@ def test_two_states_of_one_name(tmp_path: Path) -> None:
 def test_same_name_in_two_groups_is_accepted(tmp_path: Path) -> None:
     body = GROUPS + STATE.format("up", "arm") + STATE.format("up", "all")
     assert findings(tmp_path, body, "SRD004") == []
+
+
+def state(name: str, *joints: str) -> str:
+    values = "".join(f'<joint name="{joint}" value="0.1"/>' for joint in joints)
+    return f'<group_state name="{name}" group="g">{values}</group_state>'
+
+
+def test_the_only_state_without_a_joint(tmp_path: Path) -> None:
+    others = state("up", "shoulder", "elbow") + state("down", "elbow", "shoulder")
+    text = others + state("home", "elbow")
+    (found,) = findings(tmp_path, text, "SRD004")
+    assert (found.message, found.severity) == (
+        naming("home", "shoulder", "2", "g"),
+        Severity.WARNING,
+    )
+    for alike in (
+        state("up", "shoulder", "elbow") + state("home", "elbow"),
+        text + state("left", "shoulder"),
+        others + state("home"),
+    ):
+        assert findings(tmp_path, alike, "SRD004") == []

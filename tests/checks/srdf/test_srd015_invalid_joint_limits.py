@@ -6,7 +6,7 @@ import pytest
 
 from tests.naming import naming
 from tests.srdfs import findings
-from urdfkit import Diagnostic
+from urdfkit import Diagnostic, check
 
 
 def reported(directory: Path, **values: str) -> list[Diagnostic]:
@@ -102,3 +102,29 @@ def test_disabled_limit_is_accepted(tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text(AMENT)
     (tmp_path / "joint_limits.yaml").write_text(TEXT.replace("true", "false").format(0))
     assert findings(tmp_path, "", "SRD015") == []
+
+
+@pytest.mark.parametrize(
+    ("speeds", "values"),
+    [
+        (("143.0", "2.5", "2.0"), ["143 rad/s", "2.5 rad/s"]),
+        (("143.0", "143.0", "143.0"), []),
+        (("143.0", "20.0", "2.0"), []),
+        (("12.0", "2.5", "2.0"), []),
+    ],
+)
+def test_a_velocity_in_degrees(tmp_path: Path, speeds: tuple[str, ...], values: list[str]) -> None:
+    """Next to joints in radians, and without a velocity in the URDF that tells it."""
+    robot = '<robot name="r"><link name="base"/>'
+    limits = "joint_limits:\n"
+    for name, speed in zip("abc", speeds, strict=True):
+        robot += f'<link name="{name}"/><joint name="{name}" type="continuous">'
+        robot += f'<parent link="base"/><child link="{name}"/></joint>'
+        limits += f"  {name}:\n    has_velocity_limits: true\n    max_velocity: {speed}\n"
+    (tmp_path / "a.urdf").write_text(robot + "</robot>")
+    (tmp_path / "a.srdf").write_text('<robot name="r"/>')
+    (tmp_path / "joint_limits.yaml").write_text(limits)
+    found = check(tmp_path / "a.urdf", select=["SRD015"]).diagnostics
+    expected = [naming("a", "max_velocity", *values)] if values else []
+    assert [one.message for one in found] == expected
+    assert [one.span.text for one in found] == (["143.0"] if values else [])

@@ -6,6 +6,8 @@
   which alone reads such a state, compares nothing.
 - A fixed joint has no position: MoveIt and Pinocchio ignore the value, and set the other joints of
   the state (warning). Mimic joints are not reported: a state may repeat their values.
+- One of three or more states of a group does not set a joint that all others set (warning): the
+  joint keeps its position, or is at 0, so that the pose is another one.
 - If two states of a group have the same name, MoveIt silently keeps the last (warning).
 
 Sources:
@@ -17,7 +19,7 @@ Sources:
 from collections.abc import Iterable
 
 from urdfkit.checks.srdf.namesakes import launched_namesakes
-from urdfkit.core.grouping import repeated
+from urdfkit.core.grouping import by_key, repeated
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.values import number
 from urdfkit.ros.gazebo.samples import SHOULDER
@@ -33,6 +35,9 @@ FILES = srdf_files(_STATE.replace("VALUE", "1.57"), _STATE.replace("VALUE", "0.9
 
 #: MoveIt's own tolerance is larger; rounded values such as 1.57 for pi/2 pass.
 _ROUNDING = 1e-3
+
+#: Least number of complete states of a group next to one that lacks a joint.
+_CONSISTENT_STATES = 2
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF))
@@ -50,6 +55,7 @@ def check(context: Context) -> Findings:
             # Only Pinocchio reads the states of an SRDF without groups, with any values.
             yield finding if srdf.groups else finding._replace(severity=Severity.WARNING)
     yield from _duplicates(srdf.states)
+    yield from _incomplete(srdf.states)
 
 
 def _fits(element: Element, robot: Context) -> bool:
@@ -77,6 +83,25 @@ def _value(state: str, element: Element, robot: Context) -> Findings:
             f"{who}: {value:g} {joint.unit} is outside its limits "
             f"[{lower:g}, {upper:g}] {joint.unit}",
             "write a value within the limits",
+        )
+
+
+def _incomplete(states: Iterable[Element]) -> Findings:
+    """The only state of a group that lacks one of the joints that all others set."""
+    for of_group in by_key((state.get("group"), state) for state in states).values():
+        names = [{joint.get("name") for joint in state.all("joint")} for state in of_group]
+        every = set().union(*names)
+        lacking = [(state, every - own) for state, own in zip(of_group, names, strict=True)]
+        lacking = [(state, missing) for state, missing in lacking if missing]
+        if len(of_group) <= _CONSISTENT_STATES or len(lacking) != 1 or len(lacking[0][1]) != 1:
+            continue
+        ((state, (name,)),) = lacking
+        yield Finding(
+            state,
+            f"state '{state.get('name')}' does not set joint '{name}', which the other "
+            f"{len(of_group) - 1} states of group '{state.get('group')}' set",
+            "add the joint",
+            severity=Severity.WARNING,
         )
 
 

@@ -11,6 +11,7 @@
   `has_acceleration_limits: false`. Time parameterization and the Pilz planner fail: "No
   acceleration limit was defined for joint shoulder"; up to Humble the default is 1 rad/s².
 - A maximum velocity, acceleration or jerk is not greater than zero, so that planning fails.
+- The velocity of a joint looks like degrees per second: 45 or more, next to slow joints (warning).
 - The name of a limit is misspelt, so that MoveIt ignores it.
 
 Sources:
@@ -21,11 +22,12 @@ Sources:
 """
 
 from collections.abc import Iterator
+from math import radians
 
 from urdfkit.checks.srdf.namesakes import launched_namesakes
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.core.words import few
-from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.samples import arm_xml
@@ -44,6 +46,8 @@ FILES = {
 
 #: Relative: limits are often rounded to three digits.
 TOLERANCE = 0.01
+#: Velocities in rad/s: of motors in degrees per second, and of arms in radians.
+_MIN_DEGREES, _MAX_SLOW = 45.0, 10.0
 _POSITIVE = ("max_velocity", "max_acceleration", "max_jerk")
 _LIMITS = ("min_position", "max_position", *_POSITIVE)
 _OF_JOINT = ("position", "velocity", "acceleration", "deceleration", "jerk", "effort")
@@ -65,6 +69,7 @@ def check(context: Context) -> Findings:
             yield from _misspelt(planned)
             found = _wider(planned, joint)
             wider += [(planned, name, one) for name, one in found if name not in invalid]
+    yield from _in_degrees(context)
     namesakes = list(launched_namesakes(context, context.required_srdf)) if wider else []
     for planned, name, finding in wider:
         if not any(_allows(robot, planned, name) for robot in namesakes):
@@ -126,6 +131,29 @@ def _invalid(planned: PlannedLimit, context: Context) -> Iterator[tuple[str, Fin
             message = f"joint '{planned.joint}': {message}"
             at = value.span
             yield name, Finding(at, message, help, severity=Severity.ERROR)
+
+
+def _in_degrees(context: Context) -> Findings:
+    """Velocities in degrees per second, next to joints whose velocities are in radians."""
+    speeds = [
+        (planned, speed)
+        for planned in planned_limits(context)
+        if (joint := context.model.joints_by_name.get(planned.joint)) and joint.is_rotational
+        if not (joint.limit and joint.limit.velocity and joint.limit.velocity.value > 0)  # wider
+        if (speed := planned.bound("max_velocity", "has_velocity_limits"))
+    ]
+    fast = [(planned, speed) for planned, speed in speeds if speed >= _MIN_DEGREES]
+    slow = [speed for _, speed in speeds if speed < _MIN_DEGREES]
+    if len(slow) < 2 or max(slow) > _MAX_SLOW:
+        return
+    for planned, speed in fast:
+        yield Finding(
+            planned.values["max_velocity"].span,
+            f"joint '{planned.joint}': max_velocity {speed:g} rad/s looks like degrees per second; "
+            f"the other joints have at most {max(slow):g} rad/s",
+            f"write {radians(speed):.4g}, if it is in degrees per second",
+            confidence=Confidence.INFERRED,
+        )
 
 
 def _misspelt(planned: PlannedLimit) -> Findings:
