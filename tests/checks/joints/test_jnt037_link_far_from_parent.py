@@ -108,3 +108,9 @@ def test_a_name_of_many_numbers() -> None:
 
     work(10)  # imports
     assert work(2000) < 1.1 * work(200)
+
+
+def test_a_tool_half_a_metre_from_a_small_gripper() -> None:
+    """A JetCobot with 0.5 for 0.05 m in the origin of its tool centre point."""
+    small = robot("0.5 0 0").replace('"0.1 0.1 0.2"', '"0.05 0.05 0.05"')
+    assert messages("JNT037", small) == [naming("j", "b", "0.45 m", "a", "0.05 m")]

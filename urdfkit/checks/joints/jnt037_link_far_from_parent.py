@@ -33,7 +33,7 @@ GOOD = BAD.replace("2.4", "0.24")
 
 #: Least gap: times the longest shape, and in m.
 _MIN_RELATIVE_GAP = 4.0
-_MIN_GAP = 0.5
+_MIN_GAP = 0.3
 
 #: Least number of links of an arm.
 _MIN_ARM = 4
