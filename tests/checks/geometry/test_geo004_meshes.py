@@ -25,6 +25,7 @@ BLOCK = '<box size="0.08 0.06 0.1"/>'
     ("xyz", "is_found"),
     [
         ("0 0 0.15", True),
+        ("0 0 0.055", True),  # also in the part around the joint, as the calf of a Go1
         ("0 0 -0.15", False),
         ("0 0 0.02", False),  # partly inside
         ("0 0 0.35", False),  # not inside with the other sign either
@@ -216,3 +217,20 @@ def test_the_mesh_of_the_other_side(tmp_path: Path) -> None:
     (tmp_path / "right_foot.stl").unlink()
     without = {name: data for name, data in BOTH.items() if name != "right_foot.stl"}
     assert meshed.reported(tmp_path, "GEO004", legs("left_foot.stl"), without) == []
+
+
+@pytest.mark.parametrize(
+    ("collision", "is_found"), [("own.stl", True), ("lf_simple.stl", False), ("rb.stl", True)]
+)
+def test_the_visual_of_another_link(tmp_path: Path, collision: str, is_found: bool) -> None:
+    robot = '<link name="base"/>'
+    for name in ("lf", "rf", "lb"):
+        robot += meshed.link(
+            meshed.mesh(f"{name}.stl", "visual"), meshed.mesh(f"{name}.stl"), name=name
+        )
+        robot += joint("base", name, "revolute")
+    robot += meshed.link(meshed.mesh("lf.stl", "visual"), meshed.mesh(collision), name="rb")
+    robot += joint("base", "rb", "revolute")
+    files = dict.fromkeys(("lf.stl", "rf.stl", "lb.stl", collision), meshed.SOUND)
+    found = meshed.messages(tmp_path, "GEO004", robot, files)
+    assert found == ([naming("rb", "lf", "3")] if is_found else [])

@@ -262,24 +262,40 @@ def _other_scale(context: Context) -> Findings:
 
 
 def _mesh_of_another_link(context: Context, reported: set[str]) -> Findings:
-    """The only link that does not collide with its own visual, but with that of another link."""
+    """The only link with the mesh of another link as its collision, or as its visual."""
     links = list(_links_with_two_meshes(context))
     other = [found for found in links if _path(found[1]) != _path(found[2])]
     if len(other) != 1 or len(links) <= _CONSISTENT_LINKS + 1:
         return
     ((link, visual, collision),) = other
-    owners = [owner for owner, seen, _ in links if _path(seen) == _path(collision)]
     # A collision may be that of the other side: wheels are symmetric.
-    is_of_counterpart = bool(pairs((_path(visual), _path(collision))))
-    if len(owners) == 1 and link.name not in reported and not is_of_counterpart:
-        yield Finding(
-            collision.at,
-            f"link '{link.name}': the collision is the mesh of '{owners[0].name}'; each of the "
-            f"other {len(links) - 1} links has one mesh for visual and collision",
-            f"write {_path(visual)}",
-            related=(Related(visual.at.span, "the visual"),),
-            confidence=Confidence.INFERRED,
-        )
+    if link.name in reported or pairs((_path(visual), _path(collision))):
+        return
+    for wrong, right, role in ((collision, visual, "collision"), (visual, collision, "visual")):
+        owners = [
+            owner.name
+            for owner, seen, _ in links
+            if owner.name != link.name and _path(seen) == _path(wrong)
+        ]
+        if len(owners) == 1 and not (role == "visual" and _is_simplified(visual, collision)):
+            yield Finding(
+                wrong.at,
+                f"link '{link.name}': the {role} is the mesh of '{owners[0]}'; each of the "
+                f"other {len(links) - 1} links has one mesh for visual and collision",
+                f"write {_path(right)}",
+                related=(Related(right.at.span, "the other mesh of the link"),),
+                confidence=Confidence.INFERRED,
+            )
+            return
+
+
+def _is_simplified(visual: Shape, collision: Shape) -> bool:
+    """True for a collision that is named after the visual, such as ``wheel_simple``."""
+    names = [
+        os.path.basename(_path(shape)).partition(".")[0].lower() for shape in (visual, collision)
+    ]
+    short, long = sorted(names, key=len)
+    return short in long
 
 
 def _links_with_two_meshes(context: Context) -> Iterator[tuple[Link, Shape, Shape]]:

@@ -34,8 +34,9 @@ LEAST_OVERLAP = 0.34
 
 #: A box with this part of its volume inside the other box is intentionally larger or smaller.
 NESTED = 0.9
-#: A box with less of its volume inside the other box is outside.
-OUTSIDE = 0.1
+#: A box with less of its volume inside the other box is outside: only the part around a joint, on
+#: whose both sides a link is, may be inside.
+OUTSIDE = 0.2
 
 #: Primitives with no edge over this, in m, are markers.
 MARKER = 0.005
