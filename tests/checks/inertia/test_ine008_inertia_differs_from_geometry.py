@@ -67,3 +67,12 @@ def test_a_shape_that_marks_a_place_says_nothing_of_the_tensor(edge: float, foun
     camera = part("camera", 1e-5, (1e-6,) * 3, f'<box size="{edge} {edge} {edge}"/>')
     robot = part("base", 12, (0.13, 0.1, 0.05), BOX) + camera + joint("base", "camera")
     assert len(messages("INE008", robot)) == found
+
+
+def test_radius_and_length_exchanged_are_a_warning() -> None:
+    """A macro for cylinders that is called with the height as r and the radius as h."""
+    wheel = '<cylinder radius="0.05" length="0.02"/>'
+    exchanged = (1 / 12 * (3 * 0.02**2 + 0.05**2),) * 2 + (0.5 * 0.02**2,)
+    (found,) = reported("INE008", part("wheel", 1, exchanged, wheel))
+    assert found.severity is Severity.WARNING
+    assert "the length as the radius" in found.help

@@ -84,3 +84,14 @@ def test_left_at_the_origin(y: float, reported: int) -> None:
         message == naming("a", "0 0 0 m", "0.3 m", "outside", "0.5 m", "0 0.55 0", "left")
         for message in found
     )
+
+
+@pytest.mark.parametrize(
+    ("xyz", "found"),
+    [("0.1 -0.04 0", 1), ("0.1 0.04 0", 0), ("0.1 -0.03 0", 0)],
+)
+def test_that_of_the_solid_with_another_sign(xyz: str, found: int) -> None:
+    """A JetCobot: the centre stays inside the part."""
+    box = shape("collision", '<box size="0.3 0.2 0.1"/>', xyz="0.1 0.04 0")
+    messages_of_it = messages("INE011", link("arm", box, inertial(1, MOMENTS, xyz)))
+    assert messages_of_it == [naming("arm", "0.3 x 0.2 x 0.1 m", "sign of y")] * found

@@ -4,7 +4,8 @@ The tensor is possible, but a solid of uniform density has clearly larger or sma
 other principal axes. Moments of hollow parts are up to twice as large, and those of a part with a
 motor in its centre are smaller; otherwise the numbers were guessed. The effect is small for a light
 link, or a link that is fixed to a heavy one; a wheel or an arm moves incorrectly. Write the tensor
-of the shape, or suppress this for a link whose tensor you know.
+of the shape, or suppress this for a link whose tensor you know. It is a warning if the tensor is
+exactly that of a cylinder with radius and length exchanged.
 
 Sources:
     Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
@@ -22,6 +23,10 @@ BAD = link_xml(
     "imu", collision_xml('<box size="0.05 0.05 0.05"/>'), inertial_xml("0.01", "1e-6 1e-6 1e-6")
 )
 FIXED = GOOD = BAD.replace('"1e-6"', '"4.16667e-06"')
+
+
+#: Beginning of a cause that is no coincidence: round moments are often four times too large.
+_EXCHANGED = "was computed with the radius as the length"
 
 
 @rule(
@@ -44,4 +49,5 @@ def check(context: Context) -> Findings:
             confidence=Confidence.INFERRED,
             weight=max(*ratios, 1 / max(min(ratios), 1e-9)),
             group_key="other shape",
+            severity=Severity.WARNING if diagnosis.cause.startswith(_EXCHANGED) else None,
         )

@@ -20,7 +20,7 @@ from urdfkit.robot.inertials.defects import (
     MAX_PART_DENSITY,
     MIN_PART_DENSITY,
     InertiaDefect,
-    implausible_density,
+    density_outside,
     unit_mistake,
 )
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED
@@ -95,7 +95,7 @@ def _common_unit(links: list[LinkInertia]) -> str:
 
 
 def _finding(inertia: LinkInertia, *, is_certain: bool) -> Finding:
-    density = implausible_density(inertia)
+    density = density_outside(inertia)
     assert density is not None
     assert inertia.inertial.mass is not None
     # That of the shape in the message; the bound may be of another one, or of a convex hull.

@@ -5,7 +5,8 @@ wheeled robot drives in circles. The centre of mass is in the link's own frame. 
 `<origin>` of the `<inertial>` was copied from the joint or from the visual of another link, or is
 in millimetres: then the distance exceeds the length of the link. Smaller distances are reported if
 a mistake explains them: a wrong sign, two swapped coordinates, or an `<origin>` left at zero while
-the shapes are elsewhere.
+the shapes are elsewhere. Inside the shapes, a wrong sign is reported if the centre of mass would
+otherwise be exactly that of the solid.
 
 Sources:
     URDF, link: https://wiki.ros.org/urdf/XML/link
@@ -17,7 +18,12 @@ from math import inf
 
 from urdfkit.core.words import spaced
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
-from urdfkit.robot.inertials.defects import InertiaDefect, center_is_outside, center_mistake
+from urdfkit.robot.inertials.defects import (
+    InertiaDefect,
+    center_is_outside,
+    center_mistake,
+    mirrored_center,
+)
 from urdfkit.robot.samples import collision_xml, inertial_xml, link_xml
 
 GOOD = link_xml(
@@ -42,3 +48,16 @@ def check(context: Context) -> Findings:
             weight=distance / max(bounds.edges) if any(bounds.edges) else inf,
             group_key="outside",
         )
+    outside = context.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ())
+    for inertia in context.masses.inertias:
+        if inertia not in outside and (mirrored := mirrored_center(inertia)):
+            axis, expected = mirrored
+            value = expected["xyz".index(axis)]
+            yield Finding(
+                inertia.inertial.at.child_or_self("origin"),
+                f"link '{inertia.link.name}': the centre of mass is that of the solid "
+                f"{inertia.solid}, but for the sign of {axis}",
+                f"write {value:.4g} for {axis}",
+                confidence=Confidence.INFERRED,
+                group_key="other sign",
+            )

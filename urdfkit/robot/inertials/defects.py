@@ -49,6 +49,10 @@ USUAL_DENSITIES = (100.0, 8000.0)
 #: explains it, and if it was left at zero, as on many links.
 OUTSIDE_BY_MISTAKE, OUTSIDE_AT_ORIGIN = 0.15, 0.5
 
+#: Distances as a part of the length of the shapes: up to which two centres of mass are equal, and
+#: from which the sign of a coordinate matters.
+CENTER_TOLERANCE, OFF_CENTER = 0.01, 0.05
+
 #: Part of its rigid body's mass above which the centre of a link matters.
 NOTICEABLE_MASS = 0.1
 
@@ -111,9 +115,10 @@ def _defect(link: LinkInertia, is_significant: IsSignificant) -> InertiaDefect |
     assert link.expected is not None
     high, expected = link.moments[2], principal_moments(link.expected)[2]
     # Moments of a part with a usual density: the mass alone is wrong.
+    outside = density_outside(link)
     is_mass_wrong = (
-        density is not None
-        and USUAL_DENSITIES[0] <= density * high / expected <= USUAL_DENSITIES[1]
+        outside is not None
+        and USUAL_DENSITIES[0] <= outside * high / expected <= USUAL_DENSITIES[1]
     )
     if high > MAX_MOMENT_RATIO * link.largest_possible and is_significant(link.body, high):
         return InertiaDefect.DENSITY if is_mass_wrong else InertiaDefect.TOO_LARGE
@@ -140,10 +145,14 @@ _BALLOON = re.compile(r"(?i)balloon|blimp|airship")
 
 
 def implausible_density(link: LinkInertia) -> float | None:
+    """The density in kg/m³ if it is implausible, and the mass a significant part of its body's."""
+    is_significant = link.mass >= SIGNIFICANT_PART * link.body.mass
+    return density_outside(link) if is_significant else None
+
+
+def density_outside(link: LinkInertia) -> float | None:
     """The density in kg/m³ if it is implausible; the bound nearer to a plausible one."""
-    if link.densities is None or link.mass < SIGNIFICANT_PART * link.body.mass:
-        return None
-    if _BALLOON.search(link.link.name):
+    if link.densities is None or _BALLOON.search(link.link.name):
         return None
     low, high = link.densities
     if low > MAX_PART_DENSITY * DENSITY_TOLERANCE:
@@ -204,6 +213,27 @@ def center_mistake(link: LinkInertia) -> str:
         if _outside(point, bounds) <= 0:
             return f"would be inside with {axes} swapped"
     return ""
+
+
+def mirrored_center(link: LinkInertia) -> tuple[str, Vector] | None:
+    """The axis of the coordinate with the wrong sign, and the centre of the uniform solid.
+
+    If the centre of mass is that of the solid but for a sign: this is hardly a coincidence.
+    """
+    if not link.is_measured or link.solid is None or link.is_marker or link.solid.volume <= 0:
+        return None
+    if any(_is_gltf(part) for part in link.solid.parts):
+        return None
+    expected, longest = link.solid.properties(link.mass).center, max(link.bounds.edges)
+    center = link.inertial.origin.position
+    near = CENTER_TOLERANCE * longest
+    opposite = [
+        axis
+        for axis, own, other in zip("xyz", center, expected, strict=True)
+        if abs(own + other) <= near < OFF_CENTER * longest <= abs(own)
+    ]
+    equal = sum(abs(own - other) <= near for own, other in zip(center, expected, strict=True))
+    return (opposite[0], expected) if len(opposite) == 1 and equal == 2 else None
 
 
 def _is_gltf(part: Primitive | MeshSolid) -> bool:

@@ -144,6 +144,9 @@ def _mistakes(link: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor
     twice = link.expected_of_twice
     if link.is_diagonal and twice is not None and link.fits(twice, EXACT_RATIO):
         yield "was computed with twice the size, as of a diameter for a radius", expected
+    swapped = link.expected_of_swapped
+    if link.is_diagonal and swapped is not None and link.fits(swapped, EXACT_RATIO):
+        yield "was computed with the radius as the length, and the length as the radius", expected
 
 
 def _has_equal_moments(tensor: Tensor) -> bool:

@@ -153,14 +153,25 @@ class LinkInertia:
     @property
     def expected_of_twice(self) -> Tensor | None:
         """The tensor of a single primitive of twice the edges or radius; None for other solids."""
-        if self.solid is None or len(self.solid.parts) > 1:
-            return None
-        (part,) = self.solid.parts
-        if not isinstance(part, Primitive):
+        if (part := self._primitive) is None:
             return None
         x, y, z = part.size
         larger = part._replace(size=(2 * x, 2 * y, 2 * z), radius=2 * part.radius)
         return self._uniform(larger)
+
+    @property
+    def expected_of_swapped(self) -> Tensor | None:
+        """The tensor of a single cylinder with radius and length exchanged."""
+        part = self._primitive
+        if part is None or part.kind != "cylinder":
+            return None
+        return self._uniform(part._replace(radius=part.length, length=part.radius))
+
+    @property
+    def _primitive(self) -> Primitive | None:
+        """The only shape of the solid, if it is a primitive."""
+        parts = self.solid.parts if self.solid else ()
+        return parts[0] if len(parts) == 1 and isinstance(parts[0], Primitive) else None
 
     @cached_property
     def solids(self) -> tuple[LinkSolid, ...]:
