@@ -5,6 +5,9 @@ decimal point is misplaced, or only one side was edited. The robot pulls to one 
 controller tuned for one hand oscillates with the other. Compare the two, and give both the right
 value.
 
+The mass of a link of one finger is reported if it is a fifth or five times that of the same link of
+all others, three or more.
+
 In the plane y = 0 of the root, the mirror image of a link has the y of its centre of mass, ixy and
 iyz with the other sign. One that would be the mirror image of its counterpart with another sign is
 reported if all other pairs are mirror images. Weights that balance the robot may differ.
@@ -21,6 +24,7 @@ from collections.abc import Iterable, Iterator
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, rotate, vector
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
+from urdfkit.robot.fingers import odd_one, series
 from urdfkit.robot.inertia import rotated
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses, unlike
@@ -45,6 +49,9 @@ _PRODUCT_TOLERANCE = 0.1
 #: The same for a coordinate of a centre of mass, in m.
 _MAX_DISTANCE, _LEAST_COORDINATE = 2e-3, 5e-3
 
+#: Ratio of the mass of a link to that of the same link of all other fingers.
+_MAX_RATIO = 5.0
+
 _PRODUCTS, _AXES = ("ixy", "ixz", "iyz"), ("x", "y", "z")
 _ALL = frozenset((*_PRODUCTS, *_AXES))
 #: What a mirror image has with the other sign.
@@ -60,6 +67,27 @@ def check(context: Context) -> Findings:
             yield _of_mass(left, right)
     for wrong in _wrong_signs(context.masses):
         yield _of_sign(wrong)
+    yield from _odd_fingers(context.masses)
+
+
+def _odd_fingers(masses: Masses) -> Findings:
+    """The link of one finger whose mass is far from that of the same link of all others."""
+    for names in series(masses.by_name):
+        odd = odd_one({name: masses.by_name[name].mass for name in names})
+        link = masses.by_name[odd[0]] if odd else None
+        if odd is None or link is None or link.inertial.mass is None:
+            continue
+        ratio = link.mass / odd[1]
+        if not 1 / _MAX_RATIO < ratio < _MAX_RATIO:
+            other = next(masses.by_name[name] for name in names if name != odd[0])
+            yield Finding(
+                link.inertial.mass,
+                f"link '{link.name}' has {link.mass:g} kg, the same link of all other fingers "
+                f"{odd[1]:g} kg",
+                f"write {odd[1]:g}",
+                related=(Related(other.at.span, f"the inertia of '{other.name}'"),),
+                confidence=Confidence.INFERRED,
+            )
 
 
 def _of_mass(left: LinkInertia, right: LinkInertia) -> Finding:

@@ -20,6 +20,9 @@ by mirrored positions on one link, and are on different branches.
   zero pose, a pair is reported as well if it is the only one of several pairs that is not a mirror
   image, also one that is fixed to movable counterparts, such as a foot. Of four casters, the one
   that is not at the height or distance of the other three is.
+- Fingers: one of at least four has five times the effort or velocity of all others, or a fifth, a
+  position limit with another sign or decimal point, the opposite axis for the same limits, or a
+  parent in another finger.
 - Axis: if the left hip turns about x, so does the right one, in either direction. Rotary joints are
   compared if their frames are mirror images in the plane y = 0 of the root, or x = 0.
 
@@ -32,6 +35,7 @@ Sources:
 from collections.abc import Iterator, Mapping
 from math import isclose, pi
 
+from urdfkit.checks.joints.fingers import odd_fingers
 from urdfkit.checks.joints.mirrored import (
     misplaced,
     on_another_branch,
@@ -117,6 +121,15 @@ def check(context: Context) -> Findings:
     yield from _axes(context)
     yield from _ranges(context)
     yield from _fixed(context)
+    for odd in odd_fingers(context):
+        yield Finding(
+            odd.at,
+            f"joint '{odd.joint.name}' differs from the joints of all other fingers: "
+            f"{odd.difference}",
+            odd.help,
+            related=(Related(odd.other.at.span, f"joint '{odd.other.name}'"),),
+            confidence=Confidence.INFERRED,
+        )
 
 
 def _fixed(context: Context) -> Findings:
