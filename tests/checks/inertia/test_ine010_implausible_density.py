@@ -184,8 +184,11 @@ def test_the_other_side_shows_that_a_density_is_wrong() -> None:
 def test_a_mass_without_effect_whose_tensor_is_that_of_the_part() -> None:
     """A gripper with its mass in tons: the tensor shows that it is not a placeholder."""
     arm = part("arm", 1, (0.004, 0.004, 0.004), BALL)
-    light = part("tool", 0.001, (0.004, 0.004, 0.004), BALL) + joint("arm", "tool")
+    light = part("tool", 0.001, (0.00412, 0.00412, 0.00412), BALL) + joint("arm", "tool")
     assert messages("INE010", arm + light) == [
         naming("tool", "0.001 kg", "0.1 m", "0.239 kg/m³", "20", "12000")
     ]
     assert messages("INE006", arm + light) == []
+    invented = arm + light.replace("0.00412", "0.004")
+    assert messages("INE010", invented) == []
+    assert len(messages("INE006", invented)) == 1

@@ -114,8 +114,8 @@ def _defect(link: LinkInertia, is_significant: IsSignificant) -> InertiaDefect |
         return InertiaDefect.DENSITY
     assert link.expected is not None
     high, expected = link.moments[2], principal_moments(link.expected)[2]
-    # Moments of a part with a usual density: the mass alone is wrong.
-    outside = density_outside(link)
+    # Moments of a part with a usual density: the mass alone is wrong, though it may be negligible.
+    outside = density if link.has_round_numbers else density_outside(link)
     is_mass_wrong = (
         outside is not None
         and USUAL_DENSITIES[0] <= outside * high / expected <= USUAL_DENSITIES[1]
