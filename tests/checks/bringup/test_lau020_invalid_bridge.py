@@ -358,3 +358,17 @@ def test_a_relative_topic_of_robots_in_namespaces(tmp_path: Path, topic: str, co
 def test_a_bridge_without_topics(tmp_path: Path, contents: str, count: int) -> None:
     found = reported(tmp_path, "LAU020", "a.launch.py", NODE.format(contents))
     assert ["has no topics" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ('ros_topic_name: "imu"\n  gz_topic_name: "imu"\n', 2),
+        ("- topic_name: imu\n\tdirection: GZ_TO_ROS\n", 2),
+        ("- {topic_name: imu, ros_type_name: sensor_msgs/msg/Imu, gz_type_name: gz.msgs.IMU}\n", 0),
+    ],
+)
+def test_a_file_that_is_not_yaml(tmp_path: Path, text: str, line: int) -> None:
+    node = NODE.format(f"parameters=[{{'config_file': '{tmp_path}/b.yaml'}}]")
+    found = reported(tmp_path, "LAU020", "a.launch.py", node, {"b.yaml": text})
+    assert [(one.span.line, "YAML" in one.message) for one in found] == [(line, True)] * (line > 0)

@@ -5,9 +5,9 @@ a bridge for topic" and continues, so that the topic has no messages on the othe
 happens to an entry of its YAML file that lacks a type, or has another direction than `GZ_TO_ROS`,
 `ROS_TO_GZ` or `BIDIRECTIONAL`. An argument that is not `topic@ros_type@gz_type`, with `[` from
 Gazebo and `]` to Gazebo, stops the program. So does a name that ROS rejects: Gazebo's
-`/model/bot/joint/arm/0/cmd_pos` has a part that begins with a digit. A file that is a mapping, not
-a list, has no topics. Message types that urdfkit does not know are not reported: later releases may
-support them.
+`/model/bot/joint/arm/0/cmd_pos` has a part that begins with a digit. A file that is not YAML, or is
+a mapping, not a list, has no topics. Message types that urdfkit does not know are not reported:
+later releases may support them.
 
 Reported as a warning:
 
@@ -59,7 +59,7 @@ from urdfkit.ros.launch.bridges import (
     ros_types,
 )
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.text.located_yaml import items, load
+from urdfkit.text.located_yaml import items, load, syntax_error
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -115,9 +115,14 @@ def _without_topics(program: StartedProgram) -> Findings:
 
 
 def _not_a_list(program: StartedProgram, context: Context) -> Findings:
-    """A file of topics that is a mapping, such as a single topic without its dash."""
+    """A file of topics that is not YAML, or a mapping, as of a single topic without its dash."""
     path = config_path(program) if is_bridge(program) else None
     source = context.resolver.readable(path) if path else None
+    if source and (error := syntax_error(source)):
+        at, reason = error
+        message = f"the bridge has no topics: invalid YAML: {reason}"
+        yield Finding(Location(at, program.frame), message, "fix the file")
+        return
     first = next(items(load(source)), None) if source else None
     if first:
         key, value = first
