@@ -273,3 +273,38 @@ def test_a_manager_without_a_robot(
     files = {"c.yaml": f"controller_manager: {{ros__parameters: {{{yaml}}}}}\n"}
     found = reported(tmp_path, "LAU022", "a.launch.py", text + more, files)
     assert sum("waits for /robot_description" in one.message for one in found) == count
+
+
+@pytest.mark.parametrize(
+    ("listed", "more", "count"),
+    [
+        ("<joint_name>wheel</joint_name>", "", 1),
+        ("<joint_name>wheel</joint_name><joint_name>swing</joint_name>", "", 0),
+        ("", "", 0),  # the system publishes all
+        ("<joint_name>wheel</joint_name>", SPAWNER.format(["states"]), 0),
+    ],
+)
+def test_joints_that_the_system_of_gazebo_leaves_out(
+    tmp_path: Path, listed: str, more: str, count: int
+) -> None:
+    """Moth-Balls/husky_kinova_sim without the spawner of the broadcaster."""
+    system = "<gazebo><plugin filename='gz-sim-joint-state-publisher-system' name='p'>"
+    joints = robot(joint("wheel", "continuous"), joint("swing", "continuous"))
+    text = (
+        f"robot = open('{tmp_path}/r.urdf').read()\n"
+        + MANAGER.format(tmp_path, "")
+        + STATE.format(", parameters=[{'robot_description': robot}]")
+        + SPAWNER.format(["arm"])
+        + NODE.format(
+            "ros_gz_bridge",
+            "parameter_bridge",
+            "arguments=['/joint_states@sensor_msgs/msg/JointState[gz.msgs.Model']",
+        )
+        + more
+    )
+    files = {
+        "r.urdf": f"<robot name='r'>{joints}{system}{listed}</plugin></gazebo></robot>",
+        "c.yaml": f"{CONTROLLERS}\narm: {{ros__parameters: {{joints: [swing]}}}}\n",
+    }
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    assert [(one.span.text, "swing" in one.message) for one in found] == [("'arm'", True)] * count

@@ -3,7 +3,8 @@
 - Controllers and robot_state_publisher are started, but no publisher of joint states: the links
   of moving joints have no transform, and RViz shows them at the origin. Spawn
   `joint_state_broadcaster`. A robot without moving joints, such as a sensor, needs none. Or the
-  broadcaster has a list of joints without some that another controller moves.
+  broadcaster, or the system of Gazebo whose states are bridged, has a list of joints without some
+  that another controller moves.
 - `ros2_control_node` has no parameter file, so the types of the controllers are unknown.
 - No robot_state_publisher publishes on the topic of `create -topic`: "Waiting messages on topic
   [robot_description]", for ever.
@@ -45,6 +46,7 @@ from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
 from urdfkit.ros.launch.spawning import model_spawner
 from urdfkit.ros.ros_control import control_plugins
+from urdfkit.text.document import Element
 
 NAME = "launch/robot.launch.xml"
 BAD = """\
@@ -102,22 +104,21 @@ def _missing_broadcaster(context: Context, programs: tuple[StartedProgram, ...])
     defined = defined_controllers(context)
     named = [defined.get(controller.name) for controller in spawned]
     known = [controller for controller in named if controller and controller.ros == 2]
-    bridged = (topic for node in programs for topic in bridged_topics(node, context.resolver))
-    if (
-        len(known) < len(named)
-        or any(_publishes_joint_states(node, programs) for node in programs)
-        or any(topic.ros_type.endswith("/JointState") for topic in bridged)
-    ):
+    if len(known) < len(named) or any(_publishes_joint_states(node, programs) for node in programs):
         return
+    bridged = (topic for node in programs for topic in bridged_topics(node, context.resolver))
+    is_bridged = any(topic.ros_type.endswith("/JointState") for topic in bridged)
     if broadcasters := [one for one in known if one.type.endswith("JointStateBroadcaster")]:
-        if len(broadcasters) == 1:
+        if len(broadcasters) == 1 and not is_bridged:
             yield from _unlisted_joints(context, broadcasters[0], known)
         return
     running = [controller for controller in spawned if controller.program.is_sure]
-    if running and not _is_rigid(context):
+    lost = _unbridged_joints(context, known) if is_bridged else []
+    if running and (lost if is_bridged else not _is_rigid(context)):
+        of_joints = f"states of {few(lost, _MAX_NAMED)}" if lost else "joint states"
         yield Finding(
             running[0].at,
-            "nothing publishes the joint states: no joint_state_broadcaster is started",
+            f"nothing publishes the {of_joints}: no joint_state_broadcaster is started",
             "spawn joint_state_broadcaster, too, and define it in the YAML file of the controllers",
         )
 
@@ -139,16 +140,35 @@ def _unlisted_joints(
     if not listed or not broadcaster.values(["interfaces"]):
         return
     names = {value.text for value in broadcaster.values(["joints", "extra_joints"])}
-    robots = [robot.model for _, robot in context.described_robots]
-    moving = {joint.name for model in robots for joint in model.joints if can_move(joint)}
-    commanded = (value.text for one in controllers for value in commanded_joints(one))
-    if lost := [name for name in dict.fromkeys(commanded) if name in moving - names]:
+    if lost := _moved_joints(context, controllers, names):
         yield Finding(
             listed[0].span,
             f"'{broadcaster.name}' does not publish the states of {few(lost, _MAX_NAMED)}, which a "
             "controller moves: their links have no transform",
             "add them to joints, or remove the list: then it publishes all",
         )
+
+
+def _unbridged_joints(context: Context, controllers: list[Controller]) -> list[str]:
+    """Joints that a controller moves, and whose states Gazebo's system leaves out."""
+    names: set[str] = set()
+    for _, robot in context.described_robots:
+        for plugin in _plugins(robot.model):
+            listed = [joint.text.strip() for joint in plugin.all("joint_name")]
+            if _STATES in (plugin.get("filename") or "") and not listed:
+                return []  # it publishes all
+            names.update(listed)
+    return _moved_joints(context, controllers, names) if names else []
+
+
+def _moved_joints(
+    context: Context, controllers: list[Controller], published: set[str]
+) -> list[str]:
+    """Joints of the robot that a controller moves, without those whose states are published."""
+    robots = [robot.model for _, robot in context.described_robots]
+    moving = {joint.name for model in robots for joint in model.joints if can_move(joint)}
+    commanded = (value.text for one in controllers for value in commanded_joints(one))
+    return [name for name in dict.fromkeys(commanded) if name in moving - published]
 
 
 def _is_rigid(context: Context) -> bool:
@@ -187,5 +207,8 @@ def _unpublished_joint_states(context: Context, programs: tuple[StartedProgram, 
 
 
 def _systems(model: RobotModel) -> list[str]:
-    plugins = (plugin for block in model.gazebo for plugin in block.all("plugin"))
-    return [plugin.get("filename") or "" for plugin in plugins]
+    return [plugin.get("filename") or "" for plugin in _plugins(model)]
+
+
+def _plugins(model: RobotModel) -> list[Element]:
+    return [plugin for block in model.gazebo for plugin in block.all("plugin")]
