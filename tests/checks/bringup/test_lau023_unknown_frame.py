@@ -141,6 +141,12 @@ def test_a_map_that_a_program_publishes(tmp_path: Path, program: str, count: int
 
 
 SLAM = "Node(package='slam_toolbox', executable='async_slam_toolbox_node')\n"
+BRIDGE = "Node(package='ros_gz_bridge', executable='parameter_bridge', arguments=[{}])\n"
+SIMULATED = BRIDGE.format("'/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan'") + (
+    "Node(package='ros_gz_sim', executable='create', arguments=['-topic', 'robot_description'])\n"
+    "Node(package='controller_manager', executable='spawner', arguments=['arm'])\n"
+    "Node(package='moveit_ros_move_group', executable='move_group')\n"
+)
 
 
 @pytest.mark.parametrize(
@@ -153,6 +159,9 @@ SLAM = "Node(package='slam_toolbox', executable='async_slam_toolbox_node')\n"
             0,
         ),
         (SLAM + STATIC.format("world", "map"), 0),
+        (SLAM + SIMULATED, 1),
+        (SLAM + SIMULATED + BRIDGE.format("'/tf@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V'"), 0),
+        (SLAM + SIMULATED + BRIDGE.format("topic"), 0),
     ],
 )
 def test_the_world_in_rviz(tmp_path: Path, more: str, count: int) -> None:

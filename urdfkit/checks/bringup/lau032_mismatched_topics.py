@@ -29,6 +29,7 @@ from __future__ import annotations
 import re
 
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
+from urdfkit.checks.bringup.gz_bridges import may_bridge_transforms
 from urdfkit.checks.bringup.known_programs import are_topics_known
 from urdfkit.checks.bringup.navigation_commands import mistyped_navigation, unpublished_commands
 from urdfkit.checks.bringup.odometry import of_global_filters
@@ -41,7 +42,6 @@ from urdfkit.checks.bringup.unread_commands import (
 )
 from urdfkit.checks.bringup.workspace_launches import all_launches, is_included, programs_of
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
@@ -65,7 +65,6 @@ _FILTERS = ("ekf_node", "ukf_node")
 _NAVIGATION = ("nav2_amcl", "nav2_controller", "slam_toolbox")
 #: Packages whose programs publish no transforms, and those whose programs may move the robot.
 _STILL, _MOVING = re.compile(r"topic_tools|twist_stamper"), ("tf2_ros", _FILTER)
-_TRANSFORMS = "TFMessage"
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
@@ -95,7 +94,8 @@ def _unpublished_odometry(context: Context) -> Findings:
     are_global = len(maps) == len(others)
     if not are_global and not all(text.lower() == "false" for text in silent):
         return
-    switches = [] if _is_bridged(programs, context) else _switches_of_drives(programs, context)
+    is_bridged = may_bridge_transforms(programs, context.resolver)
+    switches = [] if is_bridged else _switches_of_drives(programs, context)
     if not switches or any(switch.boolean is not False for _, switch in switches):
         return
     drive, of_drive = switches[0]
@@ -121,7 +121,8 @@ def _navigation_without_odometry(context: Context) -> Findings:
     if reader is None or is_included(context):
         return
     programs = programs_of(all_launches(context))
-    if _is_bridged(programs, context) or any(_may_move(node, context) for node in programs):
+    is_bridged = may_bridge_transforms(programs, context.resolver)
+    if is_bridged or any(_may_move(node, context) for node in programs):
         return
     switches = _switches_of_drives(list(context.launch.programs), context)
     for drive, switch in switches if all(on.boolean is False for _, on in switches) else ():
@@ -140,15 +141,6 @@ def _may_move(program: StartedProgram, context: Context) -> bool:
     if is_still and program.package not in _MOVING:
         return False
     return may_publish(program.package, "TransformStamped", context.source.path, context.resolver)
-
-
-def _is_bridged(programs: list[StartedProgram], context: Context) -> bool:
-    """True if a bridge forwards transforms of Gazebo."""
-    return any(
-        topic.ros_type.endswith(_TRANSFORMS) and topic.direction != TO_GAZEBO
-        for node in programs
-        for topic in bridged_topics(node, context.resolver)
-    )
 
 
 def _switches_of_drives(

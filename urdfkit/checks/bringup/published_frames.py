@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from itertools import chain
 
+from urdfkit.checks.bringup.gz_bridges import may_bridge_transforms
 from urdfkit.checks.bringup.workspace_launches import (
     distinct_descriptions,
     is_included,
@@ -31,7 +32,8 @@ _VIEWERS = (_PUBLISHER, *_SLIDERS, *_RVIZ)
 _LOCALIZATION = ("nav2_amcl", "slam_toolbox")
 _OF_NAVIGATION = re.compile(
     r"nav2_\w+|slam_toolbox|robot_localization|robot_state_publisher|rviz2|twist_mux|joy"
-    r"|teleop_twist_(joy|keyboard)|tf2_ros"
+    r"|teleop_twist_(joy|keyboard)|tf2_ros|joint_state_publisher(_gui)?|controller_manager"
+    r"|ros_gz_(sim|bridge|image)|moveit_ros_move_group"
 )
 #: A program in the build file of a package.
 _PROGRAM = rb"(?i)\badd_(?:executable|library)\s*\(|console_scripts[\"']\s*:\s*\[\s*[\"']"
@@ -93,7 +95,9 @@ def _has_map_alone(context: Context) -> bool:
     sources = (context.resolver.readable(file.path) for file in context.launch.parameters)
     names_world = any(_NAMES_WORLD.search(source.data) for source in sources if source)
     is_localized = any(node.package in _LOCALIZATION for node in programs)
-    return is_localized and not names_world and not _includes_unavailable(context)
+    is_bridged = may_bridge_transforms(programs, context.resolver)
+    has_others = names_world or is_bridged or _includes_unavailable(context)
+    return is_localized and not has_others
 
 
 def links_of_robots(context: Context, launches: tuple[Launch, ...]) -> frozenset[str]:
