@@ -190,3 +190,25 @@ def test_simulation_time_of_a_robot(tmp_path: Path, real: str, given: str, count
     files = {"r.xacro": SWITCHED.format(GZ, real), "c.yaml": stated}
     found = reported(tmp_path, "LAU031", "a.launch.py", text, files)
     assert sum("controllers wait with use_sim_time" in one.message for one in found) == count
+
+
+@pytest.mark.parametrize(
+    ("package", "file", "count"),
+    [
+        ("nav2_bringup", "navigation_launch.py", 1),
+        ("slam_toolbox", "online_async_launch.py", 1),
+        ("nav2_bringup", "rviz_launch.py", 1),
+        ("nav2_bringup", "tb3_simulation_launch.py", 0),
+        ("turtlebot3_gazebo", "robot.launch.py", 0),
+    ],
+)
+def test_a_clock_with_included_files_of_ros(
+    tmp_path: Path, package: str, file: str, count: int
+) -> None:
+    """Moth-Balls/husky_kinova_sim with navigation."""
+    state = STATE.format(", parameters=[{'robot_description': x, 'use_sim_time': True}]")
+    spawn = NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+    other = GAZEBO.replace("ros_gz_sim", package).replace("gz_sim.launch.py", file)
+    other = other.replace('{"gz_args": "-r empty.sdf"}', "{}")
+    found = messages(tmp_path, "LAU031", state + spawn + GAZEBO + other)
+    assert len([one for one in found if "/clock" in one]) == count

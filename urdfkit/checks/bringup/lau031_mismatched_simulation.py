@@ -37,6 +37,7 @@ from urdfkit.checks.bringup.workspace_launches import is_included
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.bridges import bridged_topics
+from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
 from urdfkit.ros.launch.spawning import model_spawner
@@ -65,8 +66,11 @@ _SIM_TIME = "use_sim_time"
 _PUBLISHER = "robot_state_publisher"
 #: Programs that do not use the time of their node.
 _TIMELESS = (("ros_gz_sim", "create"), ("ros_gz_bridge", "parameter_bridge"))
-#: Launch files of ROS that start Gazebo and no bridge.
-_GAZEBO = ("gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign_gazebo.launch.py")
+#: Launch files of ROS that start no bridge, besides those whose nodes are known.
+_WITHOUT_BRIDGE = (
+    "gz_sim.launch.py", "gz_server.launch.py", "gzserver.launch.py", "ign_gazebo.launch.py",
+    "slam_launch.py", "rviz_launch.py",
+)  # fmt: skip
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
@@ -102,8 +106,7 @@ def _missing_clock(context: Context, programs: tuple[StartedProgram, ...]) -> Fi
     timed = [node for node in programs if (node.package, node.executable) not in _TIMELESS]
     waiting = _waiting(timed, context.resolver)
     starts_gz = any(world.generation == GZ for world in worlds(context.launch))
-    unread = (path.rpartition("/")[2] for path in context.launch.unread)
-    if waiting is None or not starts_gz or not all(file in _GAZEBO for file in unread):
+    if waiting is None or not starts_gz or not all(map(_starts_no_bridge, context.launch.unread)):
         return
     bridges = bridges_of_gz(programs)
     if bridges is None or _bridges_clock(bridges, context.resolver):
@@ -113,6 +116,12 @@ def _missing_clock(context: Context, programs: tuple[StartedProgram, ...]) -> Fi
         f"'{waiting.executable}' uses {_SIM_TIME}, but nothing publishes /clock: its time stays 0",
         "bridge /clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock",
     )
+
+
+def _starts_no_bridge(path: str) -> bool:
+    """True for an included file of ROS that starts no bridge."""
+    is_shipped = path.removeprefix(f"{UNKNOWN}/") in data("launch")["shipped"]
+    return is_shipped or path.rpartition("/")[2] in _WITHOUT_BRIDGE
 
 
 def _stopped_controllers(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
