@@ -447,3 +447,24 @@ def test_a_launch_file_that_another_one_may_include(
     nodes = IMU.format("/imu/data", "") + FILTER.format("")
     found = reported(tmp_path, "LAU032", "a.launch.py", nodes, {path: text, "ekf.yaml": EKF})
     assert ["waits for" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("kind", "count"),
+    [
+        ("joint_trajectory_controller/JointTrajectoryController", 1),
+        ("imu_sensor_broadcaster/IMUSensorBroadcaster", 0),
+    ],
+)
+def test_a_spawner_that_may_not_run(tmp_path: Path, kind: str, count: int) -> None:
+    """Only a controller that publishes such messages may be the one that is meant."""
+    condition = "condition=IfCondition(LaunchConfiguration('x'))"
+    text = (
+        NODE.format("controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']")
+        + NODE.format("controller_manager", "spawner", f"arguments=['arm'], {condition}")
+        + IMU.format("/imu/data", "")
+        + FILTER.format("")
+    )
+    yaml = f"controller_manager:\n  ros__parameters:\n    arm: {{type: {kind}}}\n"
+    found = of_topics(tmp_path, text, {"ekf.yaml": EKF, "c.yaml": yaml})
+    assert len([one for one in found if "waits for '/imu'" in one.message]) == count

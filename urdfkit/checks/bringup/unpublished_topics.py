@@ -235,6 +235,8 @@ def _is_known(program: StartedProgram, message: str, context: Context) -> bool:
         return not names or ("*" not in names and is_named and program.is_sure)
     if is_other or _SILENT.fullmatch(package) or is_silent_process(program):
         return True
+    if package == _CONTROLLERS and _spawns_others(program, message, context):
+        return True
     renamed = program.remappings
     if package in _BRIDGES:
         return program.is_sure and renamed is not None and program.namespace is not None
@@ -244,6 +246,16 @@ def _is_known(program: StartedProgram, message: str, context: Context) -> bool:
     is_remapped = renamed is None or not {name.strip("~/") for name in renamed} <= known
     is_placed = program.namespace == "" and package in _PUBLISHERS
     return program.is_sure and not is_remapped and is_placed
+
+
+def _spawns_others(program: StartedProgram, message: str, context: Context) -> bool:
+    """True if no controller that a spawner loads publishes a message."""
+    defined = controllers_of_workspace(context)
+    known = [defined.get(controller.name) for controller in spawned_controllers([program])]
+    outputs = data("nodes")["outputs"]
+    return bool(known) and all(
+        one and outputs.get(one.type.rpartition("/")[2], ("", ""))[0] != message for one in known
+    )
 
 
 def _publications(program: StartedProgram, context: Context) -> dict[str, str] | None:
