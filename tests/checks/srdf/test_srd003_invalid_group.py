@@ -7,6 +7,7 @@ import pytest
 from tests.growth import executed_lines
 from tests.naming import naming
 from tests.srdfs import ROBOT, findings, message_of
+from tests.workspaces import add_files
 from urdfkit import check
 
 BAD = [
@@ -149,3 +150,28 @@ def test_a_joint_without_its_parent_is_reported_once(
     (tmp_path / "r.srdf").write_text(text)
     report = check(tmp_path / "r.urdf", select=["REF001", "SRD003", "SRD010"])
     assert sorted(one.code for one in report.diagnostics) == codes
+
+
+@pytest.mark.parametrize(
+    ("group", "solver", "count"),
+    [
+        ('<link name="hand"/>', "kdl_kinematics_plugin/KDLKinematicsPlugin", 1),
+        ('<link name="arm"/><link name="hand"/>', "kdl_kinematics_plugin/KDLKinematicsPlugin", 0),
+        ('<link name="hand"/>', "bio_ik/BioIKKinematicsPlugin", 0),
+        ('<link name="unknown"/>', "kdl_kinematics_plugin/KDLKinematicsPlugin", 0),
+    ],
+)
+def test_a_solver_for_a_group_that_does_not_move(
+    tmp_path: Path, group: str, solver: str, count: int
+) -> None:
+    """MoveIt: a group without active joints is not a chain."""
+    add_files(
+        tmp_path,
+        {
+            "config/r.urdf": ROBOT,
+            "config/r.srdf": f'<robot name="r"><group name="g">{group}</group></robot>',
+            "config/kinematics.yaml": f"g:\n  kinematics_solver: {solver}\n",
+        },
+    )
+    found = check(tmp_path / "config" / "r.urdf", select=["SRD003"]).diagnostics
+    assert [(one.message, one.span.line) for one in found] == [(naming("g", solver), 1)] * count

@@ -133,20 +133,19 @@ def _unsolvable(context: Context, srdf: Srdf) -> Findings:
         if solver is None or not solver.text.startswith(for_chains):
             continue
         group = srdf.groups_by_name.get(entry.name)
-        if group and (joints := _branch(context, srdf.links_of(entry.name))):
-            first, other = joints
+        if group and (reason := _why_no_chain(context, srdf.links_of(entry.name))):
             yield Finding(
                 entry.name.span,
                 f"group '{entry.name}' is not a chain, which solver '{solver.text}' requires: "
-                f"joint '{other.name}' does not follow joint '{first.name}'",
+                f"{reason}",
                 "define the group by one <chain>, or remove its solver",
                 related=(Related(group[0].span, f"group '{entry.name}'"),),
                 severity=Severity.WARNING,
             )
 
 
-def _branch(context: Context, links: set[str]) -> tuple[Joint, Joint] | None:
-    """Two moving joints of a group on different branches; None if the group is a chain."""
+def _why_no_chain(context: Context, links: set[str]) -> str:
+    """Why the moving joints of a group are not a chain; empty if they are one."""
     paths: list[list[Joint]] = []
     for joint in context.model.joints:
         if joint.kind != "fixed" and joint.child_name in links:
@@ -155,5 +154,6 @@ def _branch(context: Context, links: set[str]) -> tuple[Joint, Joint] | None:
     paths.sort(key=len)
     for before, path in pairwise(paths):
         if path[:-1] != before:
-            return before[-1], path[-1]
-    return None
+            return f"joint '{path[-1].name}' does not follow joint '{before[-1].name}'"
+    is_known = bool(links) and links <= context.model.links_by_name.keys()
+    return "none of its joints moves" if is_known and not paths else ""
