@@ -224,3 +224,20 @@ def test_a_package_by_the_name_of_its_directory(tmp_path: Path) -> None:
     manifest = tmp_path / "Hand" / "package.xml"
     assert found.message == naming("Hand", "hand_v2", manifest)
     assert (found.help, found.fix) == (naming("hand_v2", "rename"), None)
+
+
+@pytest.mark.parametrize(
+    ("declared", "used", "count"),
+    [
+        ("navigation2", "nav2_amcl", 0),
+        ("navigation2", "nav2_bringup", 1),  # "doesn't belong for recursive dependencies"
+        ("nav2_bringup", "nav2_amcl", 0),
+    ],
+)
+def test_what_a_metapackage_brings(tmp_path: Path, declared: str, used: str, count: int) -> None:
+    lines = f"<exec_depend>{declared}</exec_depend>"
+    lines += "<export><build_type>ament_cmake</build_type></export></package>"
+    (tmp_path / "package.xml").write_text(MANIFEST.replace("</package>", lines))
+    (tmp_path / "a.launch.xml").write_text(launch(f'<node pkg="{used}" exec="amcl"/>'))
+    found = check(tmp_path / "a.launch.xml", select=["PKG001"]).diagnostics
+    assert [one.span.text for one in found] == [used] * count

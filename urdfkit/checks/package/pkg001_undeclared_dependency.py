@@ -198,7 +198,7 @@ def _is_brought(name: str, declared: frozenset[str]) -> bool:
     return name in declared or any(
         name.startswith(prefix.rstrip("*")) if prefix.endswith("*") else name == prefix
         for bringer, brought in data("packages")["brought"].items()
-        if bringer in declared
+        if bringer in declared and f"-{name}" not in brought.split()
         for prefix in brought.split()
     )
 
