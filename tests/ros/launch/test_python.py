@@ -507,3 +507,25 @@ def test_a_long_chain_is_unknown(package, value):
     text = f"import os\nside = {value}\n" + include("rsp.launch.py", ", launch_arguments=side")
     text += "\nNode(package='joy', executable=side)"
     assert [program.executable for program in read(package, text).programs][-1:] == [""]
+
+
+@pytest.mark.parametrize(
+    ("passed", "count"),
+    [
+        ("'false'", 0),
+        ("'true'", 1),
+        ("LaunchConfiguration('spawn', default='false')", 1),  # the user may choose
+    ],
+)
+def test_a_literal_that_switches_a_node_off(package, passed, count):
+    """Moth-Balls/husky_kinova_sim: another file spawns the controllers."""
+    included(
+        package,
+        body="""
+spawn = LaunchConfiguration('spawn')
+node = Node(package='controller_manager', executable='spawner', condition=IfCondition(spawn))
+return LaunchDescription([DeclareLaunchArgument('spawn', default_value='true'), node])
+""",
+    )
+    arguments = f", launch_arguments={{'spawn': {passed}}}.items()"
+    assert len(read(package, include("rsp.launch.py", arguments)).programs) == count

@@ -280,6 +280,7 @@ class Collector:
         frame: CallFrame,
         *,
         is_sure: bool = True,
+        fixed: frozenset[str] = frozenset(),
     ) -> None:
         """Add the robots, parameters and programs of an included launch file.
 
@@ -288,6 +289,7 @@ class Collector:
         Args:
             arguments: passed arguments; None if known only at run time.
             is_sure: False if the include has a condition that is known only at run time.
+            fixed: names of the arguments that are literals.
         """
         outer = (*self.outer, source.path)
         if path in outer or len(outer) > MAX_DEPTH or self.included >= MAX_INCLUDED:
@@ -296,7 +298,7 @@ class Collector:
         if included_source is None:
             return
         inner = Collector(self.resolver, self._reader, outer, self.included + 1)
-        self._reader(inner, LaunchedFile(included_source, arguments, frame))
+        self._reader(inner, LaunchedFile(included_source, arguments, frame, fixed))
         self.included = inner.included
         self.unread += inner.unread
         self.has_scopes = self.has_scopes or inner.has_scopes

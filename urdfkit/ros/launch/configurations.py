@@ -74,6 +74,12 @@ class Configurations:
         }
         return own | passed
 
+    def fixed(self, call: ast.Call) -> frozenset[str]:
+        """The arguments that an include sets to a literal, which no user can change."""
+        pairs = self._pairs(call) or []
+        literals = (key for key, value in pairs if isinstance(value, ast.Constant))
+        return frozenset(name for key in literals if (name := self._values.text(key)))
+
     def _passed(self, call: ast.Call) -> list[tuple[str, Span]] | None:
         """The names of the arguments that an include passes; None if not all are known."""
         pairs = self._pairs(call)

@@ -54,6 +54,7 @@ class LaunchedFile(Record):
     source: Source
     arguments: Mapping[str, str | None]  # None if known only at run time
     frame: CallFrame | None = None  # the launch files that include it
+    fixed: frozenset[str] = frozenset()  # arguments that the including file sets to a literal
 
 
 class LaunchedDescription(Record):

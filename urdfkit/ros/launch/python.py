@@ -111,8 +111,9 @@ class _PythonReader(PythonLaunchFile):
         self.collector.problems += self.configurations.undeclared()
 
     def _may_run(self, action: ast.Call) -> bool:
-        """False for an action that is not in a launch description."""
-        return action not in self._unused or not self._is_complete
+        """False for an action that is not in a launch description, or switched off in this one."""
+        is_used = action not in self._unused or not self._is_complete
+        return is_used and not self.is_never(action)
 
     def _report_problems(self) -> None:
         """Problems of calls; an included file is reported when it is read itself."""
@@ -212,4 +213,5 @@ class _PythonReader(PythonLaunchFile):
         if exists and visible is not None:
             passed = {name: word.text for name, word in visible.items()}
             frame = self.call_frame(call)
-            self.collector.follow(path, self.source, passed, frame, is_sure=is_sure)
+            fixed = self.configurations.fixed(call)
+            self.collector.follow(path, self.source, passed, frame, is_sure=is_sure, fixed=fixed)

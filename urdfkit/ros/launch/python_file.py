@@ -31,6 +31,7 @@ class PythonLaunchFile:
         self.collector = collector
         self.source = file.source
         self.frame = file.frame
+        self.fixed = file.fixed
         self.tree = tree
         self.values = Values(collector, file, tree)
         self.calls = [node for node in python_source.nodes(tree) if isinstance(node, ast.Call)]
@@ -134,6 +135,17 @@ class PythonLaunchFile:
     def is_off(self, action: ast.Call) -> bool:
         """True if a condition switches an action off, or the action that contains it."""
         return self._outer_conditions.get(action) is False or self.condition(action) is False
+
+    def is_never(self, action: ast.Call) -> bool:
+        """True if a literal of the including launch file switches an action off."""
+        condition = self.values.resolved(argument(action, None, "condition"))
+        if not self.fixed or not isinstance(condition, ast.Call):
+            return False
+        choice = self.values.resolved(argument(condition, 0, "predicate_expression"))
+        if not isinstance(choice, ast.Call) or called(choice) != "LaunchConfiguration":
+            return False
+        name = self.values.text(argument(choice, 0, "variable_name"))
+        return name in self.fixed and self._holds(condition) is False
 
     @cached_property
     def _decided(self) -> frozenset[ast.Call]:
