@@ -23,6 +23,20 @@ def test_nearest(word: str, suggested: str | None) -> None:
 
 
 @pytest.mark.parametrize(
+    ("name", "other", "is_near"),
+    [
+        ("caster_link", "base_link", False),
+        ("laser_link", "base_link", False),
+        ("finger_joint1", "laser_joint", False),  # project_articubot
+        ("cam_link", "camera_link", True),
+        ("arm_joint_1", "arm_joint1", True),
+    ],
+)
+def test_a_common_suffix_makes_no_names_similar(name: str, other: str, is_near: bool) -> None:
+    assert nearest(name, [other]) == (other if is_near else None)
+
+
+@pytest.mark.parametrize(
     ("name", "known", "suggested"),
     [
         # auv-software: the common suffix made the names similar

@@ -10,8 +10,22 @@ from tests.jointed import robot as jointed
 from tests.launched import reported as of_launch
 from tests.naming import naming
 from tests.reported import reported
+from tests.workspaces import add_file, add_package
+from urdfkit import check
 
 _IMPORTS = "from launch_ros.actions import Node\n"
+_ACTIONS = """\
+import os
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import Command, LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+HERE = os.path.dirname(__file__)
+robot = LaunchConfiguration('robot', default='')
+
+def generate_launch_description():
+"""
 _PUBLISHER = "package='robot_state_publisher', executable='robot_state_publisher'"
 _ROBOT = "parameters=[{'robot_description': open('../robot.urdf').read()}]"
 
@@ -84,3 +98,128 @@ def test_the_passive_joint_of_a_double_pendulum(kind: str, velocity: str, count:
     text = jointed(joint("driven", "revolute", limit("-1", "1")), free)
     found = [one.message for one in reported("JNT008", text) if "effort" in one.message]
     assert found == [naming("free", "effort", "0 N·m")] * count
+
+
+@pytest.mark.parametrize(("actions", "count"), [("", 0), ("slam", 1)])
+def test_an_include_that_is_not_in_the_description(
+    tmp_path: Path, actions: str, count: int
+) -> None:
+    """articubot_one's localizers, all but one of which are commented out."""
+    include = "IncludeLaunchDescription(PythonLaunchDescriptionSource(HERE + '/slam.launch.py'))"
+    program = f"{_ACTIONS}    slam = {include}\n    return LaunchDescription([{actions}])\n"
+    assert len(of_launch(tmp_path / "arm", "LAU003", "a.launch.py", program)) == count
+
+
+def test_what_an_excluded_file_starts(tmp_path: Path) -> None:
+    """Its filters, too, which publish on the same topic."""
+    nodes = "[Node(package='robot_localization', executable='ekf_node', name='n')]"
+    program = "{}    other = IncludeLaunchDescription(PythonLaunchDescriptionSource({}))\n"
+    program = program.format(_ACTIONS, "HERE + '/ekf.launch.py'")
+    included = f"{_ACTIONS}    return LaunchDescription({nodes})\n"
+    for count, extra in ((0, ""), (1, "other")):
+        text = f"{program}    return LaunchDescription([*{nodes}, {extra}])\n"
+        files = {"launch/ekf.launch.py": included}
+        found = of_launch(tmp_path / "arm", "LAU021", "a.launch.py", text, files)
+        assert len([one for one in found if "odometry/filtered" in one.message]) == count
+
+
+@pytest.mark.parametrize(("between", "count"), [("", 0), ("    actions = [spawn]\n", 1)])
+def test_a_node_that_another_one_replaces(tmp_path: Path, between: str, count: int) -> None:
+    """barista_robot_description spawns its robot in a variable, twice."""
+    words = "['-topic', 'robot_description', '-entity', 'r']"
+    node = f"Node(package='gazebo_ros', executable='spawn_entity.py', arguments={words})"
+    spawn = f"    spawn = {node}\n"
+    actions = "*actions, spawn" if between else "spawn"
+    program = f"{_ACTIONS}{spawn}{between}{spawn}    return LaunchDescription([{actions}])\n"
+    found = of_launch(tmp_path / "arm", "LAU043 LAU037", "a.launch.py", program)
+    assert [one.code for one in found] == ["LAU043"] * count
+
+
+_PUBLISHED = "{{'robot_description': Command(['xacro ', {}])}}"
+
+
+@pytest.mark.parametrize(("name", "parameters"), [("a.yaml", "{}"), ("a.xacro", _PUBLISHED)])
+def test_a_path_with_an_argument_that_must_be_given(
+    tmp_path: Path, name: str, parameters: str
+) -> None:
+    """articubot_one's `robots/<robot_model>/config`, for each of its robots."""
+    for part, count in (("robot", 0), ("'other'", 1)):
+        given = parameters.format(f"PathJoinSubstitution([HERE, '..', {part}, '{name}'])")
+        node = f"Node(package='p', executable='e', parameters=[{given}])"
+        text = f"{_ACTIONS}    return LaunchDescription([{node}])\n"
+        assert len(of_launch(tmp_path / "arm", "LAU003", "a.launch.py", text)) == count
+
+
+def test_a_text_in_a_function_with_the_context(tmp_path: Path) -> None:
+    """A car's file for each namespace: in an OpaqueFunction, the value can be asked for."""
+    for parameter, help in (("context", "write {robot.perform(context)}"), ("other", "list")):
+        program = (
+            f"{_ACTIONS}    return LaunchDescription([])\n"
+            f"def setup({parameter}):\n"
+            "    if robot in ['robot_1', 'robot_2']:\n"
+            "        return [Node(package='p', executable='e', name=f'{robot}_ekf')]\n"
+        )
+        found = of_launch(tmp_path / "arm", "LAU034", "a.launch.py", program)
+        assert [one.severity.value for one in found] == ["warning", "error"]
+        assert help in (found[1].help or "")
+
+
+@pytest.mark.parametrize(("behind", "count"), [("</xml>", 0), ("<a/>", 0), ("text", 1)])
+def test_tags_behind_the_end_of_a_world(tmp_path: Path, behind: str, count: int) -> None:
+    """articubot_one's world ends with `</xml>`: measured, libsdformat reads it."""
+    model = "<model name='m'><static>true</static><link name='l'/></model>"
+    world = f"<sdf version='1.6'><world name='w'>{model}</world></sdf>\n{behind}\n"
+    program = (
+        "from launch_ros.substitutions import FindPackageShare\n"
+        f"{_ACTIONS}    return LaunchDescription([IncludeLaunchDescription(\n"
+        "        [FindPackageShare('ros_gz_sim'), '/launch/gz_sim.launch.py'],\n"
+        "        launch_arguments={'gz_args': HERE + '/../w.sdf'}.items())])\n"
+    )
+    found = of_launch(tmp_path / "arm", "WLD002", "a.launch.py", program, {"w.sdf": world})
+    assert len(found) == count
+
+
+@pytest.mark.parametrize(
+    ("kind", "library", "maximum", "count"),
+    [("ray", "libown.so", "0", 0), ("ray", "libown.so", "-1", 0), ("gpu_lidar", "", "0", 1)],
+)
+def test_the_beams_of_a_light_barrier(kind: str, library: str, maximum: str, count: int) -> None:
+    """hrwros: fifty rays in one direction, which Gazebo Classic casts."""
+    scan = (
+        "<horizontal><samples>50</samples><min_angle>0</min_angle>"
+        f"<max_angle>{maximum}</max_angle></horizontal>"
+    )
+    lidar = f"<ray><scan>{scan}</scan><range><min>0.1</min><max>1</max></range></ray>"
+    use = f'<plugin name="c" filename="{library}"/>' if library else ""
+    text = BASE + sensor(kind, lidar + use)
+    targets = ("classic-ros1",) if library else ("gz-harmonic",)
+    assert len(reported("GAZ004", text, targets=targets)) == count
+
+
+def test_the_other_broadcaster_of_batteries(tmp_path: Path) -> None:
+    """articubot_one: ros_battery_monitoring has a class of the same name, with `sensor_name`."""
+    robot = (
+        '<robot name="r"><link name="base"/><gazebo><plugin name="c" '
+        'filename="libgazebo_ros2_control.so"><parameters>$(find arm)/c.yaml</parameters></plugin>'
+        "</gazebo></robot>"
+    )
+    kind = "battery_state_broadcaster/BatteryStateBroadcaster"
+    add_package(tmp_path, "arm")
+    path = add_file(tmp_path / "r.xacro", robot.encode())
+    for parameter, count in (("sensor_name: main", 0), ("frame_id: base", 1)):
+        text = (
+            f"controller_manager: {{ros__parameters: {{b: {{type: {kind}}}}}}}\n"
+            f"b: {{ros__parameters: {{{parameter}}}}}\n"
+        )
+        add_file(tmp_path / "c.yaml", text.encode())
+        found = check(path, select=["RCT034"]).diagnostics
+        assert len([one for one in found if "batteries" in one.message]) == count
+
+
+@pytest.mark.parametrize(("tag", "help"), [("max_contacts", "maxContacts"), ("gap", "remove")])
+def test_contacts_in_a_collision(tag: str, help: str) -> None:
+    """articubot_one's wheels: the converter has a tag of its own for it."""
+    inside = f'<geometry><sphere radius="1"/></geometry><{tag}>1</{tag}>'
+    text = f'<link name="base"><collision>{inside}</collision></link>'
+    (found,) = [one for code in ("URD001", "URD008") for one in reported(code, text)]
+    assert help in (found.help or "")

@@ -31,6 +31,7 @@ _SIDES = frozenset("left right front rear back upper lower inner outer fl fr rl 
 
 #: Words for the kind of the named thing, which people omit.
 _KINDS = frozenset(("link", "joint", "frame", "name"))
+_KIND_SUFFIX = re.compile(rf"_({'|'.join(sorted(_KINDS))})_?\d*$")
 
 #: Beginnings of names that say the opposite: ``max_linear_speed`` is not ``min_speed``.
 _OPPOSITES = {"min": "max", "max": "min"}
@@ -52,7 +53,7 @@ def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | N
     for candidate in sorted(close, key=lambda key: not _differs_in_kind(text, key)):
         stem, other = _without_common_suffix(text, candidate)
         least = _WITHOUT_SUFFIX if stem[:1] == other[:1] else _OF_ANOTHER_INITIAL
-        if stem == text or get_close_matches(stem, [other], 1, min(cutoff, least)):
+        if stem == text or get_close_matches(stem, [other], 1, least if cutoff else 0):
             return spellings[candidate]
     return None
 
@@ -73,10 +74,13 @@ def _differs_in_kind(word: str, other: str) -> bool:
 
 
 def _without_common_suffix(word: str, other: str) -> tuple[str, str]:
-    """Two names without a common suffix such as ``_link``, which does not make them similar."""
-    stem, _, suffix = word.rpartition("_")
-    if stem and suffix in _KINDS and other.endswith("_" + suffix):
-        return stem, other[: -len(suffix) - 1]
+    """Two names without a common suffix such as ``_link``, which does not make them similar.
+
+    It may have a number: ``finger_joint1`` and ``laser_joint``.
+    """
+    own, others = _KIND_SUFFIX.search(word), _KIND_SUFFIX.search(other)
+    if own and others and own[1] == others[1] and own.start() and others.start():
+        return word[: own.start()], other[: others.start()]
     return word, other
 
 

@@ -188,7 +188,8 @@ GAZEBO_TAGS = frozenset(
     "dampingFactor canonicalBody static stopCfm stopErp cfmDamping fudgeFactor provideFeedback "
     "implicitSpringDamper springReference springStiffness preserveFixedJoint "
     "disableFixedJointLumping self_collide gravity kinematic enable_wind must_be_base_link "
-    "velocity_decay sensor plugin light projector pose surface friction".split()
+    "velocity_decay sensor plugin light projector pose surface friction max_contacts "
+    "laser_retro".split()
 )
 
 #: Elements of SRDF, which has the same root element as URDF.

@@ -67,13 +67,23 @@ def read_xml(
 def read_as_tinyxml(source: Source) -> tuple[Document | None, list[Problem]]:
     """Read XML as TinyXML does, the parser of Gazebo and MoveIt.
 
-    It ends a comment at the first ``-->``, whatever the comment contains.
+    It ends a comment at the first ``-->``, whatever the comment contains, and does not mind tags
+    behind the end of the root element.
     """
     document, problems = read_xml(source)
-    if document is None and b"<!--" in source.data:
-        lenient = read_xml(Source(source.path, blank_comments(source.data)))
+    if document is None:
+        data = blank_comments(source.data) if b"<!--" in source.data else source.data
+        lenient = read_xml(Source(source.path, _without_tags_behind(data)))
         return lenient if lenient[0] is not None else (None, problems)
     return document, problems
+
+
+def _without_tags_behind(data: bytes) -> bytes:
+    """XML up to the end of its root element, if a tag follows that."""
+    root = re.search(rb"<([A-Za-z_][^\s/>]*)", data)
+    end = re.search(rb"</" + re.escape(root[1]) + rb"\s*>", data) if root else None
+    is_followed = end is not None and data[end.end() :].lstrip().startswith(b"<")
+    return data[: end.end()] if end is not None and is_followed else data
 
 
 def require_shallow_dtd(data: bytes) -> None:

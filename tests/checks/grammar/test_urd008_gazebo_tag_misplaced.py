@@ -70,6 +70,10 @@ ROBOT = """<link name="a">{link}
 <link name="b"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/>{joint}</joint>"""
 
 
+#: Tags of SDF, and those of the converter for them.
+_INSTEAD = {"friction": "mu1", "max_contacts": "maxContacts", "laser_retro": "laserRetro"}
+
+
 @pytest.mark.parametrize("owner", ["link", "joint"])
 @pytest.mark.parametrize("tag", sorted(GAZEBO_TAGS - {"pose"}))
 def test_the_help_leads_to_a_place_where_gazebo_reads_the_tag(owner: str, tag: str) -> None:
@@ -79,7 +83,9 @@ def test_the_help_leads_to_a_place_where_gazebo_reads_the_tag(owner: str, tag: s
     if (owner, tag) == ("joint", "friction"):
         assert "<dynamics friction=...>" in found.help
         return
-    moved = element.replace("friction", "mu1")
+    moved = element
+    for name, other in _INSTEAD.items():
+        moved = moved.replace(name, other)
     if "<collision>" in found.help:
         moved = f"<collision>{moved}</collision>"
     kind = found.help.rpartition("name of a ")[2] if "name of a " in found.help else owner

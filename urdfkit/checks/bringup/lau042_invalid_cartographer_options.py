@@ -9,7 +9,7 @@ Sources:
 """
 
 from urdfkit.core import disk
-from urdfkit.core.suggest import did_you_mean, nearest
+from urdfkit.core.suggest import did_you_mean, hint_for, nearest, nearest_file_name
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.cartographer import CartographerConfiguration, configurations
@@ -59,8 +59,8 @@ def check(context: Context) -> Findings:
             names = disk.names_or_empty(configuration.directory)
             files = [file for file in names if file.endswith(".lua")]
             message = f"'{program.title}' stops: '{name.text}' does not exist in its directory"
-            message += did_you_mean(name.text or "", files)
-            help = f"name one of: {few(sorted(files), _MAX_NAMED)}" if files else "create it"
+            message += hint_for(nearest_file_name(name.text or "", files))
+            help = f"create it, or name {few(sorted(files), _MAX_NAMED)}" if files else "create it"
             yield Finding(Location(name.span, program.frame), message, help)
         elif program.is_ros_2 and configuration.is_whole and configuration.table:
             yield from _of_options(configuration)

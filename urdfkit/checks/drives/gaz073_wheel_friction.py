@@ -5,7 +5,8 @@
   smaller friction of the two surfaces, so the floor does not compensate for it. The values are
   often copied from the caster.
 - A caster that is fixed to the body, a ball that slides, with a friction of 0.5 or more: the drive
-  drags it sideways in every turn. The robot turns less than commanded, or not at all. Write 0.01.
+  drags it sideways in every turn. If it bears enough of the weight, the robot turns less than
+  commanded, or not at all. Write 0.01.
 
 - A driven wheel whose friction is a multiple of that of its left or right counterpart: the robot
   drives in a curve.
@@ -162,6 +163,6 @@ def _casters(context: Context, driven: set[str]) -> Findings:
             yield Finding(
                 given[0],
                 f"'{link}' slides on the ground next to driven wheels, with a friction coefficient "
-                f"of {given[0].value:g}: it keeps the robot from turning",
+                f"of {given[0].value:g}: it brakes every turn",
                 "write 0.01",
             )

@@ -13,7 +13,7 @@
   reported.
 - Swapped bounds of sensors: a lidar whose minimum range or angle is not below the maximum, and a
   camera whose near clipping distance is not below the far one, detect nothing. Missing ranges of a
-  lidar are 0. The rays of Gazebo Classic may sweep backwards.
+  lidar are 0. The rays of Gazebo Classic may sweep backwards, or all go one way.
 
 GAZ047 reports angles in degrees.
 

@@ -116,14 +116,14 @@ def _lidar(sensor: Sensor, context: Context) -> Findings:
         yield Finding(nearest, message, "write 0 or more")
     yield from _swapped(sensor, f"{block.tag}/range", ("min", "max"), "range", "m")
     targets = context.targets
-    # Rays of Gazebo Classic may sweep backwards.
+    # Rays of Gazebo Classic may sweep backwards, or all go one way: those of a light barrier.
     is_either_way = sensor.type == "ray" and targets.any_of(CLASSIC) and not targets.any_of(GZ)
     for way in ("horizontal", "vertical"):
         scan = f"{block.tag}/scan/{way}"
         samples = sensor.number(f"{scan}/samples")
         first, last = (sensor.number(f"{scan}/{end}_angle") for end in ("min", "max"))
-        is_backwards = bool(first and last and first.value > last.value)
-        if samples and samples.value > 1 and not (is_either_way and is_backwards):
+        is_no_sweep = bool(first and last and first.value >= last.value)
+        if samples and samples.value > 1 and not (is_either_way and is_no_sweep):
             yield from _swapped(sensor, scan, ("min_angle", "max_angle"), f"{way} angle", "rad")
 
 

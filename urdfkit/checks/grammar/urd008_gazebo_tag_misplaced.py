@@ -23,15 +23,20 @@ BAD = link_xml("wheel", "<mu1>0.5</mu1>")
 GOOD = robot_xml(link_xml("wheel"), element_xml('gazebo reference="wheel"', "<mu1>0.5</mu1>"))
 FIXED = GOOD.replace('"wheel"/>', '"wheel">\n</link>')
 
+_OF_A_LINK = '<gazebo reference="...">, with the name of a link'
 #: Instead of tags that Gazebo does not read in the block either, by the element that owns them.
 _INSTEAD = {
     "link": {
         "surface": "move it into <collision> in {}",
         "friction": "write <mu1> and <mu2> in {}",
+        "max_contacts": "write <maxContacts> in {}",
+        "laser_retro": "write <laserRetro> in {}",
     },
     "joint": {
-        "surface": 'move it into <collision> in <gazebo reference="...">, with the name of a link',
+        "surface": f"move it into <collision> in {_OF_A_LINK}",
         "friction": "write <dynamics friction=...> in the joint",
+        "max_contacts": f"write <maxContacts> in {_OF_A_LINK}",
+        "laser_retro": f"write <laserRetro> in {_OF_A_LINK}",
     },
 }
 

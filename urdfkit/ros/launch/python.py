@@ -30,7 +30,7 @@ from urdfkit.ros.launch.python_loads import loading_functions, record_loaded, re
 from urdfkit.ros.launch.python_names import wrong_names
 from urdfkit.ros.launch.python_nodes import start_components, start_node
 from urdfkit.ros.launch.python_order import declared_late
-from urdfkit.ros.launch.scopes import unread, with_items
+from urdfkit.ros.launch.scopes import overwritten, unread, with_items
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import argument, called, parts_of_path
 from urdfkit.text import python_source
@@ -64,8 +64,9 @@ class _PythonReader(PythonLaunchFile):
 
     def __init__(self, collector: Collector, file: LaunchedFile, tree: ast.Module) -> None:
         super().__init__(collector, file, tree)
-        #: Expressions whose value is unused.
-        self._idle = unread(tree)
+        #: Expressions whose value is unused, and of these those that others replace.
+        self._overwritten = overwritten(tree)
+        self._idle = unread(tree) | self._overwritten
         #: The same, and the items of unused lists.
         self._unused = with_items(self._idle)
         self.configurations = Configurations(self.values, of_python(tree), self.calls, self._unused)
@@ -123,7 +124,7 @@ class _PythonReader(PythonLaunchFile):
                 problems += wrong_arguments(call, self.values)
         problems += wrong_expressions(self._expressions, self.values)
         if self._is_complete:
-            problems += not_started(self._idle, self.values)
+            problems += not_started(self._idle - self._overwritten, self.values)
             idle = {node for call in self._idle for node in ast.walk(call)}
             used = [call for call in self.calls if call not in idle]
             problems += waits_for_unstarted(self._expressions, used, self.values)
@@ -193,6 +194,8 @@ class _PythonReader(PythonLaunchFile):
         self.collector.start(started_process(words, span, self.frame, is_sure))
 
     def _include(self, call: ast.Call) -> None:
+        if not self._may_run(call):
+            return
         node = argument(call, 0, "launch_description_source")
         path = self.path(node) or ""
         exists = False

@@ -43,6 +43,8 @@ _SUBSTITUTES = {
 _FORMER = ("node_", "package_")
 #: What a LaunchConfiguration becomes when a launch file runs.
 _UNKNOWN = "LaunchConfiguration"
+#: Comparisons of a value with another one, or with those of a list.
+_COMPARING = (ast.Eq, ast.NotEq, ast.In, ast.NotIn)
 
 
 def wrong_calls(tree: ast.Module, calls: list[ast.Call], values: Values) -> Iterator[Problem]:
@@ -264,7 +266,7 @@ def _without_effect(call: ast.Call, values: Values) -> Iterator[Problem]:
 def _compared(tree: ast.Module, values: Values) -> Iterator[Problem]:
     """Conditions of Python on a LaunchConfiguration, which is not its value."""
     for node in nodes(tree):
-        if isinstance(node, ast.Compare) and isinstance(node.ops[0], (ast.Eq, ast.NotEq)):
+        if isinstance(node, ast.Compare) and isinstance(node.ops[0], _COMPARING):
             for side in (node.left, *node.comparators):
                 if _is_configuration(side, values):
                     message = f"{_UNKNOWN} is compared before it has a value"

@@ -1,6 +1,7 @@
 """Robot descriptions that launch files of Python load."""
 
 import ast
+import os
 from collections.abc import Collection, Iterator
 
 from urdfkit.ros.launch.command_line import UNKNOWN_PART
@@ -27,12 +28,22 @@ def run_command(file: PythonLaunchFile, call: ast.Call, untyped: Collection[ast.
         file.collector.problems.append(mistake)
         return
     text = file.values.text(command)
-    if text is None:
-        pieces = (file.values.text(piece) for piece in file.values.items(command))
+    items = file.values.items(command)
+    if text is None or any(_is_open_path(file, item) for item in items):
+        pieces = (None if _is_open_path(file, item) else file.values.text(item) for item in items)
         text = "".join(UNKNOWN_PART if piece is None else piece for piece in pieces)
     if text:
         span, frame = file.values.span(call), file.call_frame(call)
         file.collector.command(text, span, frame, is_yaml=call in untyped)
+
+
+def _is_open_path(file: PythonLaunchFile, node: ast.expr | None) -> bool:
+    """True for the path of a missing file with an argument in it that is still empty."""
+    return (
+        node is not None
+        and os.path.isabs(file.values.text(node) or "")
+        and file.lacks_argument(node)
+    )
 
 
 def run_process(file: PythonLaunchFile, call: ast.Call) -> None:

@@ -88,7 +88,10 @@ def _formatted(node: ast.expr, values: Values) -> Problem | None:
                 f"an f-string does not have the value of {called(value)}, which is known only "
             )
             message += "at run time"
-            return values.problem("LAU034", node, message, "write a list: [text, substitution]")
+            help = "write a list: [text, substitution]"
+            if isinstance(part, ast.FormattedValue) and values.has_context(part.value):
+                help = f"write {{{ast.unparse(part.value)}.perform(context)}}"
+            return values.problem("LAU034", node, message, help)
     return None
 
 

@@ -43,10 +43,23 @@ class PythonLaunchFile:
     # ---------------------------------------------------------------- files
 
     def path(self, node: ast.expr | None) -> str | None:
-        """An absolute path; None for a relative path: the working directory is unknown."""
+        """An absolute path; None for a relative path: the working directory is unknown.
+
+        None, too, for a missing file with an argument in its path that is still empty.
+        """
         text = self.values.text(node)
         path = path_from(self.source, text) if text else ""
-        return path if text and (os.path.isabs(text) or disk.exists(path)) else None
+        if not text or node is None or not (os.path.isabs(text) or disk.exists(path)):
+            return None
+        return None if self.lacks_argument(node) else path
+
+    def lacks_argument(self, node: ast.expr) -> bool:
+        """True for the path of a missing file with an argument in it that is still empty."""
+        text = self.values.text(node)
+        if not text or disk.exists(path_from(self.source, text)):
+            return False
+        calls = (call for call in self._calls_in([node]) if called(call) == "LaunchConfiguration")
+        return any(self.values.text(call) == "" for call in calls)
 
     def record_file(self, node: ast.expr, purpose: str) -> None:
         """Record a file that the launch file names, and report a relative path."""
@@ -62,7 +75,7 @@ class PythonLaunchFile:
         found from the workspace, where launch is usually started.
         """
         text = self.values.text(node)
-        if not text or self.frame or text.startswith(_KNOWN_STARTS):
+        if not text or self.frame or os.path.isabs(text) or text.startswith(_KNOWN_STARTS):
             return
         name, path = self._package_of(text)
         message = f"{purpose} '{text}' is looked for where launch is started, not in the package"
@@ -176,8 +189,11 @@ class PythonLaunchFile:
 
     def _within(self, calls: Iterable[ast.Call]) -> Iterator[ast.Call]:
         """The calls in other calls, also by the names in them."""
+        return self._calls_in([child for call in calls for child in ast.iter_child_nodes(call)])
+
+    def _calls_in(self, stack: list[ast.AST]) -> Iterator[ast.Call]:
+        """The calls in nodes, also by the names in them."""
         seen: set[ast.AST] = set()
-        stack = [child for call in calls for child in ast.iter_child_nodes(call)]
         while stack:
             node = stack.pop()
             if node in seen:

@@ -11,7 +11,8 @@ from urdfkit.core.record import Record
 from urdfkit.ros.launch.bound_parameters import bound_parameters
 from urdfkit.text.python_source import CACHE_SIZE, nodes
 
-_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
+_DEFINED = (ast.FunctionDef, ast.AsyncFunctionDef)
+_FUNCTIONS = (*_DEFINED, ast.Lambda)
 #: Values of a name from which on it is unknown.
 _MAX_BINDINGS = 10
 
@@ -80,6 +81,13 @@ class Scopes:
             scope = scope.outer
         return scope.value(name, is_own=scope is own) if scope else None
 
+    def sees(self, name: ast.Name, other: str) -> bool:
+        """True if another name has a value where a name is used."""
+        scope = self._scope_of.get(id(name))
+        while scope is not None and other not in scope.bindings:
+            scope = scope.outer
+        return scope is not None
+
     def _bound(self, node: ast.AST, scope: _Scope, *, is_straight: bool) -> _Scope:
         """Record the names that a node binds; returns the scope of its contents."""
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
@@ -129,6 +137,25 @@ def unread(tree: ast.Module) -> set[ast.expr]:
         found |= new
         for value in new:
             reads.subtract(node.id for node in ast.walk(value) if is_read(node))
+
+
+def overwritten(tree: ast.Module) -> set[ast.expr]:
+    """The expressions that a later one replaces before anything reads their name."""
+    found: set[ast.expr] = set()
+    for body in (node.body for node in nodes(tree) if isinstance(node, (ast.Module, *_DEFINED))):
+        current: dict[str, ast.expr] = {}
+        for statement in body:
+            target = statement.targets[0] if isinstance(statement, ast.Assign) else None
+            is_plain = isinstance(statement, ast.Assign) and len(statement.targets) == 1
+            own = target.id if is_plain and isinstance(target, ast.Name) else None
+            for name in (node for node in ast.walk(statement) if isinstance(node, ast.Name)):
+                if is_read(name) or name.id != own:
+                    current.pop(name.id, None)
+            if own is not None and isinstance(statement, ast.Assign):
+                if own in current:
+                    found.add(current[own])
+                current[own] = statement.value
+    return found
 
 
 def with_items(expressions: set[ast.expr]) -> set[ast.expr]:

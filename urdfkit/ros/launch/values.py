@@ -141,6 +141,10 @@ class Values:
             node = self._scopes.value(node)
         return None
 
+    def has_context(self, node: ast.expr) -> bool:
+        """True for a name in a function with the context in which its value is known."""
+        return isinstance(node, ast.Name) and self._scopes.sees(node, "context")
+
     def problem(
         self,
         code: str,
