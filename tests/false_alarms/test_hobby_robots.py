@@ -7,6 +7,7 @@ import pytest
 from tests.gazebos import BASE, plugin, sensor
 from tests.jointed import joint, limit
 from tests.jointed import robot as jointed
+from tests.launched import launch
 from tests.launched import reported as of_launch
 from tests.naming import naming
 from tests.reported import reported
@@ -223,3 +224,24 @@ def test_contacts_in_a_collision(tag: str, help: str) -> None:
     text = f'<link name="base"><collision>{inside}</collision></link>'
     (found,) = [one for code in ("URD001", "URD008") for one in reported(code, text)]
     assert help in (found.help or "")
+
+
+@pytest.mark.parametrize(("shown", "count"), [("view", 0), ("other", 1)])
+def test_the_view_of_several_launch_files(tmp_path: Path, shown: str, count: int) -> None:
+    """barista_robot_description: one view for one robot and for two, which have other topics."""
+    rviz = (
+        "Visualization Manager:\n  Displays:\n  - Class: rviz_default_plugins/LaserScan\n"
+        "    Topic: {Value: /morty/scan}\n"
+    )
+    node = '<node pkg="rviz2" exec="rviz2" args="-d $(dirname)/{}.rviz"/>'
+    bridge = "/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan"
+    text = f'<node pkg="ros_gz_bridge" exec="parameter_bridge" args="{bridge}"/>'
+    two = '<node pkg="drivers" exec="driver" name="$(env NAME)"/>'
+    files = {
+        "launch/view.rviz": rviz,
+        "launch/other.rviz": rviz,
+        "launch/two.launch.xml": launch(two + node.format(shown)),
+    }
+    text += node.format("view")
+    found = of_launch(tmp_path / "arm", "LAU032", "a.launch.xml", text, files)
+    assert len(found) == count

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.checks.bringup.rviz_displays import has_other_topics, read_by_rviz
-from urdfkit.checks.bringup.workspace_launches import stock_key
+from urdfkit.checks.bringup.workspace_launches import stock_key, workspace_launches
 from urdfkit.core.record import Record
 from urdfkit.lint.rules import Context, Location
 from urdfkit.ros.catalog import data
@@ -171,13 +171,23 @@ def _read_by_layer(layer: dict[str, Node], who: str, key: str = "data_type") -> 
 def _read_by_rviz(context: Context) -> Iterator[ReadTopic]:
     """Topics of RViz's displays, by message; some displays may be for other robots."""
     topics_by_message: dict[str, list[Value]] = {}
-    for _, display, name in () if has_other_topics(context) else read_by_rviz(context):
+    paths: set[str] = set()
+    for file, display, name in () if has_other_topics(context) else read_by_rviz(context):
         message = name.rpartition("/")[2]
         if message in _SHOWN and (topic := topic_of(display)):
             topics_by_message.setdefault(message, []).append(topic)
+            paths.add(file.path)
+    is_shared = any(_is_shared(path, context) for path in paths)
     for message, shown in topics_by_message.items():
         others = tuple(topic.text for topic in shown)
-        yield ReadTopic(shown[0].text, shown[0].span, message, "RViz", others)
+        read = ReadTopic(shown[0].text, shown[0].span, message, "RViz", others)
+        yield read._replace(is_of_workspace=is_shared)
+
+
+def _is_shared(path: str, context: Context) -> bool:
+    """True if several launch files start RViz with a configuration."""
+    launches = workspace_launches(context)
+    return sum(any(file.path == path for file in launch.files) for launch in launches) > 1
 
 
 def topic_parameter(program: StartedProgram, name: str, context: Context) -> str | None:
