@@ -53,7 +53,9 @@ def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | N
     for candidate in sorted(close, key=lambda key: not _differs_in_kind(text, key)):
         stem, other = _without_common_suffix(text, candidate)
         least = _WITHOUT_SUFFIX if stem[:1] == other[:1] else _OF_ANOTHER_INITIAL
-        if stem == text or get_close_matches(stem, [other], 1, least if cutoff else 0):
+        short, long = sorted((stem, other), key=len)
+        is_longer = long.startswith(f"{short}_")
+        if stem == text or is_longer or get_close_matches(stem, [other], 1, least if cutoff else 0):
             return spellings[candidate]
     return None
 
