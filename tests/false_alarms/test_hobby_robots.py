@@ -245,3 +245,17 @@ def test_the_view_of_several_launch_files(tmp_path: Path, shown: str, count: int
     text += node.format("view")
     found = of_launch(tmp_path / "arm", "LAU032", "a.launch.xml", text, files)
     assert len(found) == count
+
+
+@pytest.mark.parametrize("odd", ["bl", "br", "fl"])
+def test_the_leg_that_is_not_like_the_other_three(odd: str) -> None:
+    """A Bioloid quadruped, whose back left leg has a frame of its own."""
+    robot = '<link name="base"/>'
+    for name, x, y in (("fl", 1, 1), ("fr", 1, -1), ("bl", -1, 1), ("br", -1, -1)):
+        hip = f'<origin xyz="{0.05 * x} {0.05 * y} 0"/><axis xyz="0 0 1"/>{limit("-1", "1")}'
+        robot += joint(f"{name}_hip", "revolute", hip)
+        out, back = (0.02, 0.05) if name == odd else (0.05, 0.02)
+        leg = f'<origin xyz="{out * x} {back * y} -0.03"/><axis xyz="0 1 0"/>{limit("-1", "1")}'
+        robot += joint(f"{name}_leg", "revolute", leg, f"{name}_hip_link")
+    (found,) = reported("JNT025", robot)
+    assert f"'{odd}_leg' is " in found.message

@@ -71,10 +71,11 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
     movable = list(_pairs(context, context.symmetric_joints))
     fixed = list(_pairs(context, _fixed_joints(context, movable)))
     asymmetric = _asymmetric(movable, movable, context, joints)
+    others = [*movable, *fixed]
     for pair in (*asymmetric, *_asymmetric(fixed, movable, context, joints)):
         if pair.right.name in reported:
             continue
-        if is_left_misplaced(context.model, pair.left, pair.right) or _is_left_alone(pair, fixed):
+        if is_left_misplaced(context.model, pair.left, pair.right) or _is_left_alone(pair, others):
             x, y, z = pair.offset
             swapped = _Pair(pair.right, pair.left, (-x, y, -z))
             yield swapped.left, swapped.right, _shift(swapped)
