@@ -190,3 +190,33 @@ def test_the_hardware_of_a_robot_in_a_file_of_its_own(
     path = add_file(tmp_path / "v1.urdf", b'<robot name="biped">' + content + b"</robot>")
     (found,) = check(path, select=["TRE001"]).diagnostics
     assert found.severity is severity
+
+
+@pytest.mark.parametrize(
+    ("body", "severity"),
+    [
+        ("", Severity.INFO),
+        ('<link name="wheel"/>', Severity.ERROR),
+        ("<xacro:wheel/>", Severity.ERROR),
+        ('<xacro:include filename="no.xacro"/>', Severity.ERROR),
+    ],
+)
+def test_plugins_that_an_argument_includes(tmp_path: Path, body: str, severity: Severity) -> None:
+    """acl-robotgroup/mobile_manipulator: a launch file passes extra_xacro:=.../gazebo.xacro."""
+    plugin = b"<gazebo><plugin><wheel_separation>${track}</wheel_separation></plugin></gazebo>"
+    joint = b'<ros2_control><joint name="$(arg namespace)wheel"/></ros2_control>'
+    add_file(
+        tmp_path / "rover.urdf.xacro",
+        _whole(
+            b'<xacro:arg name="extra" default="none.xacro"/><xacro:property name="track" '
+            b'value="1"/><xacro:include filename="$(arg extra)"/>'
+        ),
+    )
+    add_file(tmp_path / "none.xacro", HEAD + b"</robot>\n")
+    text = HEAD + plugin + joint + body.encode() + b"\n</robot>\n"
+    file = add_file(tmp_path / "sim.xacro", text)
+    of_file = engine.check(file, select=["XAC", "CFG003"]).diagnostics
+    assert max(found.severity for found in of_file) is severity
+    of_all = engine.check(tmp_path, select=["XAC001", "XAC010", "CFG003"]).diagnostics
+    shown = [found for found in of_all if found.severity is not Severity.INFO]
+    assert bool(shown) == (severity is Severity.ERROR)

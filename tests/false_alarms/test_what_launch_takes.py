@@ -228,3 +228,23 @@ def test_options_behind_the_arguments_of_ros(tmp_path: Path, end: str, count: in
         "    return LaunchDescription([spawn])\n"
     )
     assert len(reported(tmp_path / "arm", "LAU016", "a.launch.py", text)) == count
+
+
+@pytest.mark.parametrize(
+    ("condition", "count"),
+    [
+        ("LaunchConfiguration('sim')", 0),
+        ("IfCondition(LaunchConfiguration('sim'))", 1),
+    ],
+)
+def test_the_condition_of_a_substitution(tmp_path: Path, condition: str, count: int) -> None:
+    """acl-robotgroup/mobile_manipulator: IfElseSubstitution decides by the text of another one."""
+    imports = (
+        "from launch.conditions import IfCondition\n"
+        "from launch.substitutions import IfElseSubstitution, LaunchConfiguration\n"
+    )
+    value = f"IfElseSubstitution(condition={condition}, if_value='a', else_value='b')"
+    node = f"Node(package='p', executable='e', arguments=[{value}])"
+    text = f"{imports}{_PROGRAM}    return LaunchDescription([{node}])\n"
+    found = reported(tmp_path / "arm", "LAU033", "a.launch.py", text)
+    assert len(found) == count

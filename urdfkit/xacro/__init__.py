@@ -47,8 +47,7 @@ class Xacro:
         if log.first_error is not None:
             from urdfkit.xacro.fragment import merge_missing_names
 
-            source = run.request.source
-            problems = merge_missing_names(source, resolver.packages, problems, run.document)
+            problems = merge_missing_names(self.sources, resolver.packages, problems, run.document)
         self._included = frozenset(run.included)
         if log.first_error is not None and not self.is_complete:
             # A file that was not included may use the first value of a property.

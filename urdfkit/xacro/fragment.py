@@ -2,10 +2,11 @@
 
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from urdfkit.core import disk
 from urdfkit.core.words import few
+from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.source import Source, Span, shown
 from urdfkit.workspace.file_head import read_head
@@ -23,6 +24,9 @@ _MAX_FILES = 100
 
 _DEFINED = re.compile(rb"""<xacro:(?:macro|property|arg)\s[^<>]*?\bname\s*=\s*["'](\w+)["']""")
 
+_LINK = re.compile(rb"<link\b")
+_ADDED = re.compile(rb"<(?:gazebo|ros2_control|transmission)\b")
+
 #: Not those that a ``<property>`` without prefix should define: the file itself is wrong.
 _MISSING = re.compile(
     r"(?:macro|name|argument|block) '([^']+)' (?:is not defined(?!: xacro ignores)|has no value)"
@@ -30,17 +34,22 @@ _MISSING = re.compile(
 
 
 def merge_missing_names(
-    source: Source, packages: Packages, problems: list[Problem], document: Dom | None
+    sources: Sequence[Source], packages: Packages, problems: list[Problem], document: Dom | None
 ) -> list[Problem]:
     """The problems of a file; all missing names become one hint if another file includes it.
 
     The same applies if no file includes it, but its parent links are not in the file, or it has no
     name and lacks many names, or those of the files next to it: a program may write the including
-    file, or another repository have it. It is a warning if the file has the name of a robot.
+    file, or another repository have it. It is a warning if the file has the name of a robot, unless
+    it only adds to the links of another file, such as the plugins of a simulator.
 
     The including file defines these names before the include. They are not an error of the part,
     and the robot is checked by checking the including file.
+
+    Args:
+        sources: the file, and those that it includes.
     """
+    source = sources[0]
     missing = {number: name for number, item in enumerate(problems) if (name := _missing(item))}
     if not missing:
         return problems
@@ -49,10 +58,12 @@ def merge_missing_names(
     severity = Severity.INFO
     if top is None:
         root = document.documentElement if document else None
-        is_fragment = root is not None and _is_fragment(root, len(distinct))
+        is_addition = len(missing) == len(problems) and _is_addition(sources, problems)
+        is_fragment = root is not None and (is_addition or _is_fragment(root, len(distinct)))
         if root is None or not (is_fragment or _is_completed(root, source, distinct)):
             return problems
-        top, severity = "", Severity.WARNING if root.hasAttribute("name") else Severity.INFO
+        is_named = root.hasAttribute("name") and not is_addition
+        top, severity = "", Severity.WARNING if is_named else Severity.INFO
     names = few([f"'{name}'" for name in distinct], _MAX_NAMED)
     robot = os.path.relpath(top, os.path.dirname(os.path.abspath(source.path))) if top else ""
     message = f"a part of {robot or 'another file'}, which must define {names}"
@@ -62,6 +73,17 @@ def merge_missing_names(
     at, frame = Span(source, 0, 0), problems[next(iter(missing))].frame
     hint = Problem("XAC001", at, message, help, frame, severity=severity)
     return [hint, *(item for number, item in enumerate(problems) if number not in missing)]
+
+
+def _is_addition(sources: Iterable[Source], problems: Iterable[Problem]) -> bool:
+    """True if no file has a link or lacks a macro, which might define one, but there are tags.
+
+    The robot may include the file with an argument, such as ``extra_xacro``.
+    """
+    if any("macro '" in problem.message for problem in problems):
+        return False
+    texts = [without_comments(source.data) for source in sources]
+    return not any(_LINK.search(text) for text in texts) and any(map(_ADDED.search, texts))
 
 
 def _is_fragment(root: Node, missing: int) -> bool:

@@ -196,12 +196,13 @@ def _conditions(call: ast.Call, values: Values) -> Iterator[Problem]:
     conditions, substitutions = (modules[f"launch.{kind}"].split() for kind in _KINDS)
     node = argument(call, None, "condition")
     name = called(values.resolved(node))
-    if node is not None and name in substitutions:
+    takes_substitutions = called(call) in substitutions  # IfElseSubstitution has a condition, too
+    if node is not None and name in substitutions and not takes_substitutions:
         message = f"{name} is no condition, but a substitution"
         yield values.problem("LAU033", node, message, f"write IfCondition({name}(...))")
-    if called(call) not in (*conditions, *substitutions):
+    if called(call) not in conditions and not takes_substitutions:
         return
-    for item in call.args:
+    for item in [*call.args, *([node] if node is not None and takes_substitutions else [])]:
         inner = called(values.resolved(item))
         if inner in conditions:
             message = f"{called(call)} takes a substitution, but {inner} is a condition"
