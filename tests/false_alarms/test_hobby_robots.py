@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.gazebos import BASE, plugin, sensor
+from tests.gazebos import BASE, child, plugin, sensor
 from tests.jointed import joint, limit
 from tests.jointed import robot as jointed
 from tests.launched import launch
@@ -259,3 +259,51 @@ def test_the_leg_that_is_not_like_the_other_three(odd: str) -> None:
         robot += joint(f"{name}_leg", "revolute", leg, f"{name}_hip_link")
     (found,) = reported("JNT025", robot)
     assert f"'{odd}_leg' is " in found.message
+
+
+@pytest.mark.parametrize(
+    ("parameters", "help"),
+    [("{PATH}", "braces"), ("{'use_sim_time', True}", "colon"), ("{'use_sim_time'}", "colon")],
+)
+def test_a_parameter_file_in_braces(tmp_path: Path, parameters: str, help: str) -> None:
+    """vikings_bot: a file in a set, which is no name without its value."""
+    program = f"{_IMPORTS}PATH = __file__ + '.yaml'\n"
+    program += f"nodes = [Node(package='p', executable='e', parameters=[{parameters}])]\n"
+    (found,) = of_launch(tmp_path / "arm", "LAU033", "a.launch.py", program)
+    assert help in (found.help or "")
+
+
+@pytest.mark.parametrize(("function", "count"), [("print", 0), ("log.info", 0), ("Node", 1)])
+def test_a_substitution_that_is_printed(tmp_path: Path, function: str, count: int) -> None:
+    """A pick-and-place project shows where its robot is: launch goes on."""
+    text = f"    {function}(f'robot: {{robot}}')\n    return LaunchDescription([])\n"
+    assert len(of_launch(tmp_path / "arm", "LAU034", "a.launch.py", _ACTIONS + text)) == count
+
+
+@pytest.mark.parametrize(("kind", "count"), [("fixed", 0), ("", 1)])
+def test_the_states_of_fixed_joints(kind: str, count: int) -> None:
+    """A spot micro: gz-sim leaves a joint out that it does not find, and publishes the others."""
+    states = "gz-sim-joint-state-publisher-system"
+    robot = BASE + (child("arm", kind) if kind else "")
+    tags = plugin(states, "<joint_name>arm_joint</joint_name>")
+    assert len(reported("GAZ021", robot + tags, targets=("gz-harmonic",))) == count
+
+
+@pytest.mark.parametrize(("height", "count"), [("-0.4", 0), ("0.4", 1)])
+def test_wheels_whose_meshes_are_missing(height: str, count: int) -> None:
+    """A rover whose meshes are on another computer: the IMU is not its lowest part."""
+    mesh = '<geometry><mesh filename="file:///root/ws/wheel.stl"/></geometry>'
+    box = '<geometry><box size="0.2 0.2 0.02"/></geometry>'
+    robot = (
+        '<link name="base_footprint"/>\n'
+        + child(
+            "base_link", "fixed", parent="base_footprint", inside=f"<collision>{box}</collision>"
+        )
+        + child(
+            "wheel",
+            parent="base_link",
+            inside=f"<collision>{mesh}</collision>",
+            xyz=f"0 0 {height}",
+        )
+    )
+    assert len(reported("TRE008", robot)) == count

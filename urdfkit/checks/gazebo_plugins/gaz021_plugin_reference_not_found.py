@@ -34,8 +34,11 @@ _JOINT = "<jointName>sholder</jointName>"
 BAD = ARM + gazebo_xml(plugin_xml("states", "libgazebo_ros_joint_state_publisher.so", _JOINT))
 FIXED = GOOD = BAD.replace("sholder", "shoulder")
 
-#: Ignores a joint that is not there, and robot_state_publisher needs no state of a fixed one.
-_STATES = "gazebo_ros_joint_state_publisher@classic-ros2"
+#: They leave out a joint that is not there; robot_state_publisher needs no state of a fixed one.
+_STATES = (
+    "gazebo_ros_joint_state_publisher@classic-ros2",
+    "gz-sim-joint-state-publisher-system@gz",
+)
 
 
 @rule(
@@ -85,7 +88,7 @@ def _is_rewritten(use: PluginUse, reference: Reference) -> bool:
     """True if the converter writes the remaining link there, or the plugin does not need it."""
     if use.place == "model" and reference.parameter.name in rewritten():
         return True
-    return use.plugin is not None and use.plugin.id == _STATES
+    return use.plugin is not None and use.plugin.id in _STATES
 
 
 def _merged(context: Context, use: PluginUse, reference: Reference) -> Finding:

@@ -150,6 +150,8 @@ def _lowest(context: Context, footprint: str, robot: list[str]) -> tuple[float, 
         return None
     bodies = context.model.links_by_name[lowest[1]].collisions
     allowed = _MESH_TOLERANCE if any(body.is_mesh for body in bodies) else TOLERANCE
+    if lowest[0] < 0 and _extends_lower(context, footprint, robot, lowest[0]):
+        return None  # it is unknown by how much
     is_above = lowest[0] > allowed
     if is_above and unknown:
         is_above = _are_four_level(_gaps(context, footprint, robot, lowest[0]))
@@ -159,6 +161,20 @@ def _lowest(context: Context, footprint: str, robot: list[str]) -> tuple[float, 
 def _are_four_level(gaps: dict[str, float]) -> bool:
     """True for four or more wheels on which a robot stands, whatever else it has."""
     return sum(gap < TOLERANCE for gap in gaps.values()) >= _STANDING_WHEELS
+
+
+def _extends_lower(context: Context, footprint: str, robot: list[str], height: float) -> bool:
+    """True if a link with a shape that cannot be measured has its frame below a height in m."""
+    ground = context.tree.frames[footprint]
+    up = rotate(ground.rotation, Z_AXIS)
+    level = dot(up, ground.position) + height
+    for name in robot:
+        frame = context.tree.frames[name]
+        bodies = context.model.links_by_name[name].collisions
+        is_open = any(_bottom(context, body, frame, up) is None for body in bodies)
+        if is_open and dot(up, frame.position) < level:
+            return True
+    return False
 
 
 def _heights(

@@ -27,15 +27,21 @@ _OF_TEXTS = {
     "os.path.join": "write PathJoinSubstitution([...]) with the same parts",
     "xacro.process_file": 'write Command(["xacro ", ...])',
 }
+#: Functions that show a text to the user alone.
+_SHOWING = ("print", "debug", "info", "warn", "warning", "error")
 
 
 def wrong_expressions(expressions: Iterable[ast.expr], values: Values) -> Iterator[Problem]:
     """Paths and texts that Python joins otherwise, or rejects."""
+    expressions = list(expressions)
+    calls = (node for node in expressions if isinstance(node, ast.Call))
+    shown = {text for call in calls if called(call) in _SHOWING for text in call.args}
     for node in expressions:
         if isinstance(node, ast.Call):
             problem = _dropped_directory(node, values) or _joined(node, values)
         else:
-            problem = _added(node, values) or _formatted(node, values)
+            problem = _added(node, values)
+            problem = problem or (None if node in shown else _formatted(node, values))
         if problem:
             yield problem
 
