@@ -23,7 +23,7 @@ def as_checked(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Cont
     These are the sets with which it is started, and those with another value in a condition.
     """
     started = as_launched(job, read)
-    return started if job.overriding is None else [*started, *_with_switched(started, read)]
+    return started if job.overriding is None else [*started, *_with_switched(job, started, read)]
 
 
 def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Context]]:
@@ -48,14 +48,14 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
 
 
 def _with_switched(
-    started: list[tuple[Job, Context]], read: Callable[[Job], Context]
+    job: Job, started: list[tuple[Job, Context]], read: Callable[[Job], Context]
 ) -> Iterator[tuple[Job, Context]]:
     """A robot with each other value of its arguments that adds something to it.
 
     Not if it does not expand then, since the values may not be meant for each other; nor without
     a link or joint that controllers and SRDFs may name.
     """
-    jobs = list(switched(started))
+    jobs = list(switched(job, started))
     if not jobs:
         return  # most robots: what follows writes the whole text
     texts = {_expanded_text(robot) for _, robot in started}

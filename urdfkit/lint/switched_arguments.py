@@ -23,15 +23,20 @@ _CONDITION = re.compile(rb"<xacro:(?:if|unless)\b[^<>]*?\bvalue\s*=\s*(?:\"([^\"
 _WORD = re.compile(r"\w+")
 #: ``sensor == 'lidar'``, ``'$(arg sensor)' == 'lidar'``
 _COMPARED = re.compile(r"(\w+)\)?[\"']?\s*==\s*[\"']([\w.-]+)[\"']")
+#: A property or parameter with the value of an argument.
+_PASSED = re.compile(
+    rb"(?:\bname\s*=\s*[\"'](\w+)[\"']\s+value|\b(\w+))\s*=\s*[\"']\$\(arg\s+(\w+)\)[\"']"
+)
 
 
-def switched(started: list[tuple[Job, Context]]) -> Iterator[Job]:
+def switched(job: Job, started: list[tuple[Job, Context]]) -> Iterator[Job]:
     """A robot with each other value of an argument that a condition asks for.
 
     Args:
-        started: the robot with the sets of arguments with which it is started.
+        job: the robot; its arguments are those of the user.
+        started: the same with the sets of arguments with which it is started.
     """
-    job, context = started[0]
+    first, context = started[0]
     document, defaults = context.reading.document, context.reading.defaults
     if document is None or not defaults:
         return
@@ -45,8 +50,8 @@ def switched(started: list[tuple[Job, Context]]) -> Iterator[Job]:
     ]
     if others and sum(1 for _ in document.root.walk()) <= MAX_ELEMENTS:
         for name, value in others[:MAX_SWITCHED]:
-            arguments = {**job.arguments, name: value}
-            yield job._replace(arguments=arguments, may_fail=True, switched=f"{name}={value}")
+            arguments = {**first.arguments, name: value}
+            yield first._replace(arguments=arguments, may_fail=True, switched=f"{name}={value}")
 
 
 def _others(known: set[str], compared: Iterable[str]) -> list[str]:
@@ -58,15 +63,23 @@ def _others(known: set[str], compared: Iterable[str]) -> list[str]:
 
 
 def _conditions(context: Context) -> dict[str, list[str]]:
-    """The values with which conditions compare a name, by each name in them."""
+    """The values with which conditions compare a name, by each name in them.
+
+    The name of an argument is in those of properties and parameters that have its value.
+    """
     assert context.reading.xacro is not None, "only a xacro has arguments"
     values: dict[str, list[str]] = {}
+    passed: list[tuple[str, str]] = []
     for source in context.reading.xacro.sources:
         for match in _CONDITION.findall(source.data):
             text = b"".join(match).decode("utf-8", "replace")
             for name in _WORD.findall(text):
                 values.setdefault(name, [])
             for name, value in _COMPARED.findall(text):
-                if value not in values[name]:
-                    values[name].append(value)
-    return values
+                values[name].append(value)
+        for one, other, argument in _PASSED.findall(source.data):
+            passed.append((argument.decode(), (one or other).decode()))
+    for argument, name in passed:
+        if name in values and name != argument:
+            values.setdefault(argument, []).extend(values[name])
+    return {name: list(dict.fromkeys(compared)) for name, compared in values.items()}

@@ -37,6 +37,16 @@ def test_limits_of_another_robot_are_reported_once(tmp_path: Path) -> None:
     assert "'a'" in found.message
 
 
+def test_limits_in_a_file_for_all_nodes(tmp_path: Path) -> None:
+    """grassjelly/robot_arm: the launch file passes it as a parameter file."""
+    reported(tmp_path, "shoulder", "shuolder")
+    limits = (tmp_path / "joint_limits.yaml").read_text().replace("\n", "\n      ")
+    parameters = "/**:\n  ros__parameters:\n    robot_description_planning:\n      "
+    (tmp_path / "joint_limits.yaml").write_text(parameters + limits)
+    (found,) = findings(tmp_path, "", "SRD026")
+    assert (found.span.line, found.span.text) == (7, "shuolder")
+
+
 def test_known_joints_and_files_without_limits(tmp_path: Path) -> None:
     assert reported(tmp_path, "shoulder", "wrist") == []
     for text in ("", "joint_limits: 3", "joint_limits:\n  elbow: 3", "- a", "joint_limits: ["):

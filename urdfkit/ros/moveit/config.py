@@ -81,6 +81,11 @@ class MoveItConfig:
             self._files[name] = self._read(name)
         return self._files[name]
 
+    def parameter(self, file: str, name: str) -> dict[str, Node]:
+        """The contents of a file, which may be a parameter in a file for nodes."""
+        parameters = _parameters(self.load(file))
+        return mapping(parameters, name) or parameters
+
     def pipelines(self) -> Iterator[dict[str, Node]]:
         """The files of planning pipelines such as OMPL, which are known by their ending."""
         names = (name for place in self._places for name in disk.names_or_empty(place))
@@ -105,7 +110,7 @@ class MoveItConfig:
         for file, marks in _OF_GROUPS.items():
             sections = [
                 (key, node)
-                for key, node in _mappings(_groups(self.load(file)))
+                for key, node in _mappings(self.parameter(file, "robot_description_kinematics"))
                 if not node.keys().isdisjoint(marks) and not key.startswith(TEMPLATE_MARKS)
             ]
             for key, node in sections:
@@ -212,12 +217,6 @@ class MoveItConfig:
                 if isinstance(node, Value) and not node.text.startswith(TEMPLATE_MARKS)
             }
             yield source, values
-
-
-def _groups(root: dict[str, Node]) -> dict[str, Node]:
-    """The sections of groups, which a launch file may also load as the parameters of all nodes."""
-    parameters = _parameters(root)
-    return mapping(parameters, "robot_description_kinematics") or parameters
 
 
 def _parameters(root: dict[str, Node]) -> dict[str, Node]:

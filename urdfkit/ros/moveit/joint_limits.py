@@ -43,7 +43,7 @@ def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
     """The limits that MoveIt plans with, in the order of the file; empty without a file."""
     if description.srdf is None:
         return
-    root = description.moveit_config.load(_FILE)
+    root = description.moveit_config.parameter(_FILE, "robot_description_planning")
     for name, entry in items(root, "joint_limits"):
         given = {key: value for key, value in mapping(entry).items() if isinstance(value, Value)}
         if given:
