@@ -72,12 +72,12 @@ def test_a_value_that_a_condition_compares_with_is_tried(
 @pytest.mark.parametrize(
     "passed",
     [
-        '<xacro:property name="is_real" value="$(arg hardware)"/>{}',
-        '<xacro:macro name="m" params="is_real">{}</xacro:macro><xacro:m is_real="$(arg hardware)"/>',
+        '<xacro:property name="real" value="$(arg hardware)"/>{}',
+        '<xacro:macro name="m" params="real">{}</xacro:macro><xacro:m real="$(arg hardware)"/>',
     ],
 )
 def test_an_argument_under_another_name_in_the_condition(tmp_path: Path, passed: str) -> None:
-    block = '<xacro:if value="${is_real}"><gazebo reference="am"><mu1>1</mu1></gazebo></xacro:if>'
+    block = '<xacro:if value="${real}"><gazebo reference="am"><mu1>1</mu1></gazebo></xacro:if>'
     names = '<xacro:arg name="hardware" default="false"/>'
     found = _found(tmp_path, f"{names}{ROBOT}\n{passed.format(block)}")
     assert [one.variants for one in found if one.code == "GAZ001"] == [("hardware=true",)]

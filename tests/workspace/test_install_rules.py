@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.workspaces import add_file
 from urdfkit.workspace.install_rules import InstallRules, is_built
 
 INSTALL = "project(arm)\ninstall(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n".format
@@ -76,6 +77,28 @@ def test_comments_make_no_files(tmp_path: Path) -> None:
     assert not InstallRules(str(tmp_path), "arm").makes_files
     (tmp_path / "CMakeLists.txt").write_text("file(COPY a DESTINATION b)\n")
     assert InstallRules(str(tmp_path), "arm").makes_files
+
+
+@pytest.mark.parametrize(
+    ("text", "more", "makes"),
+    [
+        ("file(GLOB F src/*.cpp)\nfile(READ a b)", "", False),  # f1tenth_simulator
+        ("File(WRITE a b)", "", True),
+        (
+            "add_subdirectory(src)",
+            "add_library(a a.cpp)\ninstall(TARGETS a DESTINATION lib)",
+            False,
+        ),
+        ("add_subdirectory(src)", "install(DIRECTORY launch DESTINATION share/arm)", True),
+        ("add_subdirectory(src)", "add_custom_target(b)", True),
+        ("add_subdirectory(src)", "ADD_SUBDIRECTORY(more)", True),
+        ("add_subdirectory(${A})", "", True),
+    ],
+)
+def test_commands_that_make_files(tmp_path: Path, text: str, more: str, makes: bool) -> None:
+    add_file(tmp_path / "CMakeLists.txt", text)
+    add_file(tmp_path / "src" / "CMakeLists.txt", more)
+    assert InstallRules(str(tmp_path), "arm").makes_files is makes
 
 
 @pytest.mark.parametrize(

@@ -22,7 +22,12 @@ _UNCLEAR = (
     r"|\b(?!(?:catkin_install_python|ament_python_install_\w+|install)\s*\()\w*install\w*\s*\("
 )
 #: Commands that create files that are not in the source tree.
-_MAKES = r"(?i)\b(add_subdirectory|configure_file|file|add_custom_\w+|xacro_\w+)\s*\("
+_MAKES = (
+    r"(?i:\b(?:configure_file|add_custom_\w+|xacro_\w+)\s*\("
+    r"|\bfile\s*\(\s*(?!GLOB|READ|REMOVE|STRINGS|TO_))"
+)
+_SUBDIRECTORY = r"(?i:\badd_subdirectory\s*\(\s*)([^\s()]*)"
+_INSTALLS_FILES = r"(?i:\binstall\s*\(\s*(?:DIRECTORY|FILES|PROGRAMS)\b)"
 #: Such commands with their arguments, among which are the names of the files.
 _MADE = (
     r"(?i)\b(?:execute_process|add_custom_\w+|configure_file|\w*download\w*"
@@ -126,7 +131,15 @@ class InstallRules:
     @cached_property
     def makes_files(self) -> bool:
         """True if the build creates files, or installs files of other directories."""
-        return re.search(_MAKES, self._text) is not None
+        if re.search(_MAKES, self._text):
+            return True
+        names = re.findall(_SUBDIRECTORY, self._text)
+        files = (os.path.join(self._directory, name, "CMakeLists.txt") for name in names)
+        texts = map(cmake_text, files)
+        return any(
+            not text or re.search(f"{_MAKES}|{_INSTALLS_FILES}|{_SUBDIRECTORY}", text)
+            for text in texts
+        )
 
     def advice(self, top: str) -> str:
         if self.file.endswith(".py"):

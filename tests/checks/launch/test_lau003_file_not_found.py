@@ -19,6 +19,28 @@ def test_suggested_file(tmp_path):
     assert "'robot.yaml'" in finding.help
 
 
+@pytest.mark.parametrize(
+    ("name", "count"),
+    [
+        ("orchrad.yaml", 1),
+        ("orchard.yaml", 0),
+        ("orchard2.yaml", 0),  # which somebody will record
+        ("orchrad.pgm", 0),
+        ("garden.yaml", 0),
+    ],
+)
+def test_an_argument_that_names_a_file_with_a_typo(tmp_path: Path, name: str, count: int) -> None:
+    text = f'<arg name="map" default="$(find arm)/maps/{name}"/>'
+    found = reported(tmp_path, "LAU003", "a.launch", text, {"maps/orchard.yaml": "a: 1"})
+    assert [one.help for one in found] == ["did you mean 'orchard.yaml'?"] * count
+
+
+def test_a_file_with_a_typo_is_reported_once(tmp_path: Path) -> None:
+    text = '<rosparam file="$(find arm)/config/contrl.yaml"/>'
+    (found,) = reported(tmp_path, "LAU003", "a.launch", text, {"config/control.yaml": "a: 1"})
+    assert found.message.startswith("parameter file not found")
+
+
 def test_directories_and_other_suffixes_are_not_suggested(tmp_path):
     (tmp_path / "robot").mkdir()
     (tmp_path / "robot.launch").write_text("<launch/>")

@@ -44,7 +44,7 @@ from urdfkit.lint.rules import (
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN
-from urdfkit.ros.launch.contents import MAP, POSE_GRAPH, FileUse
+from urdfkit.ros.launch.contents import MAP, MENTIONED, POSE_GRAPH, FileUse
 from urdfkit.ros.launch.known_packages import last_release
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.launch.worlds import GZ, StartedWorld, worlds
@@ -73,7 +73,10 @@ _MAX_DIRECTORIES = 2000
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="create the file, or fix its name")
 def check(context: Context) -> Findings:
+    known = {file.path for file in context.launch.files if file.purpose != MENTIONED}
     for file in context.launch.files:
+        if file.purpose == MENTIONED and file.path in known:
+            continue
         if file.is_outside:
             yield _outside_workspace(f"{file.purpose} {file.path}", file.span)
         elif file.purpose == POSE_GRAPH:

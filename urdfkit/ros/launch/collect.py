@@ -7,6 +7,7 @@ from typing import TypeAlias
 
 from urdfkit.core import disk
 from urdfkit.core.paths import is_within
+from urdfkit.core.suggest import is_typo
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros.launch.bridges import config_file
 from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
@@ -16,6 +17,7 @@ from urdfkit.ros.launch.contents import (
     MAP,
     MAX_DEPTH,
     MAX_INCLUDED,
+    MENTIONED,
     PARAMETERS,
     SPAWNED,
     FileUse,
@@ -193,14 +195,17 @@ class Collector:
             self.unread.append(path)
 
     def mention(self, path: str, span: Span) -> None:
-        """Record a path in a package whose use is unknown, if it exists.
+        """Record a path in a package whose use is unknown, if it exists or is misspelt.
 
         A path that leaves its package leads elsewhere when the package is installed.
         """
         package = self.resolver.packages.enclosing(path.partition(f"{os.sep}{os.pardir}")[0])
         path, written_path = os.path.normpath(path), path
-        if package and not _leaves(written_path, package[1]) and disk.exists(path):
-            self.files.append(FileUse(path, True, span, "file"))
+        if package is None or _leaves(written_path, package[1]):
+            return
+        exists = disk.exists(path)
+        if exists or _is_misspelt(path):
+            self.files.append(FileUse(path, exists, span, MENTIONED))
 
     def command(self, text: str, span: Span, frame: CallFrame, *, is_yaml: bool = False) -> None:
         """Read a shell command whose output is the robot description, or its YAML.
@@ -349,6 +354,14 @@ def path_from(source: Source, text: str) -> str:
     """A path as launch resolves it: absolute, or relative to the launch file."""
     directory = os.path.dirname(os.path.abspath(source.path))
     return os.path.normpath(os.path.join(directory, text))
+
+
+def _is_misspelt(path: str) -> bool:
+    """True for the path of a missing file that differs by a letter from another one."""
+    directory, name = os.path.split(path)
+    kind = os.path.splitext(name)[1]
+    others = disk.names_or_empty(directory) if kind else ()
+    return any(other.endswith(kind) and is_typo(name, other) for other in others)
 
 
 def _leaves(path: str, directory: str) -> bool:
