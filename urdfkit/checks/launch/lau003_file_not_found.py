@@ -74,6 +74,7 @@ _MAX_DIRECTORIES = 2000
 @rule(Severity.WARNING, needs=(Need.LAUNCH,), help="create the file, or fix its name")
 def check(context: Context) -> Findings:
     known = {file.path for file in context.launch.files if file.purpose != MENTIONED}
+    known |= {world.name for world in worlds(context.launch)}
     for file in context.launch.files:
         if file.purpose == MENTIONED and file.path in known:
             continue

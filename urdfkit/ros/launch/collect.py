@@ -38,6 +38,8 @@ from urdfkit.text.document import CallFrame, Tag
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
+#: Shorter names of files may differ by a letter: ``a.yaml``, ``b.yaml``.
+_MIN_STEM = 4
 #: The directory of a package that was not found; files in it are not checked.
 UNKNOWN = "/package-not-found"
 #: The parameter of all nodes that remappings and namespaces do not concern.
@@ -359,8 +361,8 @@ def path_from(source: Source, text: str) -> str:
 def _is_misspelt(path: str) -> bool:
     """True for the path of a missing file that differs by a letter from another one."""
     directory, name = os.path.split(path)
-    kind = os.path.splitext(name)[1]
-    others = disk.names_or_empty(directory) if kind else ()
+    stem, kind = os.path.splitext(name)
+    others = disk.names_or_empty(directory) if kind and len(stem) >= _MIN_STEM else ()
     return any(other.endswith(kind) and is_typo(name, other) for other in others)
 
 

@@ -26,8 +26,8 @@ BRIDGE = "bridge configuration"
 POSE_GRAPH = "pose graph"
 #: Name of a configuration of RViz in messages.
 RVIZ = "RViz configuration"
-#: Name of a file whose use is unknown, in messages.
-MENTIONED = "file"
+#: Name of a path whose use is unknown, in messages.
+MENTIONED = "path"
 #: Parameters of nodes that name a file, and what the file is.
 _FILE_PARAMETERS = {
     "yaml_filename": MAP,
