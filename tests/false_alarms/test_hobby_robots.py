@@ -307,3 +307,30 @@ def test_wheels_whose_meshes_are_missing(height: str, count: int) -> None:
         )
     )
     assert len(reported("TRE008", robot)) == count
+
+
+@pytest.mark.parametrize(("axis", "is_roller"), [("1 0 0", True), ("0 1 0", False)])
+def test_the_rollers_of_omni_wheels(axis: str, is_roller: bool) -> None:
+    """An omni robot: the lowest of its rollers is no wheel that hangs below the others."""
+    ball = '<collision><geometry><sphere radius="0.01"/></geometry></collision>'
+    robot = '<link name="base_footprint"/>\n'
+    robot += child("base_link", "fixed", parent="base_footprint", inside="")
+    for wheel, x in (("front", 0.1), ("back", -0.1)):
+        robot += child(wheel, parent="base_link", inside=ball, xyz=f"{x} 0 0.01")
+        robot += child(f"{wheel}_top", parent=wheel, inside=ball, xyz="0 0 0.04", axis=axis)
+        robot += child(f"{wheel}_low", parent=wheel, inside=ball, xyz="0 0 -0.04", axis=axis)
+    (found,) = reported("TRE008", robot)
+    assert ("the wheels front, back end there" not in found.message) == is_roller
+    assert ("raise the robot" in (found.help or "")) == is_roller
+
+
+@pytest.mark.parametrize(("name", "count"), [("recoveries_server", 0), ("behavior_server", 1)])
+def test_an_earlier_name_that_the_node_is_given(tmp_path: Path, name: str, count: int) -> None:
+    """An omni robot with Nav2: its behaviour server is called as that of Galactic."""
+    node = f"package='nav2_behaviors', executable='behavior_server', name='{name}'"
+    text = f"{_IMPORTS}nodes = [Node({node}, parameters=['{tmp_path}/arm/nav2.yaml'])]\n"
+    values = "recoveries_server: {ros__parameters: {robot_base_frame: base_link}}\n"
+    values += "twist_mux: {ros__parameters: {use_stamped: true}}\n"  # of Jazzy
+    files = {"nav2.yaml": values}
+    found = of_launch(tmp_path / "arm", "LAU024", "a.launch.py", text, files)
+    assert sum("Humble and later is" in one.message for one in found) == count

@@ -29,6 +29,7 @@ _MUX, _STAMPED = "twist_mux", "use_stamped"
 def outdated(context: Context, sections: list[NodeParameters]) -> Findings:
     """Names of earlier releases in the parameters of a launch file."""
     names = {section.name for section in sections}
+    started = {program.name for program in context.launch.started}
     of_older: list[Finding] = []
     for node in sections:
         yield from _unread_sections(node)
@@ -36,7 +37,8 @@ def outdated(context: Context, sections: list[NodeParameters]) -> Findings:
         yield from (finding for since, finding in renamed if since not in _RECENT)
         if not _OLDER.search(node.at.source.path):
             of_older += (finding for since, finding in renamed if since in _RECENT)
-            of_older += _renamed_node(node, names)
+            if node.name not in started:  # else the launch file gives the node its earlier name
+                of_older += _renamed_node(node, names)
             of_older += _own_libraries(node)
             of_older += _unstamped(node)
             of_older += _listed_points(node)

@@ -40,6 +40,8 @@ _MESH_TOLERANCE = 0.02
 
 #: Cosine of the angle to the vertical, below which an axis is horizontal.
 _MAX_COSINE_LEVEL = 0.1
+#: Cosine of the angle between two axes, above which they are parallel.
+_MIN_COSINE_PARALLEL = 0.9
 
 #: In m: a link that extends lower than the wheels by more is not a caster.
 _MAX_CASTER_DEPTH = 0.1
@@ -231,7 +233,7 @@ def _is_wheel(name: str) -> bool:
 def _gaps(context: Context, footprint: str, robot: list[str], height: float) -> dict[str, float]:
     """Height of each wheel above the lowest point, in m, by link name.
 
-    Wheels are links of continuous joints with a horizontal axis.
+    Wheels are links of continuous joints with a horizontal axis, with the rollers of their rims.
 
     Args:
         robot: names of the links of the robot.
@@ -240,20 +242,33 @@ def _gaps(context: Context, footprint: str, robot: list[str], height: float) -> 
     tree = context.tree
     ground = tree.frames[footprint]
     up = rotate(ground.rotation, Z_AXIS)
+    wheels = _wheels(tree, up)
     gaps: dict[str, float] = {}
-    for name in robot:
-        above = tree.parents[name]
-        if not above or above[0].kind != "continuous":
-            continue
-        frame = tree.frames[name]
-        if abs(dot(up, rotate(frame.rotation, direction(above[0])))) > _MAX_COSINE_LEVEL:
-            continue
+    for name in filter(wheels.__contains__, robot):
+        wheel = wheels[name]
         for body in tree.model.links_by_name[name].collisions:
-            bottom = _bottom(context, body, frame, up)
+            bottom = _bottom(context, body, tree.frames[name], up)
             if bottom is not None:
                 gap = bottom - dot(up, ground.position) - height
-                gaps[name] = min(gap, gaps.get(name, gap))
+                gaps[wheel] = min(gap, gaps.get(wheel, gap))
     return gaps
+
+
+def _wheels(tree: KinematicTree, up: Vector) -> dict[str, str]:
+    """The wheels by link: themselves, and the wheel that carries a roller, whose axis differs."""
+    wheels: dict[str, str] = {}
+    carriers: dict[str, tuple[str, Vector]] = {}  # and their axes
+    for joint in tree.spanning:
+        name = joint.child_name
+        carrier = carriers.get(joint.parent_name)
+        axis = rotate(tree.frames[name].rotation, direction(joint))
+        if joint.kind == "continuous" and abs(dot(up, axis)) <= _MAX_COSINE_LEVEL:
+            if not carrier or abs(dot(carrier[1], axis)) > _MIN_COSINE_PARALLEL:
+                carrier = (name, axis)
+            wheels[name] = carrier[0]
+        if carrier:
+            carriers[name] = carrier
+    return wheels
 
 
 def _lifted_wheels(gaps: dict[str, float], lowest: str) -> str:
