@@ -348,3 +348,24 @@ def test_the_processes_of_a_check_serve_the_next_one(
     fixes = fix(*files, select=["JNT020"], options=Options(jobs=2))
     assert len(fixes.files) == 2
     assert made == [2]
+
+
+def test_a_fix_that_breaks_a_robot_is_searched_for_with_that_robot_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of 22 fixes of a forklift two broke a xacro, and all robots were checked 24 times."""
+    sound = [write(tmp_path, f"{number}.urdf", FIXED_JOINT) for number in range(6)]
+    macro = '<xacro:macro name="part" params="size"><link name="p"/></xacro:macro><part/>'
+    broken = write(tmp_path, "r.xacro", f"{macro}{FIXED_JOINT}", attributes=NAMESPACE)
+    checked: list[int] = []
+
+    def counting(options: Options, files: Any, *arguments: Any, **keywords: Any) -> object:
+        checked.append(len(files))
+        return engine.check_with(options, files, *arguments, **keywords)
+
+    monkeypatch.setattr(fix_checker, "check_with", counting)
+    fixes = fix(*sound, broken, select=["JNT020", "XAC002"], unsafe=True)
+    assert [finding.code for finding in fixes.applied] == ["JNT020"] * 7
+    (left,) = [item for item in fixes.left if item.diagnostic.code == "XAC002"]
+    assert left.reason == f"dropped: with it, {broken} could not be checked any more"
+    assert checked.count(1) > checked.count(7) == 4

@@ -48,9 +48,16 @@ class Checker:
         """The report for the user, of the selected rules."""
         return check_with(self._with_texts(texts), self._files, self.resolver, workers=self.workers)
 
-    def guard(self, texts: Mapping[str, bytes]) -> Report:
-        """The report that fixes are taken from and compared with; without slow rules."""
-        return self._check(self._files, texts, self._codes, only_errors=SLOW)
+    def guard(
+        self, texts: Mapping[str, bytes], files: Iterable[str | os.PathLike[str]] | None = None
+    ) -> Report:
+        """The report that fixes are taken from and compared with; without slow rules.
+
+        Args:
+            files: some of the robots; all if None.
+        """
+        checked = self._files if files is None else files
+        return self._check(checked, texts, self._codes, only_errors=SLOW)
 
     def guard_others(self, texts: Mapping[str, bytes], files: Iterable[str]) -> Report:
         """The report on the errors of robots other than the checked ones."""

@@ -17,6 +17,9 @@ from urdfkit.text.document import Element
 #: Rules for files that cannot be read.
 _READING = ("XML001", "XML002")
 
+#: The reason to drop a fix that makes a robot unreadable.
+UNCHECKED = "dropped: with it, {} could not be checked any more"
+
 #: Reads the robots of a report, in its order.
 Robots = Callable[[], Iterable[Context | None]]
 
@@ -36,15 +39,20 @@ def regression(
         old, new: the contexts of these checks, which are read only if an error is new.
         may_reveal: True if the robot was broken before, so that fixes may reveal hidden errors.
     """
-    readable = _unreadable_files(chain(*before.errors)) - _unreadable_files(chain(*after.errors))
-    lost = _failed_rules(after.skipped) - _failed_rules(before.skipped)
-    if lost := {rule for rule in lost if not may_reveal or disk.real(rule[0]) not in readable}:
-        return f"dropped: with it, {min(lost)[0]} could not be checked any more"
+    if lost := unchecked(before, after, may_reveal=may_reveal):
+        return UNCHECKED.format(lost[0])
     if added := _added_error(before, after, old, new, may_reveal=may_reveal):
         return f"skipped: it would add {added}"
     if failed := _failed_rules(after.crashed) - _failed_rules(before.crashed):
         return f"dropped: with it, {min(failed)[1] or 'the check'} fails"
     return ""
+
+
+def unchecked(before: Report, after: Report, *, may_reveal: bool) -> list[str]:
+    """The robots that could be checked without the fixes only; arguments as for `regression`."""
+    readable = _unreadable_files(chain(*before.errors)) - _unreadable_files(chain(*after.errors))
+    lost = {path for path, _ in _failed_rules(after.skipped) - _failed_rules(before.skipped)}
+    return sorted(path for path in lost if not may_reveal or disk.real(path) not in readable)
 
 
 def _unreadable_files(errors: Iterable[Diagnostic]) -> frozenset[str]:

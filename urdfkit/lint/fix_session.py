@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING
 from urdfkit.core.record import Record
 from urdfkit.lint import rule_index
 from urdfkit.lint.fix_checker import Checker, FindingKey, finding_key, real_path
-from urdfkit.lint.fix_guard import RegressionGuard, Robots, ineffective, regression
+from urdfkit.lint.fix_guard import (
+    UNCHECKED,
+    RegressionGuard,
+    Robots,
+    ineffective,
+    regression,
+    unchecked,
+)
 from urdfkit.lint.fix_reasons import FixReasons, UnappliedFix, encoded_as
 from urdfkit.lint.report import Report
 from urdfkit.lint.rules import Rule
@@ -180,17 +187,51 @@ class FixSession:
                 reason = reason or self._guard.regression(
                     texts, trial, report.files, may_reveal=is_broken
                 )
+            lost = unchecked(latest, after, may_reveal=is_broken)
             if not reason:
                 applied += batch
                 texts, latest = trial, after
-            elif len(batch) > 1:  # bisect to find the cause
-                middle = len(batch) // 2
-                batches += [batch[middle:], batch[:middle]]
-            else:
+            elif len(batch) == 1:
                 self._dropped[finding_key(batch[0])] = reason
+            elif harmful := self._harmful(batch, applied, texts, lost):
+                self._dropped |= harmful
+                batches.append([one for one in batch if finding_key(one) not in harmful])
+            else:
+                batches += _halves(batch)
         self._texts = texts
         self._applied += applied
         return latest
+
+    def _harmful(
+        self,
+        batch: list[Diagnostic],
+        applied: list[Diagnostic],
+        texts: Mapping[str, bytes],
+        robots: list[str],
+    ) -> dict[FindingKey, str]:
+        """The fixes of a batch with which some robots cannot be checked any more, and the reasons.
+
+        Only these robots are checked, which of many takes a fraction of the time.
+
+        Args:
+            applied: fixes that ``texts`` contains.
+        """
+        before = self._checker.guard(texts, robots) if robots else None
+        kept: list[Diagnostic] = []
+        harmful: dict[FindingKey, str] = {}
+        parts = [batch] if before else []
+        while before and parts:
+            part = parts.pop()
+            trial = {**self._texts, **self._edited([*applied, *kept, *part])}
+            after = self._checker.guard(trial, robots)
+            is_broken = all(finding.severity is Severity.ERROR for finding in part)
+            if not (lost := unchecked(before, after, may_reveal=is_broken)):
+                kept += part
+            elif len(part) == 1:
+                harmful[finding_key(part[0])] = UNCHECKED.format(lost[0])
+            else:
+                parts += _halves(part)
+        return harmful
 
     def _robots(self, texts: Mapping[str, bytes]) -> Robots:
         return lambda: self._checker.robots(texts)
@@ -209,6 +250,12 @@ class FixSession:
             original = self._reasons.originals[real].before
             texts[real] = encoded_as(source, data, original) or source.data
         return texts
+
+
+def _halves(batch: list[Diagnostic]) -> list[list[Diagnostic]]:
+    """Both halves of a batch, the first one last, which is tried first."""
+    middle = len(batch) // 2
+    return [batch[middle:], batch[:middle]]
 
 
 def _waits(rule: Rule) -> bool:
