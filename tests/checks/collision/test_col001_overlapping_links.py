@@ -248,3 +248,16 @@ def test_gazebo_merges_fixed_links_and_ignores_those_with_a_joint() -> None:
     kept = "<disableFixedJointLumping>true</disableFixedJointLumping>"
     lumping_off = f'<gazebo reference="hip_shoulder">{kept}</gazebo>'
     assert severities(text + flag + lumping_off) == ["warning"]
+
+
+@pytest.mark.parametrize(
+    ("names", "severity"),
+    [(("left_wheel", "right_wheel"), "warning"), (("front_wheel", "rear_wheel"), "info")],
+)
+def test_two_wheels_in_one_place(names: tuple[str, str], severity: str) -> None:
+    """A width of 0.2 for 0.02 m; wheels of one side may be a track."""
+    robot = link("base")
+    for name, y in zip(names, (0.05, -0.05), strict=True):
+        robot += link(name, box(0.1, 0.2, 0.1))
+        robot += joint("base", name, "continuous", f"0.3 {y} 0", '<axis xyz="0 1 0"/>')
+    assert severities(robot) == [severity]

@@ -11,6 +11,7 @@
   `<self_collide>` enables collisions of one of the two with its robot in Gazebo, which has no such
   list: it pushes them apart in every step, and the robot shakes or flies off. gz-sim reads the tag
   of the model, in a `<gazebo>` block without a reference, and not the tags of links.
+  It is also a warning for a left and a right wheel: one has the width or the place of another one.
 - A pair that the robot's SRDF disables is reported only with `<self_collide>`.
 - Overlap of adjacent links, an info: most of the smaller body is inside the other one, such as a
   wheel deep in the box of the chassis. Gazebo, MuJoCo and MoveIt ignore collisions between adjacent
@@ -105,6 +106,8 @@ def _overlap(context: Context, pair: LinkPair, depth: float, colliding: set[str]
     if found is None:
         return None
     contact, message, help, severity = found
+    if severity is Severity.INFO and _are_opposite_wheels(context, pair.names):
+        help, severity = "make the wheels narrower, or move them apart", Severity.WARNING
     is_disabled = not pair.is_adjacent and _is_disabled(context, pair.names)
     is_info = is_disabled or (severity is Severity.INFO and not pair.is_adjacent)
     if is_info and _collide_in_gazebo(context, pair.names, colliding):
@@ -122,6 +125,14 @@ def _overlap(context: Context, pair: LinkPair, depth: float, colliding: set[str]
         weight=contact.depth,
         group_key="overlap",
         severity=severity,
+    )
+
+
+def _are_opposite_wheels(context: Context, names: tuple[str, str]) -> bool:
+    """True for a left and a right wheel; wheels of one side may be a track."""
+    return any(
+        {left.child_name, right.child_name} == {*names} and left.kind == "continuous" == right.kind
+        for left, right in context.symmetric_joints
     )
 
 
