@@ -28,9 +28,14 @@ def finger_of(name: str) -> str:
     return found[0] if len(found) == 1 else ""
 
 
+def with_finger(name: str, finger: str) -> str:
+    """The name with another finger in the place of its own."""
+    return _FINGER.sub(finger, name)
+
+
 def series(names: Iterable[str]) -> list[list[str]]:
     """The names that differ only in the finger, of at least four fingers."""
-    groups = by_key((_FINGER.sub("*", name), name) for name in names if finger_of(name))
+    groups = by_key((with_finger(name, "*"), name) for name in names if finger_of(name))
     return [group for group in groups.values() if len(group) >= _MIN_FINGERS]
 
 

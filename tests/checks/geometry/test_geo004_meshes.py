@@ -234,3 +234,25 @@ def test_the_visual_of_another_link(tmp_path: Path, collision: str, is_found: bo
     files = dict.fromkeys(("lf.stl", "rf.stl", "lb.stl", collision), meshed.SOUND)
     found = meshed.messages(tmp_path, "GEO004", robot, files)
     assert found == ([naming("rb", "lf", "3")] if is_found else [])
+
+
+def test_the_mesh_of_another_finger(tmp_path: Path) -> None:
+    def hand(pinky: str, *fingers: str) -> str:
+        text = '<link name="palm"/>'
+        for name in fingers:
+            file = pinky if name == "pinky" else f"{name}_tip.stl"
+            text += meshed.link(meshed.mesh(file, "visual"), name=f"{name}_tip")
+            text += joint("palm", f"{name}_tip", "revolute")
+        return text
+
+    fingers = ("index", "middle", "ring", "pinky")
+    files = {f"{name}_tip.stl": meshed.SOUND for name in fingers}
+    assert meshed.reported(tmp_path, "GEO004", hand("pinky_tip.stl", *fingers), files) == []
+    (found,) = meshed.reported(tmp_path, "GEO004", hand("ring_tip.stl", *fingers), files)
+    assert found.message == naming("pinky_tip", "visual", "ring_tip", "pinky_tip.stl")
+    assert found.span.text == "ring_tip.stl"
+    three = hand("ring_tip.stl", *fingers[1:])
+    assert meshed.reported(tmp_path, "GEO004", three, files) == []
+    (tmp_path / "pinky_tip.stl").unlink()
+    del files["pinky_tip.stl"]
+    assert meshed.reported(tmp_path, "GEO004", hand("ring_tip.stl", *fingers), files) == []

@@ -107,3 +107,24 @@ def test_one_scale_with_a_wrong_decimal_point(
     shapes.append(mesh("e.stl", more=f' scale="{scale} {scale} {scale}"'))
     texts = messages(tmp_path, "MSH012", robot("".join(shapes), 14), files)
     assert texts == [naming("arm", "collision", "e.stl", found, scale, "0.001")] * bool(found)
+
+
+@pytest.mark.parametrize(
+    ("scale", "fingers", "is_found"), [("0.1", 4, True), ("0.3", 4, False), ("0.1", 3, False)]
+)
+def test_the_scale_of_one_finger(tmp_path: Path, scale: str, fingers: int, is_found: bool) -> None:
+    """Next to a palm that is as long as the finger is with the wrong scale."""
+    text = link(mesh("palm.stl", "visual", more=' scale="0.01 0.01 0.01"'), name="palm")
+    for name in ("index", "middle", "ring", "pinky")[:fingers]:
+        size = scale if name == "ring" else "0.01"
+        shown = mesh("tip.stl", "visual", more=f' scale="{size} {size} {size}"')
+        text += link(shown, name=f"{name}_tip")
+        text += f'<joint name="{name}" type="fixed"><parent link="palm"/>'
+        text += f'<child link="{name}_tip"/></joint>'
+    meshes = {
+        "palm.stl": stl(box((0, 0, 0), (10, 8, 30))),
+        "tip.stl": stl(box((0, 0, 0), (1, 1, 3))),
+    }
+    found = messages(tmp_path, "MSH012", text, meshes)
+    expected = naming("ring_tip", "visual", "tip.stl", "0.3 m", "0.1", "0.01")
+    assert found == ([expected] if is_found else [])

@@ -14,8 +14,9 @@ The rule compares the bounding box of all collisions of a link with that of all 
   collision around the same centre is not reported, nor is a primitive that replaces a part of a
   mesh.
 - A link has the visual mesh of its left or right counterpart, no link uses the mesh file of its own
-  side, and other pairs have a mesh for each side. Or its collision is named after the other side
-  than its visual, and no link uses the file of its own side.
+  side, and other pairs have a mesh for each side; or one of at least four fingers has the mesh of
+  another finger. Or its collision is named after the other side than its visual, and no link uses
+  the file of its own side.
 - Links have one mesh for visual and collision, but one link has it at two scales, or collides with
   the mesh of another link.
 - A radius is exactly 10, 100 or 1000 times that of the same shape in the other. An info is exactly
@@ -35,6 +36,7 @@ from math import isclose
 
 from urdfkit.checks.geometry.other_side import (
     collisions_of_the_other_side,
+    meshes_of_another_finger,
     meshes_of_the_other_side,
 )
 from urdfkit.core.spatial import Z_AXIS, Transform, cross, length, minus, rotate
@@ -108,7 +110,7 @@ def check(context: Context) -> Findings:
     yield from _diameters(context)
     for pair in compared.each():
         yield from _diameter_of_mesh(pair)
-    for copied in meshes_of_the_other_side(context):
+    for copied in (*meshes_of_the_other_side(context), *meshes_of_another_finger(context)):
         name, side = copied.wrong.link.name, copied.correct.link.name
         yield Finding(
             copied.wrong.at,

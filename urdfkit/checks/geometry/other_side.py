@@ -10,6 +10,7 @@ from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.lint.context import Context
 from urdfkit.robot.assets.mesh_files import MeshReference
+from urdfkit.robot.fingers import finger_of, odd_one, series, with_finger
 from urdfkit.robot.symmetry import pairs
 
 #: Least number of pairs of links with a mesh for each side next to one with the same mesh.
@@ -48,6 +49,33 @@ def meshes_of_the_other_side(context: Context) -> Iterator[MeshOfOtherSide]:
             copied += _with_unused_file(context, first, second, used)
     if len(copied) == 1 and consistent >= _CONSISTENT_PAIRS:
         yield copied[0]
+
+
+def meshes_of_another_finger(context: Context) -> Iterator[MeshOfOtherSide]:
+    """The visual with the mesh of another finger, if it is the only one of four or more fingers.
+
+    The file of its own finger must exist, and no link use it.
+    """
+    meshes = context.files.meshes
+    of_link = by_key((mesh.link.name, mesh) for mesh in meshes if mesh.role == "visual")
+    used = {os.path.basename(mesh.located.path) for mesh in meshes if mesh.located.path}
+    for names in series(of_link):
+        shown = {name: os.path.basename(of_link[name][0].located.path or "") for name in names}
+        is_own = {
+            name: finger_of(file).lower() == finger_of(name).lower() for name, file in shown.items()
+        }
+        odd = odd_one(is_own)
+        if odd is None or not odd[1] or any(len(of_link[name]) > 1 for name in names):
+            continue
+        wrong = of_link[odd[0]][0]
+        other = next(
+            (name for name in names if name != odd[0] and shown[name] == shown[odd[0]]), ""
+        )
+        directory, file = os.path.split(wrong.located.path or "")
+        own = with_finger(file, finger_of(odd[0])).lower()
+        for unused in context.resolver.directories.entries(directory) or () if other else ():
+            if unused.lower() == own and unused not in used:
+                yield MeshOfOtherSide(wrong, of_link[other][0], unused)
 
 
 def collisions_of_the_other_side(context: Context) -> Iterator[MeshOfOtherSide]:

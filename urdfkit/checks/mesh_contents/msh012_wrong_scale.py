@@ -11,14 +11,15 @@ exported again in metres. The mesh is reported if a scale of 0.01 or less makes 
 1 mm.
 
 One mesh alone with another scale than all others, such as 0.01 instead of 0.001, is reported if
-that makes it much longer or shorter than they are.
+that makes it much longer or shorter than they are, or if it is one of at least four fingers, whose
+other meshes have one scale.
 
 Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
     URDF, link: https://wiki.ros.org/urdf/XML/link
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from urdfkit.core.grouping import by_key
 from urdfkit.core.words import spaced
@@ -26,6 +27,7 @@ from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Need
 from urdfkit.mesh.samples import box, stl
 from urdfkit.robot.assets.mesh_defects import MeshDefect, rest_of_robot
 from urdfkit.robot.assets.mesh_uses import MeshUse
+from urdfkit.robot.fingers import odd_one, series
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml, visual_xml
 from urdfkit.text.document import Attribute
 from urdfkit.text.editing import edits
@@ -69,7 +71,8 @@ def check(context: Context) -> Findings:
             confidence=Confidence.INFERRED,
             group_key="scale",
         )
-    for use, usual in _unlike_others(context.measured.files):
+    measured = context.measured
+    for use, usual in _unlike_others(measured.files) or _unlike_fingers(measured.uses):
         yield Finding(
             use.scale_at or use.at,
             f"{use.who} is {use.longest:.3g} m long with the scale {use.shape.scale[0]:g}; the "
@@ -79,18 +82,33 @@ def check(context: Context) -> Findings:
         )
 
 
-def _unlike_others(files: Iterable[MeshUse]) -> Iterator[tuple[MeshUse, float]]:
+def _unlike_others(files: Iterable[MeshUse]) -> list[tuple[MeshUse, float]]:
     """The only mesh with a wrong decimal point in its scale, and the scale of all others."""
     groups = by_key((abs(use.shape.scale[0]), use) for use in files)
     if len(groups) != 2 or 0 in groups:
-        return
+        return []
     (scale, wrong), (usual, others) = sorted(groups.items(), key=lambda group: len(group[1]))
-    factor = round(max(scale, usual) / min(scale, usual), 6)
-    if len(wrong) > 1 or len(others) < _MANY or factor not in _DECIMAL_POINTS:
-        return
+    if len(wrong) > 1 or len(others) < _MANY or not _is_decimal_point(scale, usual):
+        return []
     length, lengths = wrong[0].longest, [use.longest for use in others]
-    if length > _MAX_RATIO * max(lengths) or _MAX_RATIO * length < min(lengths):
-        yield wrong[0], usual
+    is_unlike = length > _MAX_RATIO * max(lengths) or _MAX_RATIO * length < min(lengths)
+    return [(wrong[0], usual)] if is_unlike else []
+
+
+def _unlike_fingers(uses: Iterable[MeshUse]) -> list[tuple[MeshUse, float]]:
+    """The meshes of one finger with a wrong decimal point, and the scale of the other fingers."""
+    visuals = {use.link.name: use for use in uses if use.role == "visual"}
+    found = []
+    for names in series(visuals):
+        odd = odd_one({name: abs(visuals[name].shape.scale[0]) for name in names})
+        if odd and _is_decimal_point(abs(visuals[odd[0]].shape.scale[0]), odd[1]):
+            found.append((visuals[odd[0]], odd[1]))
+    return found
+
+
+def _is_decimal_point(scale: float, usual: float) -> bool:
+    small, large = sorted((scale, usual))
+    return small > 0 and round(large / small, 6) in _DECIMAL_POINTS
 
 
 def _fix(use: MeshUse) -> Fix | None:
