@@ -39,6 +39,7 @@ def friction(link: str, inside: str) -> str:
     "inside",
     [
         "<mu1>0.01</mu1><mu2>0.01</mu2>",
+        "<mu1>0.01</mu1><mu2>0.2</mu2>",
         '<mu1 value="0.0"/><mu2 value="0.05"/>',
         "<mu1>0</mu1>",
         "<mu1>0.01</mu1><mu2>0.01</mu2><fdir1>1 0 0</fdir1>",

@@ -1,9 +1,9 @@
 """A driven wheel has almost no friction, or a fixed caster has too much.
 
-- A wheel that a drive turns, with `mu1` and `mu2` below 0.1: it spins in place, and the odometry of
-  the plugin, which counts turns, reports a distance that the robot has not moved. A contact has the
-  smaller friction of the two surfaces, so the floor does not compensate for it. The values are
-  often copied from the caster.
+- A wheel that a drive turns, with `mu1`, and perhaps `mu2`, below 0.1: it spins in place, and the
+  odometry of the plugin, which counts turns, reports a distance that the robot has not moved. A
+  contact has the smaller friction of the two surfaces, so the floor does not compensate for it. The
+  values are often copied from the caster.
 - A caster that is fixed to the body, a ball that slides, with a friction of 0.5 or more: the drive
   drags it sideways in every turn. If it bears enough of the weight, the robot turns less than
   commanded, or not at all. Write 0.01.
@@ -75,7 +75,9 @@ def check(context: Context) -> Findings:
         given = _friction(context.model, link)
         low = [friction for friction in given.values() if friction.value < LITTLE]
         is_directed = _chooses_direction(context.model, link)
-        if low and len(low) == (2 if is_directed else len(given)):
+        # A low mu2 alone may let a wheel slip sideways, though it does so in any direction.
+        has_low_first = not is_directed and given.get("mu1") in low
+        if low and (has_low_first or len(low) == (2 if is_directed else len(given))):
             message = (
                 f"driven wheel '{link}' has a friction coefficient of {low[0].value:g}: it spins "
                 "in place"
