@@ -46,6 +46,23 @@ def test_a_parameter_file_named_like_a_launch_file(
     assert (found.code, found.severity.value) == ("LAU001", severity)
 
 
+@pytest.mark.parametrize(
+    ("name", "text", "severity"),
+    [
+        ("tmuxp/base_launch.yaml", "session_name: base\nwindows: []\n", "info"),
+        ("launch/base_launch.yaml", "session_name: base\nwindows: []\n", "error"),
+        ("tmuxp/base_launch.yaml", "name: base\nlanch: []\n", "error"),
+        ("tmuxp/base_launch.yaml", "arg: {name: a}\nnode: {pkg: p, exec: e}\n", "error"),
+    ],
+)
+def test_the_configuration_of_another_program(
+    tmp_path: Path, name: str, text: str, severity: str
+) -> None:
+    """marsrover_4.0: tmuxp starts the terminals of a mission by base_launch.yaml."""
+    (found,) = check(add_file(tmp_path / name, text.encode()), select=["LAU001"]).diagnostics
+    assert found.severity.value == severity
+
+
 def test_an_argument_that_callers_must_pass(tmp_path: Path) -> None:
     """cartographer_ros: its users pass bag_filename, which no file declares."""
     text = '<arg name="urdf_filename" default=""/><node pkg="p" type="t" name="{}" args="{}"/>'

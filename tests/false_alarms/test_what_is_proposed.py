@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.controls import CLASSIC, ROBOT, control, controller, driven, reported_with_file
-from tests.gazebos import plugin
+from tests.gazebos import BASE, plugin, sensor
 from tests.jointed import joint, limit, robot
 from tests.launched import MANIFEST
 from tests.launched import reported as of_launch
@@ -158,3 +158,45 @@ def test_a_property_with_the_directory_of_the_meshes(
     path = add_file(add_package(tmp_path / "hull", "hull") / "urdf/a.xacro", text)
     (found,) = check(path, select=["MSH001"]).diagnostics
     assert ("package://" not in found.help) is is_portable
+
+
+def test_the_ends_of_a_clip() -> None:
+    """An ackermann_robot has <min> and <max> in it, as a lidar has: "remove it"."""
+    block = "<camera><clip><min>0.1</min><max>9</max></clip></camera>\n"
+    found = reported("GAZ003", BASE + sensor("camera", block))
+    assert [one.message.rpartition("mean ")[2] for one in found] == ["'near'?", "'far'?"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "words"),
+    [
+        ("position_controllers/JointGroupPositionController", "define"),
+        ("joint_trajectory_controller/JointTrajectoryController", "write group"),
+        ("position_controllers/GripperActionController", "write group"),
+        ("acme/Trajectories", "write group"),
+    ],
+)
+def test_a_controller_without_an_action(tmp_path: Path, kind: str, words: str) -> None:
+    """A rover's arm: MoveIt cannot use the only controller of the joints, which has topics."""
+    manifest = MANIFEST.replace(
+        "</license>", "</license><export><build_type>ament_cmake</build_type></export>"
+    )
+    add_file(tmp_path / "package.xml", manifest)
+    model = robot(joint("j", "revolute", limit("0", "1")))
+    file = add_file(tmp_path / "r.urdf", f'<robot name="r">{model}</robot>')
+    srdf = '<robot name="r"><group name="arm"><joint name="j"/></group></robot>'
+    add_file(tmp_path / "config/r.srdf", srdf)
+    manager = "moveit_simple_controller_manager"
+    action = "{type: FollowJointTrajectory, action_ns: follow_joint_trajectory, joints: [j]}"
+    add_file(
+        tmp_path / "config/moveit_controllers.yaml",
+        f"moveit_controller_manager: {manager}/MoveItSimpleControllerManager\n"
+        f"{manager}: {{controller_names: [arm_moveit], arm_moveit: {action}}}\n",
+    )
+    add_file(
+        tmp_path / "config/ros2_controllers.yaml",
+        f"controller_manager: {{ros__parameters: {{group: {{type: {kind}}}}}}}\n"
+        "group: {ros__parameters: {joints: [j]}}\n",
+    )
+    (found,) = check(file, select=["SRD029"]).diagnostics
+    assert found.help.startswith(words)

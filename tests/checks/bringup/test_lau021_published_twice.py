@@ -146,6 +146,27 @@ def test_a_robot_of_a_simulation_alone(
     assert len(found) == count
 
 
+@pytest.mark.parametrize(
+    ("others", "count"),
+    [
+        (["Node(package='rviz2', executable='rviz2')\n"], 0),
+        ([""], 1),
+        (["Node(package='rviz2', executable='rviz2')\n", ""], 1),
+        (["Node(package='rviz2', executable='rviz2')\nNode(package='base', executable='b')\n"], 1),
+    ],
+)
+def test_a_robot_that_is_only_displayed(tmp_path: Path, others: list[str], count: int) -> None:
+    """agrobot: its navigation has static transforms, and a launch file shows the model in RViz."""
+    files = {"r.urdf": ROBOT}
+    for number, other in enumerate(others):
+        text = f"robot = open('{tmp_path}/r.urdf')\n{STATE}{other}"
+        files[f"launch/robot{number}.launch.py"] = text
+    node = "Node(package='nav2_amcl', executable='amcl')\n"
+    words = "['--frame-id', 'base', '--child-frame-id', 'lidar']"
+    found = reported(tmp_path, "LAU021", "a.launch.py", node + STATIC.format(words), files)
+    assert len(found) == count
+
+
 def test_without_a_robot_state_publisher_nothing_is_published_twice(tmp_path: Path) -> None:
     words = "['0', '0', '2', '0', '0', '0', 'base', 'lidar']"
     assert messages(tmp_path, STATIC.format(words)) == []

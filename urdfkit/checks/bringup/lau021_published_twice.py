@@ -31,7 +31,11 @@ Sources:
 from math import dist
 
 from urdfkit.checks.bringup import duplicate_transforms
-from urdfkit.checks.bringup.published_robots import published_robots, runs_in_simulation_only
+from urdfkit.checks.bringup.published_robots import (
+    published_robots,
+    runs_in_display_only,
+    runs_in_simulation_only,
+)
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.tree import KinematicTree
@@ -81,8 +85,9 @@ def check(context: Context) -> Findings:
 def _transforms(context: Context, programs: list[StartedProgram]) -> Findings:
     """Static transforms of links that robot_state_publisher of this or another file publishes."""
     published = [(node, transform) for node in programs if (transform := static_transform(node))]
-    is_known = bool(published) and not runs_in_simulation_only(context)
-    trees = [robot.tree for robot in published_robots(context)] if is_known else []
+    if not published or runs_in_simulation_only(context) or runs_in_display_only(context):
+        return
+    trees = [robot.tree for robot in published_robots(context)]
     for node, transform in published:
         child = transform.child
         joints = [next(iter(tree.parents.get(child.name, ())), None) for tree in trees]

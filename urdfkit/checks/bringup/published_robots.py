@@ -17,6 +17,9 @@ from urdfkit.ros.launch.spawning import model_spawner
 PUBLISHER = "robot_state_publisher"
 #: Packages whose nodes need the transforms of a robot that is running.
 _NEEDING = re.compile(r"nav2_\w+|slam_toolbox|robot_localization")
+_RVIZ = frozenset(("rviz", "rviz2"))
+#: Packages of the programs that show a model.
+_OF_DISPLAY = _RVIZ | {PUBLISHER, "joint_state_publisher", "joint_state_publisher_gui"}
 
 
 def published_robots(context: Context) -> list[Context]:
@@ -52,6 +55,23 @@ def runs_in_simulation_only(context: Context) -> bool:
         file for file in workspace_launches(context) if any(map(_is_publisher, file.programs))
     ]
     return all(any(map(model_spawner, file.programs)) for file in launches)
+
+
+def runs_in_display_only(context: Context) -> bool:
+    """True if only launch files that show the model in RViz start the publisher, and this is none.
+
+    A launch file with static transforms in place of the joints works without the publisher.
+    """
+    if any(map(_is_publisher, context.launch.programs)):
+        return False
+    launches = [
+        file for file in workspace_launches(context) if any(map(_is_publisher, file.programs))
+    ]
+    return all(
+        {program.package for program in file.programs} <= _OF_DISPLAY
+        and any(program.package in _RVIZ for program in file.programs)
+        for file in launches
+    )
 
 
 def _has_sim_time(started: StartedProgram) -> bool:

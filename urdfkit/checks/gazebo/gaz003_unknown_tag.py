@@ -14,7 +14,7 @@ Sources:
 from collections.abc import Iterable
 
 from urdfkit.core.grouping import by_key
-from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, nearest
+from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, hint_for, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint_limits import can_move
 from urdfkit.robot.model import RobotModel
@@ -46,6 +46,8 @@ _INSTEAD = {
     "vertical_fov": "remove it: width and height of <image> give it",
     "noise": "move it into <ray> or <camera>, or into <imu><angular_velocity><x>",
 }
+#: Names of the ends of a camera's <clip>, for those of a lidar's <range>.
+_OF_CLIP = {"min": "near", "max": "far"}
 
 
 @rule(Severity.WARNING, help="remove it, or write a tag of Gazebo's URDF extensions")
@@ -117,7 +119,8 @@ def _in_sensor(
     instead = _OF_EACH_AXIS if parent in _WITH_AXES and child.tag == "noise" else ""
     if instead := instead or _INSTEAD.get(child.tag) or nested:
         return Finding(child, message, instead, group_key=child.tag)
-    intended = nearest(child.tag, known, TYPO)
+    of_clip = _OF_CLIP.get(child.tag) if parent == "clip" else None
+    intended = of_clip or nearest(child.tag, known, TYPO)
     others = child.parent.children if child.parent else ()
     # <center_x> and <center_y> do not both become <center>.
     is_taken = any(
@@ -128,6 +131,6 @@ def _in_sensor(
         return Finding(child, message, "remove it", group_key=child.tag)
     # A text is no block: <lidarName> is not <lidar>.
     likely = [tag for tag in known if not (settings(tag) and child.text.strip())]
-    hint = did_you_mean(child.tag, likely)
+    hint = hint_for(of_clip) or did_you_mean(child.tag, likely)
     help = "fix the name of the element" if hint else "remove it"
     return Finding(child, message + hint, help, fix, group_key=child.tag)

@@ -56,6 +56,14 @@ arm_controller: {ros__parameters: {joints: [shoulder]}}
 
 #: Functions of MoveIt that spawn all of its controllers.
 _SPAWNING_ALL = (b"generate_spawn_controllers", b"generate_demo_launch")
+#: Controllers that have topics only.
+_WITHOUT_ACTION = (
+    "position_controllers/JointGroupPositionController",
+    "velocity_controllers/JointGroupVelocityController",
+    "effort_controllers/JointGroupEffortController",
+    "forward_command_controller/ForwardCommandController",
+    "forward_command_controller/MultiInterfaceForwardCommandController",
+)
 _TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 
 
@@ -93,11 +101,14 @@ def _undefined(
         (controller for controller in controllers if joints & _commanded(controller)), None
     )
     if other is not None and joints.isdisjoint(served):
+        help = f"write {other.name}, or define '{key}'"
+        if other.type in _WITHOUT_ACTION:
+            help = f"define '{key}' as a {_TRAJECTORY}: {other.type} has no action"
         yield Finding(
             key.span,
             f"controller '{key}' is not defined in a parameter file of ros2_control; "
             f"'{other.name}' commands its joints",
-            f"write {other.name}, or define '{key}'",
+            help,
             related=(Related(other.type_at, f"controller '{other.name}'"),),
         )
 

@@ -4,6 +4,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 
+from urdfkit.core.suggest import is_typo
 from urdfkit.ros.launch.argument_checks import (
     ArgumentUses,
     declares_others,
@@ -27,6 +28,7 @@ from urdfkit.ros.launch.xml_nodes import (
 from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Attribute, Element
+from urdfkit.text.located_yaml import items, load
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.manifest import manifest_of
 
@@ -36,6 +38,8 @@ MAX_LEVELS = 50
 MAX_PROBLEMS = 1000
 #: Help for a file of another program with the suffix of a launch file.
 _FOREIGN = "ignore this, or rename the file: launch files are recognised by name"
+#: Usual actions of launch files.
+_ACTIONS = ("arg", "group", "include", "let", "node")
 #: Values that launch rejects.
 _BROKEN = ("XML001", "XML002", "XAC013")
 
@@ -80,6 +84,8 @@ class _XmlReader(XmlLaunchFile):
             self._foreign("<launchConfiguration> belongs to Eclipse")
         elif is_yaml and node_parameters(self.source):
             self._foreign("it contains node parameters")
+        elif is_yaml and self._is_of_another_program():
+            self._foreign("its root has other keys")
         elif not is_launch:
             root = "root key is not launch" if is_yaml else "root element is not <launch>"
             self._unreadable(Span(self.source, 0, 0), f"the {root}")
@@ -92,6 +98,16 @@ class _XmlReader(XmlLaunchFile):
                 is_sure=self._is_sure,
                 is_lost=self.ros == 1 and bool(self._outer),
             )
+
+    def _is_of_another_program(self) -> bool:
+        """True for a YAML file with several keys, none of them similar to `launch` or an action.
+
+        False in a directory of launch files, and for a file that another one includes.
+        """
+        directory = os.path.basename(os.path.dirname(os.path.abspath(self.source.path)))
+        keys = [str(key) for key, _ in items(load(self.source))]
+        is_of_ros = any(is_typo(key, "launch") or key in _ACTIONS for key in keys)
+        return len(keys) > 1 and not (is_of_ros or self._outer or directory == "launch")
 
     def _unreadable(self, at: Span, reason: str) -> None:
         problem = Problem("LAU001", at, f"not a launch file: {reason}", frame=self.frame)
