@@ -161,6 +161,17 @@ def test_the_same_arm_on_both_sides() -> None:
     assert len(messages("JNT025", wheels)) == 1
 
 
+def test_the_same_arm_on_both_sides_with_a_plain_base() -> None:
+    """A dual arm on a Summit XL: the mesh comes below the joint with the offset."""
+    text = corners("0.1").replace('"continuous"', '"revolute"')
+    text = text.replace('<axis xyz="0 1 0"/>', f'<axis xyz="0 1 0"/>{limit("-1", "1")}')
+    for side in ("fl", "fr"):
+        turn = f'<axis xyz="0 0 1"/>{limit("-1", "1")}'
+        text += joint(f"{side}_hand", "revolute", turn, f"{side}_wheel_link")
+    assert len(messages("JNT025", text)) == 1
+    assert messages("JNT025", with_mesh(text, "fl_hand_link", "fr_hand_link")) == []
+
+
 def test_one_part_that_is_turned_over_for_the_other_side() -> None:
     """The hips of a Go1: one mesh, and in the frames of the right links it is turned over."""
     start, right = with_mesh(corners("0.1"), "fl_arm_link", "fr_arm_link").split("fr_arm_link", 1)

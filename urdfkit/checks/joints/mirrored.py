@@ -19,6 +19,7 @@ from urdfkit.core.words import spaced
 from urdfkit.lint.context import Context
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction
+from urdfkit.robot.link import Link
 from urdfkit.robot.shapes import solid
 from urdfkit.robot.symmetry import are_copies, has_one_side, pairs
 
@@ -266,6 +267,8 @@ def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[
     frames, links = context.tree.frames, context.model.links_by_name
     if are_copies(links.get(left.parent_name), links.get(right.parent_name)):
         return False
+    if right.kind != "continuous" and are_copies(*(_part(one, context) for one in (left, right))):
+        return False
     left_parent, right_parent = frames.get(left.parent_name), frames.get(right.parent_name)
     if left_parent is None or right_parent is None or left.parent_name == right.parent_name:
         return False
@@ -282,6 +285,15 @@ def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[
     # Another link has the place of the mirror image: only the names are not mirrored.
     image = mirror_image(place)
     return not any(frame and is_equal(frame.position, image) for frame in siblings)
+
+
+def _part(joint: Joint, context: Context) -> Link | None:
+    """The first link with a mesh from the parent of a joint on: plain shapes tell no product."""
+    below = (
+        context.model.links_by_name.get(name) for name in context.tree.below(joint.parent_name)
+    )
+    has_mesh = (link for link in below if link and any(body.file for body in link.visuals))
+    return next(has_mesh, None)
 
 
 def _has_copied_origin(pair: _Pair, context: Context) -> bool:
