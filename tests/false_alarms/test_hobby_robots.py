@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.gazebos import BASE, child, plugin, sensor
+from tests.gazebos import BASE, block, child, plugin, sensor
 from tests.jointed import joint, limit
 from tests.jointed import robot as jointed
 from tests.launched import launch
@@ -334,3 +334,19 @@ def test_an_earlier_name_that_the_node_is_given(tmp_path: Path, name: str, count
     files = {"nav2.yaml": values}
     found = of_launch(tmp_path / "arm", "LAU024", "a.launch.py", text, files)
     assert sum("Humble and later is" in one.message for one in found) == count
+
+
+@pytest.mark.parametrize(
+    ("tags", "help"),
+    [
+        ('<sensor name="s" type="imu"/><visualize>1</visualize>', "move it into the <sensor>"),
+        ("<visualize>1</visualize>", "remove it: it is for a <sensor>"),
+        ("<slip1>0.1</slip1>", "<friction><ode><slip1>"),
+        ("<visul>1</visul>", "did you mean <visual>?"),
+    ],
+)
+def test_what_belongs_elsewhere(tags: str, help: str) -> None:
+    """A balancing robot: <visualize> behind its sensor is not <visual>."""
+    (found,) = reported("GAZ003", BASE + block(tags))
+    assert help in (found.help or "")
+    assert (found.fix is None) == ("did you mean" not in help)

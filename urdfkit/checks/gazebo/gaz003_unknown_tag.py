@@ -33,6 +33,10 @@ FIXED = GOOD = BAD.replace("mu>", "mu1>")
 _OF_ROBOT = ("ros2_control", "transmission", "gazebo")
 #: Tags of SDF that belong in a ``<collision>``.
 _OF_COLLISION = ("surface",)
+#: Tags of the friction of a ``<surface>``, for which there are no extensions.
+_OF_FRICTION = ("slip1", "slip2")
+#: Tags of a ``<sensor>`` that are also tags of a ``<surface>``.
+_AMBIGUOUS = ("contact",)
 
 #: Parts of an IMU of which each axis has its own noise.
 _WITH_AXES = ("angular_velocity", "linear_acceleration")
@@ -61,7 +65,8 @@ def check(context: Context) -> Findings:
     )
     suggester = Suggester(known)
     for tag, elements in unknown.items():
-        right = suggested().get(tag) or suggester.suggested(tag)
+        is_of_sensor = tag in children() and tag not in _AMBIGUOUS
+        right = suggested().get(tag) or (None if is_of_sensor else suggester.suggested(tag))
         if right == "static" and any(map(can_move, context.model.joints)):
             help = "remove it: with <static> no joint moves"
             yield _unknown(tag, elements)._replace(help=help)
@@ -79,6 +84,12 @@ def _unknown(tag: str, elements: list[Element]) -> Finding:
     help = f"move <{tag}> out of the <gazebo>, into <robot>" if tag in _OF_ROBOT else ""
     if tag in _OF_COLLISION:
         help = f"move <{tag}> into a <collision>, inside the <gazebo>"
+    if tag in _OF_FRICTION:
+        help = f"write it as <collision><surface><friction><ode><{tag}>, inside the <gazebo>"
+    if tag in children() and tag not in _AMBIGUOUS:
+        blocks = [one.parent.children for one in elements if one.parent]
+        has_sensor = all(any(child.tag == "sensor" for child in block) for block in blocks)
+        help = "move it into the <sensor>" if has_sensor else "remove it: it is for a <sensor>"
     message = f"unknown element <{tag}> in <gazebo> (ignored){count}"
     return Finding(elements[0], message, help, related=others)
 
