@@ -52,6 +52,29 @@ def test_text(bent: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert max(map(len, lines)) <= 80
 
 
+FLOATING = BENT.replace('"continuous"', '"floating"').replace('"revolute"', '"floating"')
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        (BENT.replace("collision>", "visual>"), "bent: no link has collision geometry"),
+        (
+            BENT.replace("0.1", "-1").replace("0.2", "-1"),
+            "bent: no link has usable collision geometry",
+        ),
+        (BENT.replace("0.1", "-1"), "bent: only link 'base' has collision geometry"),
+        (FLOATING, "bent: no two links with collision geometry are connected by joints"),
+    ],
+)
+def test_a_robot_without_pairs_says_why(
+    text: str, line: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "r.urdf").write_text(text)
+    assert main(["collisions", str(tmp_path / "r.urdf"), *FEW]) == 0
+    assert capsys.readouterr().out.splitlines()[0] == line
+
+
 def test_json(bent: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["collisions", bent, *FEW, "--format", "json"]) == 0
     found = json.loads(capsys.readouterr().out)

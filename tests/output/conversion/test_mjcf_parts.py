@@ -530,7 +530,9 @@ def test_distance_of_a_convex_hull_from_its_mesh(tmp_path: Path) -> None:
     _, parts = loaded(tmp_path / "arm.urdf", tmp_path / "o")
     note = parts["link/tip/collision/geometry/mesh"]
     far = re.fullmatch(
-        r"approximated: collides as its convex hull, about (\d+) mm outside .*", note
+        r"approximated: link 'tip' collides as the convex hull of corner.obj, "
+        r"about (\d+) mm outside the mesh",
+        note,
     )
     assert far is not None
     assert 300 < int(far[1]) <= 334  # the middle of the open face is a third from each plate

@@ -23,7 +23,7 @@ from urdfkit.text.xml_reader import read_xml
 
 def matrix(*pairs: tuple[str, str, PairVerdict], robot: str = "r") -> Matrix:
     results = tuple(PairResult(*pair, True, 0.1, None) for pair in pairs)
-    return Matrix(robot, results, 10, 10, 10, 0, (), (), {}, False)
+    return Matrix(robot, (), results, 10, 10, 10, 0, (), (), {}, False)
 
 
 MATRIX = matrix(

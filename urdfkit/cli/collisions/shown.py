@@ -124,10 +124,20 @@ def _pair(pair: PairResult) -> dict[str, Any]:
 def _title(matrix: Matrix) -> str:
     links = {name for pair in matrix.pairs for name in (pair.first, pair.second)}
     name = printable(matrix.robot) or "(no name)"
+    if not matrix.pairs:
+        return f"{name}: {_why_no_pairs(matrix)}"
     return (
         f"{name}: {counted(len(matrix.pairs), 'pair')} of {counted(len(links), 'link')}, "
         f"{matrix.samples} samples, seed {matrix.seed}"
     )
+
+
+def _why_no_pairs(matrix: Matrix) -> str:
+    if len(matrix.links) > 1:
+        return "no two links with collision geometry are connected by joints"
+    if matrix.links:
+        return f"only link '{printable(matrix.links[0])}' has collision geometry"
+    return f"no link has {'usable ' * bool(matrix.omitted)}collision geometry"
 
 
 def _lists(
@@ -157,8 +167,6 @@ def _notes(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
             "elsewhere. An SRDF would disable them as 'Default', and MoveIt would miss collisions: "
             "choose a collision-free initial pose with --pose or --joint."
         )
-    if not matrix.pairs:
-        yield "Nothing to compare: no two links with collision geometry are connected by joints."
     if matrix.parts:
         yield (
             f"{len(matrix.parts)} parts, with roots {few(matrix.parts, _MOST)}: links of different "

@@ -1,7 +1,10 @@
 """Distance of convex hulls from the collision meshes that they replace."""
 
+import posixpath
 from collections.abc import Iterable
 
+from urdfkit.core.grouping import by_key
+from urdfkit.core.words import listed
 from urdfkit.lint.context import Context
 from urdfkit.output.conversion.losses import LossTable
 from urdfkit.robot.link import Body
@@ -10,26 +13,33 @@ from urdfkit.robot.link import Body
 _SAMPLES = 500
 #: Distance in m below which a mesh counts as convex.
 _CONVEX = 1e-5
+#: Most links that a note lists.
+_NAMED = 3
 
 
 def record_hulls(losses: LossTable, robot: Context, collisions: Iterable[Body]) -> None:
     """Record collisions that become convex hulls, and the distance from their meshes."""
-    notes: dict[object, float | None] = {}
-    for body in collisions:
-        shape = body.shape
-        if shape is None or shape.filename is None:
-            continue
-        key = shape.filename.value, shape.scale
-        if key not in notes:
-            notes[key] = _deviation(robot, body)
-        deviation = notes[key]
-        if deviation is None:
-            losses.approximate(shape.at, "collides as its convex hull")
-        elif deviation <= _CONVEX:
-            losses.keep(shape.at, "collides as its convex hull, which equals the mesh")
-        else:
-            note = f"collides as its convex hull, about {deviation * 1e3:.3g} mm outside the mesh"
-            losses.approximate(shape.at, note)
+    links = {body.at: link.name for link in robot.model.links for body in link.collisions}
+    of_mesh = by_key(
+        ((body.shape.filename.value, body.shape.scale), body)
+        for body in collisions
+        if body.shape is not None and body.shape.filename is not None
+    )
+    for (file, _), bodies in of_mesh.items():
+        deviation = _deviation(robot, bodies[0])
+        names = [repr(name) for name in dict.fromkeys(links[body.at] for body in bodies)]
+        collide = "collides" if len(names) == 1 else "collide"
+        where = f"link{'s' * (len(names) > 1)} {listed(names, _NAMED)} {collide}"
+        note = f"{where} as the convex hull of {posixpath.basename(file)}"
+        for body in bodies:
+            assert body.shape is not None
+            if deviation is None:
+                losses.approximate(body.shape.at, note)
+            elif deviation <= _CONVEX:
+                losses.keep(body.shape.at, "collides as its convex hull, which equals the mesh")
+            else:
+                outside = f"about {deviation * 1e3:.3g} mm outside the mesh"
+                losses.approximate(body.shape.at, f"{note}, {outside}")
 
 
 def _deviation(robot: Context, body: Body) -> float | None:

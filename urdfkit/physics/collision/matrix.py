@@ -70,6 +70,7 @@ class Matrix(NamedTuple):
     """The collision results of all pairs of links of a robot."""
 
     robot: str  # name of the robot
+    links: tuple[str, ...]  # the links with collision geometry that can be used
     pairs: tuple[PairResult, ...]  # in the order of the document
     samples: int  # number of tested configurations
     asked: int  # number of requested configurations; more than `samples` if sampling ended early

@@ -86,6 +86,7 @@ def collisions(
     )
     return Matrix(
         robot.model.name,
+        tuple(moving.links[link] for link in links),
         tuple(results),
         max((result.samples for result in findings.values() if result is not None), default=0),
         samples,
