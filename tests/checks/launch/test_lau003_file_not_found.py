@@ -167,6 +167,24 @@ def test_missing_file_of_a_bridge(tmp_path: Path, name: str, count: int) -> None
     assert [one.help for one in found] == ["did you mean 'bridge.yaml'?"] * count
 
 
+@pytest.mark.parametrize(
+    ("node", "message"),
+    [
+        (
+            'pkg="joint_state_publisher" type="joint_state_publihser"',
+            naming("joint_state_publisher"),
+        ),
+        ('pkg="robot_localization" type="ekf_node"', naming("robot_localization", "ekf_node")),
+        ('pkg="robot_localization" type="ekf_localization_node"', ""),
+        ('pkg="gazebo_ros" type="$(arg type)"', ""),
+        ('pkg="a_driver" type="joint_state_publihser"', ""),
+    ],
+)
+def test_executables_of_ros_1(tmp_path: Path, node: str, message: str) -> None:
+    found = reported(tmp_path, "LAU003", "a.launch", f'<node name="n" {node}/>')
+    assert [one.message for one in found] == [message] * bool(message)
+
+
 @pytest.mark.parametrize(("type", "count"), [("state_publisher", 1), ("robot_state_publisher", 0)])
 def test_former_executable_of_ros_1(tmp_path: Path, type: str, count: int) -> None:
     text = f'<node name="tf" pkg="robot_state_publisher" type="{type}"/>'

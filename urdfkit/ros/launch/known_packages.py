@@ -34,8 +34,9 @@ def wrong_references(
         if _is_own(program.package, program, resolver):
             yield from _own_executable(program, resolver)
             continue
-        problem = unknown_executable(program) if program.is_ros_2 else _former_executable(program)
-        problem = problem or _former_package(program)
+        problem = (
+            _former_executable(program) or unknown_executable(program) or _former_package(program)
+        )
         if problem:
             yield problem
     for file in included:
@@ -134,8 +135,9 @@ def _former_package(program: StartedProgram) -> Problem | None:
 
 
 def unknown_executable(program: StartedProgram) -> Problem | None:
-    """An executable that a package of ROS 2 does not have."""
-    known = data("launch")["executables"].get(program.package, "").split()
+    """An executable that a package of ROS does not have."""
+    catalogue = "executables" if program.is_ros_2 else "ros1_executables"
+    known = data("launch")[catalogue].get(program.package, "").split()
     name = program.executable
     if not known or not name or name in known or os.path.isabs(name):
         return None
@@ -157,7 +159,7 @@ def last_release(program: StartedProgram) -> str:
 
 def _former_executable(program: StartedProgram) -> Problem | None:
     """An executable that ROS 1 has no more: roslaunch stops."""
-    if program.key != _FORMER:
+    if program.key != _FORMER or program.is_ros_2:
         return None
     message = f"'{program.executable}' was removed in ROS Noetic"
     help = f'write type="{program.package}"'
