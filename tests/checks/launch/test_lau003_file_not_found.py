@@ -170,14 +170,11 @@ def test_missing_file_of_a_bridge(tmp_path: Path, name: str, count: int) -> None
 @pytest.mark.parametrize(
     ("node", "message"),
     [
-        (
-            'pkg="joint_state_publisher" type="joint_state_publihser"',
-            naming("joint_state_publisher"),
-        ),
+        ('pkg="amcl" type="amlc"', naming("amcl", "amlc", "amcl")),
         ('pkg="robot_localization" type="ekf_node"', naming("robot_localization", "ekf_node")),
         ('pkg="robot_localization" type="ekf_localization_node"', ""),
         ('pkg="gazebo_ros" type="$(arg type)"', ""),
-        ('pkg="a_driver" type="joint_state_publihser"', ""),
+        ('pkg="a_driver" type="amlc"', ""),
     ],
 )
 def test_executables_of_ros_1(tmp_path: Path, node: str, message: str) -> None:
