@@ -241,3 +241,24 @@ def test_what_a_metapackage_brings(tmp_path: Path, declared: str, used: str, cou
     (tmp_path / "a.launch.xml").write_text(launch(f'<node pkg="{used}" exec="amcl"/>'))
     found = check(tmp_path / "a.launch.xml", select=["PKG001"]).diagnostics
     assert [one.span.text for one in found] == [used] * count
+
+
+@pytest.mark.parametrize(
+    ("declared", "severities"),
+    [
+        ("rviz2 joint_state_publisher_gui", [Severity.WARNING]),
+        ("rviz2 joint_state_publisher_gui xacro robot_state_publisher", []),
+        ("rviz2", [Severity.INFO] * 2),  # nobody declared what the launch files start
+    ],
+)
+def test_the_only_package_that_is_not_declared(
+    tmp_path: Path, declared: str, severities: list[Severity]
+) -> None:
+    lines = "".join(f"<exec_depend>{name}</exec_depend>" for name in declared.split())
+    lines += "<export><build_type>ament_cmake</build_type></export></package>"
+    (tmp_path / "package.xml").write_text(MANIFEST.replace("</package>", lines))
+    started = ("rviz2", "robot_state_publisher", "joint_state_publisher_gui")
+    nodes = "".join(f'<node pkg="{name}" exec="{name}"/>' for name in started)
+    (tmp_path / "a.launch.xml").write_text(launch(nodes))
+    found = check(tmp_path / "a.launch.xml", select=["PKG001"]).diagnostics
+    assert [one.severity for one in found] == severities

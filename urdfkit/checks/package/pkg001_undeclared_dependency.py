@@ -4,7 +4,8 @@ The file works only on machines where that package is installed. On other machin
 install it, colcon and catkin build in the wrong order, and `$(find ...)`, `package://` and the
 launch file fail with "package not found". In a launch file it is an info. In launch files of ROS 2,
 packages of the ROS distribution are reported, too: a smaller installation lacks `xacro`,
-`ros_gz_sim`, or MoveIt's solvers and planners. So are the control plugin of Gazebo and the
+`ros_gz_sim`, or MoveIt's solvers and planners (a warning if it is the only one of several that is
+not declared). So are the control plugin of Gazebo and the
 controllers of its robots, with the plugins of their kinematics, if their own packages do not
 declare them either: "class diff_drive_controller/DiffDriveController does not exist".
 
@@ -53,6 +54,8 @@ _SOLVER = "kinematics.plugin_name"
 #: A class whose package has another name than its type.
 _GRIPPER = "/GripperActionController"
 _MOVE_GROUP = "moveit_ros_move_group"
+#: Declared packages of ROS that a launch file starts, if another one was forgotten.
+_DECLARED = 2
 _KINEMATICS = "kinematics.yaml"
 #: Packages of the planners whose classes begin with another name.
 _PLANNERS = {
@@ -135,19 +138,21 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
     ]
     used += _loaded(context)
     used += _solvers(context, os.path.dirname(manifest.path))
-    seen = {manifest.package}
+    places: dict[str, Span] = {}
     for name, span in used:
-        if name in seen or span.source.path != own or _is_brought(name, manifest.dependencies):
-            continue
-        seen.add(name)
+        if name != manifest.package and span.source.path == own:
+            places.setdefault(name, span)
+    missing = [name for name in places if not _is_brought(name, manifest.dependencies)]
+    is_forgotten = len(missing) == 1 and len(places) > _DECLARED
+    for name in missing:
         line = f"<exec_depend>{name}</exec_depend>"
         yield Finding(
-            span,
+            places[name],
             f"package '{name}' is started but not declared in {manifest.path}",
             f"add {line} to package.xml",
             _fix(context.resolver.read(manifest.path), name, "exec_depend"),
             group_key="undeclared",
-            severity=Severity.INFO,
+            severity=None if is_forgotten else Severity.INFO,
         )
 
 
