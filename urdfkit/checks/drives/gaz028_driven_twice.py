@@ -25,7 +25,6 @@ BAD = ARM + gazebo_xml(
 )
 GOOD = BAD[: BAD.index('  <plugin name="gz::sim::systems::ApplyJointForce"')] + "</gazebo>"
 
-
 #: What a motor of gz-sim or RotorS has: its number, and what is before it.
 _NUMBERS = ("actuator_number", "motorNumber")
 _TOPICS = ("robotNamespace", "commandSubTopic", "motorType")

@@ -28,6 +28,8 @@ Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
 """
 
+from collections.abc import Collection
+
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_limits import can_move, driven, is_passive, limits_of, related, several
@@ -35,6 +37,8 @@ from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
 from urdfkit.ros.targets import GAZEBO, ROS, Targets
+
+LimitOfJoint = tuple[Joint, Placed[float]]
 
 BAD = arm_xml("revolute", '<limit lower="0" upper="1.7453" effort="0" velocity="2"/>')
 GOOD = BAD.replace('effort="0"', 'effort="1.2"')
@@ -53,16 +57,7 @@ def check(context: Context) -> Findings:
     reads_none = _is_for_gazebo_alone(context.targets)
     for key in _HELP:
         limits = limits_of(joints, key)
-        zero = [
-            (joint, limit)
-            for joint, limit in limits
-            if limit.value == 0 and can_move(joint) and joint.mimic is None
-            if joint.name in active
-            or not (active or (key == "effort" and is_passive(joint, active)))
-        ]
-        if key == "effort" and not active and any(limit.value > 0 for _, limit in limits):
-            zero = [] if len(zero) == 1 and _turns_freely(zero[0][0]) else zero
-        if zero:
+        if zero := _zero(limits, key, active):
             yield _finding(zero, key, "0", Severity.WARNING)
         negative = [(joint, limit) for joint, limit in limits if limit.value < 0]
         if negative:
@@ -71,6 +66,22 @@ def check(context: Context) -> Findings:
             yield _finding(negative, key, f"{negative[0][1].value:g}", severity)
     for joint in context.model.joints:
         yield from _negative_dynamics(joint)
+
+
+def _zero(limits: list[LimitOfJoint], key: str, active: Collection[str]) -> list[LimitOfJoint]:
+    """The limits of 0 of joints with a motor; without drives, of all but the passive ones."""
+    zero = [
+        (joint, limit)
+        for joint, limit in limits
+        if limit.value == 0 and can_move(joint) and joint.mimic is None
+    ]
+    if active:
+        return [(joint, limit) for joint, limit in zero if joint.name in active]
+    if key != "effort":
+        return zero
+    zero = [(joint, limit) for joint, limit in zero if not is_passive(joint, active)]
+    is_pendulum = len(zero) == 1 and _turns_freely(zero[0][0])
+    return [] if is_pendulum and any(limit.value > 0 for _, limit in limits) else zero
 
 
 def _turns_freely(joint: Joint) -> bool:
@@ -85,9 +96,7 @@ def _is_for_gazebo_alone(targets: Targets) -> bool:
     return bool(programs) and programs <= set(GAZEBO)
 
 
-def _finding(
-    limits: list[tuple[Joint, Placed[float]]], key: str, value: str, severity: Severity
-) -> Finding:
+def _finding(limits: list[LimitOfJoint], key: str, value: str, severity: Severity) -> Finding:
     first, limit = limits[0]
     in_unit = first.effort_unit if key == "effort" else f"{first.unit}/s"
     sign = ", below 0" if limit.value < 0 else ""
