@@ -107,7 +107,7 @@ def test_an_unreadable_robot_is_reported_with_the_reason(
     reported = capsys.readouterr().err
     assert reported.startswith(f"error: {file}:1:")
     assert "'nothing'" in reported
-    assert reported.endswith(f"; see 'urdfkit check {file}', which reports 1 error more\n")
+    assert reported.endswith(f"; see 'urdfkit check {file}', which reports 1 finding more\n")
 
 
 def test_of_a_part_only_the_robot_is_suggested(

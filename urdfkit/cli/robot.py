@@ -163,6 +163,6 @@ def first_error(error: UnreadableRobot, file: str) -> UnreadableRobot:
         return error
     first, others = problems[0], len(problems) - 1
     reason = f"{first.message}; {first.help}" if first.help else first.message
-    more = f", which reports {counted(others, 'error')} more" if others else ""
+    more = f", which reports {counted(others, 'finding')} more" if others else ""
     hint = "" if "urdfkit check" in reason else f"; see 'urdfkit check {file}'{more}"
     return UnreadableRobot(f"{first.span}: {reason}{hint}", problems)

@@ -171,7 +171,7 @@ def test_without_trimesh_the_bytes_are_compared(
     (pair / "b" / "base.obj").write_text(TRIANGLE + "\n")
     found = compare("a/arm.urdf", "b/arm.urdf")
     assert [str(one) for one in found.differences] == [
-        "link 'base': the file of its visual mesh differs"
+        "link 'base': the file of its visual mesh 'base.obj' differs"
     ]
     assert install_command("meshes") in as_text.render(found)
 
@@ -179,7 +179,9 @@ def test_without_trimesh_the_bytes_are_compared(
 def test_a_mesh_that_is_gone(pair: Path) -> None:
     (pair / "b" / "base.obj").unlink()
     found = compare("a/arm.urdf", "b/arm.urdf")
-    assert "link 'base': the file of its visual mesh is gone" in map(str, found.differences)
+    assert "link 'base': the file of its visual mesh 'base.obj' is not found any more" in map(
+        str, found.differences
+    )
     assert [one.code for one in found.new_findings] == ["MSH001"]
 
 

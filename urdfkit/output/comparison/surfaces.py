@@ -1,6 +1,7 @@
 """Comparison of meshes by the distance of their surfaces, not by their bytes."""
 
 import hashlib
+import posixpath
 from collections.abc import Iterator
 
 from urdfkit.core import disk
@@ -29,7 +30,8 @@ def changed_surfaces(
         files = before.files.path(old), after.files.path(new)
         if files[0] is None or files[1] is None:
             if files[0] is not files[1]:
-                text = f"the file of its {role} mesh is {'new' if files[1] else 'gone'}"
+                found = "found now" if files[1] else "not found any more"
+                text = f"the file of its {role} mesh {_name(new if files[1] else old)} is {found}"
                 differences.append(Difference("meshes", "link", link, text, *map(bool, files)))
             continue
         if old.scale == new.scale and _digest(files[0]) == _digest(files[1]):
@@ -44,10 +46,10 @@ def changed_surfaces(
                 measured[key] = None
         deviation = measured[key]
         if deviation is None:
-            text = f"the file of its {role} mesh differs"
+            text = f"the file of its {role} mesh {_name(new)} differs"
             differences.append(Difference("meshes", "link", link, text))
         elif deviation > allowed.position:
-            text = f"its {role} mesh differs by up to {1000 * deviation:.4g} mm"
+            text = f"its {role} mesh {_name(new)} differs by up to {1000 * deviation:.4g} mm"
             differences.append(Difference("meshes", "link", link, text, 0.0, deviation))
     return differences, list(notes)
 
@@ -71,6 +73,11 @@ def _pairs(
                 shapes = one.shape, other.shape
                 if shapes[0] and shapes[1] and shapes[0].filename and shapes[1].filename:
                     yield new.name, role, shapes[0], shapes[1]
+
+
+def _name(shape: Shape) -> str:
+    """The name of a mesh file, without its directory."""
+    return repr(posixpath.basename(shape.filename.value)) if shape.filename else ""
 
 
 def _digest(path: str) -> bytes:
