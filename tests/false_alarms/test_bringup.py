@@ -255,3 +255,33 @@ def generate_launch_description():
     files = {"bridge.yaml": bridge}
     found = reported(tmp_path / "arm", "LAU032", "a.launch.py", text, files)
     assert ["'/scan', which nothing publishes" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("prefix", "include", "severity"),
+    [
+        ("arm_", "", "warning"),
+        ("arm_", '<xacro:include filename="$(find lidar)/lidar.xacro"/>', "warning"),
+        ("", "", "error"),
+    ],
+)
+def test_names_that_a_prefix_of_the_launch_file_tells_apart(
+    tmp_path: Path, prefix: str, include: str, severity: str
+) -> None:
+    """A Dingo with a Gen3 arm, started with prefix:=arm_; both have a base_link."""
+    arm = (
+        '<xacro:arg name="prefix" default=""/><link name="base"/><link name="mount"/>'
+        '<joint name="m" type="fixed"><parent link="base"/><child link="mount"/></joint>'
+        '<link name="$(arg prefix)base"/><joint name="a" type="fixed">'
+        '<parent link="mount"/><child link="$(arg prefix)base"/></joint>'
+    )
+    head = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    robot = add_file(tmp_path / "arm/arm.xacro", f"{head}{include}{arm}</robot>")
+    command = f"xacro $(find arm)/arm.xacro prefix:={prefix}"
+    text = f'<param name="robot_description" command="{command}"/>'
+    reported(tmp_path / "arm", "LAU004", "a.launch", text)
+    found = check(robot, select=["NAM001", "TRE003"]).diagnostics
+    assert {(one.code, one.severity.value) for one in found} == {
+        ("NAM001", severity),
+        ("TRE003", severity),
+    }

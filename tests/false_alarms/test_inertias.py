@@ -204,6 +204,17 @@ def test_the_box_of_a_tutorial() -> None:
     assert reported("INE003", macro % ("x", "x", "y", "y"), "r.xacro") == []
 
 
+@pytest.mark.parametrize(
+    ("moment", "is_typo"), [("0.000666", True), ("0.0006666666666666668", False)]
+)
+def test_a_computed_moment_is_no_typo(moment: str, is_typo: bool) -> None:
+    """teleop_robot: a program wrote the tensor of a box whose edges were exchanged."""
+    inertia = f'<inertia ixx="4.17e-5" iyy="4.17e-5" izz="{moment}" ixy="0" ixz="0" iyz="0"/>'
+    text = f'<link name="a"><inertial><mass value="0.1"/>{inertia}</inertial></link>'
+    (found,) = reported("INE003", text)
+    assert ("ten times" in found.help) is is_typo
+
+
 def test_a_mesh_in_millimetres_has_no_volume_to_believe() -> None:
     """Tom0Brien/Walk: legs of 3e5 m³, whose volume the help gave as that of the link."""
     big = '<box size="50 60 100"/>'

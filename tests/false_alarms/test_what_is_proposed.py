@@ -200,3 +200,10 @@ def test_a_controller_without_an_action(tmp_path: Path, kind: str, words: str) -
     )
     (found,) = check(file, select=["SRD029"]).diagnostics
     assert found.help.startswith(words)
+
+
+def test_a_plugin_that_lacks_its_filename_too() -> None:
+    """motion_planning_gazebo: gazebo_ros_control in the block of a link."""
+    text = BASE + '<gazebo reference="base"><plugin name="gazebo_ros_control"/></gazebo>'
+    (found,) = reported("GAZ014", text)
+    assert found.help.endswith("with its filename")

@@ -192,7 +192,8 @@ def _with_other_robots(
     untried = [_changes(variant.arguments, own) for variant in others[MAX_SETS:]]
     context.unchecked = unchecked_values(untried, [(job, context), *tried], {})
     default_text = _expanded_text(context) if tried else None
-    if all(_expanded_text(robot) != default_text for _, robot in tried):
+    texts = [_expanded_text(robot) for _, robot in tried]  # None without packages, too
+    if all(text is None or text != default_text for text in texts):
         replaced = _replaced(sets, own) - job.arguments.keys()
         job = job._replace(replaced=frozenset(replaced))
     return [

@@ -135,6 +135,10 @@ def _is_present(span: Span, job: Job) -> bool:
     return before > 0 and span.start < tags[before - 1][1]
 
 
+#: Rules about names, which launch files may tell apart by a prefix that is empty by default.
+_OF_NAMES = ("NAM001", "TRE003")
+
+
 def _with_unknown_values(job: Job, context: Context, result: FileResult) -> FileResult:
     """A result with lower severities where the launch files pass other values than the defaults.
 
@@ -148,7 +152,11 @@ def _with_unknown_values(job: Job, context: Context, result: FileResult) -> File
     if not open_names:
         return result
     codes = {diagnostic.code for diagnostic in result.diagnostics}
-    codes = {code for code in codes if rule_index.get(code).depends_on_arguments}
+    empty = {name for name in open_names if xacro and not xacro.defaults[name].strip()}
+    of_names = _OF_NAMES if empty & job.replaced else ()
+    codes = {
+        code for code in codes if rule_index.get(code).depends_on_arguments or code in of_names
+    }
     if not codes:
         return result
     from urdfkit.ros.launch.robot_arguments import is_handed_on, known_at_run_time

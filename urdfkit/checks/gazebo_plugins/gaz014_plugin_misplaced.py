@@ -53,7 +53,8 @@ def check(context: Context) -> Findings:
         where = " or ".join(_WHERE[kind] for kind in kinds)
         if use.place == "link":
             message = f"{use.title} is directly in <gazebo> of '{reference}' and never loaded"
-            yield Finding(use.at, message, f"put it {where or _WHERE['model']}")
+            named = "" if use.filename else ", with its filename"
+            yield Finding(use.at, message, f"put it {where or _WHERE['model']}{named}")
         elif _is_wrong(use, kinds):
             message = f"{use.title} is {_WHERE[use.place]}, but is a {' or '.join(kinds)} plugin"
             yield Finding(use.at, message, f"put it {where}", group_key=f"{use.place} {where}")

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 #: Largest ratio of two multiples of the moments of a shape that are the same, as of a hollow part.
 _SAME_MULTIPLE = 1.5
+#: Most digits of a number that is not computed.
+_MAX_DIGITS = 12
 
 
 def diagnose_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
@@ -101,8 +103,9 @@ def _rewritten(link: LinkInertia) -> Iterator[tuple[str, Tensor | None]]:
 def _with_shifted_decimal_point(link: LinkInertia) -> Iterator[tuple[str, Tensor]]:
     """A moment with the decimal point one digit too far to the right."""
     for key in ("ixx", "iyy", "izz"):
-        if not link.at.attributes[key].literal:
-            continue  # the result of a formula
+        attribute = link.at.attributes[key]
+        if not attribute.literal or len(re.findall(r"\d", attribute.value)) > _MAX_DIGITS:
+            continue  # the result of a formula, which a program may have written
         tenth = link.tensor._replace(**{key: getattr(link.tensor, key) / 10})
         diagonal = (tenth.ixx, tenth.iyy, tenth.izz)
         is_even = max(diagonal) <= 2 * min(diagonal)
