@@ -207,3 +207,15 @@ def test_a_plugin_that_lacks_its_filename_too() -> None:
     text = BASE + '<gazebo reference="base"><plugin name="gazebo_ros_control"/></gazebo>'
     (found,) = reported("GAZ014", text)
     assert found.help.endswith("with its filename")
+
+
+@pytest.mark.parametrize(("edge", "factor"), [("0.35", "100"), ("0.3", "1000")])
+def test_a_collision_in_centimetres(edge: str, factor: str) -> None:
+    """teleop_robot: an actuator of 0.35 m, with a collision of 35 m."""
+    text = link(
+        "actuator",
+        shape("visual", f'<box size="0.2 0.2 {edge}"/>'),
+        shape("collision", '<box size="20 20 35"/>'),
+    )
+    (found,) = reported("JNT012", text + link("tip", shape("visual", '<box size="0.1 0.1 0.1"/>')))
+    assert found.help.startswith(f"divide by {factor}:")

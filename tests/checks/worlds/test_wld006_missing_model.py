@@ -29,6 +29,13 @@ def test_missing_models(tmp_path: Path) -> None:
         assert messages(tmp_path, CODE, world=include.format(name), launch=CLASSIC) == []
 
 
+def test_a_model_of_gazebo_is_not_misspelt(tmp_path: Path) -> None:
+    """mobile_manip_ws has a my_ground_plane, and worlds with the ground_plane of Gazebo."""
+    world = "<include><uri>model://ground_plane</uri></include>"
+    files = {"models/my_ground_plane/model.config": "<model/>"}
+    assert messages(tmp_path, CODE, world=world, files=files, launch=CLASSIC) == []
+
+
 @pytest.mark.parametrize(
     ("uri", "words"),
     [

@@ -19,6 +19,8 @@ Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
+from math import isclose
+
 from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import length
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
@@ -159,10 +161,12 @@ def _shapes(model: RobotModel) -> Findings:
     if is_scene or len(suspects) > usual_links:
         return  # a plane, or the walls of a scene
     for name, ((size, body), *others) in suspects.items():
+        in_cm = any(isclose(size, 100 * other, rel_tol=0.01) for other, _, _ in sizes[name])
         yield Finding(
             body.shape.at if body.shape else body.at,
             f"link '{name}': the {body.at.tag} is {size:g} m long, the rest of the robot at most "
             f"{longest:.3g} m",
+            f"divide by {100 if in_cm else 1000}: lengths are metres",
             related=tuple(Related(other.at.span, f"{edge:g} m, too") for edge, other in others),
             confidence=Confidence.INFERRED,
         )

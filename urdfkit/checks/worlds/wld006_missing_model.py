@@ -53,7 +53,8 @@ def _missing_models(opened: OpenedWorld, world: World, models: Models) -> Findin
     for at, uri in missing:
         name = model_name(uri)
         fuel = data("worlds")["models"].get(name)
-        if suggested := nearest(name, models.directories, TYPO):
+        # Gazebo has a ground_plane: my_ground_plane is another one.
+        if suggested := None if fuel else nearest(name, models.directories, TYPO):
             message = f"model '{uri}' is not found; did you mean '{suggested}'?"
             help = f"write model://{suggested}"
         elif fuel and opened.started.generation == GZ:
