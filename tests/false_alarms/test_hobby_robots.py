@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.gazebos import BASE, block, child, plugin, sensor
+from tests.gazebos import BASE, BODY, block, child, plugin, sensor
 from tests.jointed import joint, limit
 from tests.jointed import robot as jointed
 from tests.launched import launch
@@ -350,3 +350,73 @@ def test_what_belongs_elsewhere(tags: str, help: str) -> None:
     (found,) = reported("GAZ003", BASE + block(tags))
     assert help in (found.help or "")
     assert (found.fix is None) == ("did you mean" not in help)
+
+
+_SWITCH = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="c" default="true"/>
+<link name="base"/><gazebo reference="wheel"><mu1>1</mu1></gazebo>
+<xacro:unless value="$(arg c)"><xacro:include filename="drive.xacro"/></xacro:unless></robot>
+"""
+
+
+@pytest.mark.parametrize(("topic", "count"), [("cmd_vel", 0), ("other", 1)])
+def test_a_drive_whose_include_is_switched_off(tmp_path: Path, topic: str, count: int) -> None:
+    """A mecanum robot with ros2_control, or a drive of Gazebo: the bridge is for the latter."""
+    drive = '<gazebo><plugin filename="gz-sim-diff-drive-system" name="drive">'
+    drive += f"<topic>{topic}</topic></plugin></gazebo>"
+    drive = f'<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{drive}</robot>'
+    world = '<sdf version="1.9"><world name="hall"/></sdf>'
+    files = {"drive.xacro": drive, "r.urdf.xacro": _SWITCH, "w.sdf": world}
+    directory = tmp_path / "arm"
+    text = f"{_IMPORTS}from launch.actions import ExecuteProcess\n"
+    text += "from launch.substitutions import Command\n"
+    text += f"nodes = [ExecuteProcess(cmd=['gz', 'sim', '-r', '{directory}/w.sdf']),\n"
+    description = f"{{'robot_description': Command(['xacro ', '{directory}/r.urdf.xacro'])}}"
+    text += f"    Node({_PUBLISHER}, parameters=[{description}]),\n"
+    word = "/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist"
+    bridge = f"package='ros_gz_bridge', executable='parameter_bridge', arguments=['{word}']"
+    text += f"    Node({bridge})]\n"
+    found = of_launch(directory, "LAU020", "a.launch.py", text, files)
+    assert len(found) == count
+
+
+@pytest.mark.parametrize(("link", "help"), [("wheel", "condition of the link"), ("x", "name a")])
+def test_a_link_whose_include_is_switched_off(tmp_path: Path, link: str, help: str) -> None:
+    drive = f'<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="{link}"/></robot>'
+    add_file(tmp_path / "drive.xacro", drive)
+    path = add_file(tmp_path / "r.urdf.xacro", _SWITCH)
+    (found,) = check(str(path), select=["GAZ001"]).diagnostics
+    assert help in (found.help or "")
+
+
+def test_links_of_one_chain_are_no_counterparts() -> None:
+    """A wheeled biped with closed chains: ``r_l`` hangs on ``r_r``, as ``l_l`` on ``l_r``."""
+    robot = '<link name="base_link"/>\n'
+    for name, y in (("l", 0.1), ("r", -0.1)):
+        robot += child(f"{name}_hip", parent="base_link", inside="", xyz=f"0 {y} 0")
+        robot += child(f"{name}_r", parent=f"{name}_hip", inside="", xyz="0 0 0.1")
+        robot += child(f"{name}_l", parent=f"{name}_r", inside="", xyz="0.1 0 0")
+        robot += child(f"{name}_shank", parent=f"{name}_hip", inside="", xyz="0.2 0 0")
+    assert reported("JNT025", robot) == []
+
+
+@pytest.mark.parametrize(("body", "count"), [("", 0), (BODY, 1)])
+def test_two_machines_in_a_world(body: str, count: int) -> None:
+    """Two SCARAs next to each other, each of which reaches to its left."""
+    robot = f'<link name="world">{body}</link>\n'
+    for name, y in (("left", 2), ("right", -2)):
+        robot += child(f"{name}_base", "fixed", parent="world", xyz=f"0 {y} 0")
+        robot += child(f"{name}_1", parent=f"{name}_base", xyz="0 0 0.4", axis="0 0 1")
+        robot += child(f"{name}_2", parent=f"{name}_1", xyz="0 1.5 0.1", axis="0 0 1")
+    assert len(reported("JNT025", robot)) == count
+
+
+@pytest.mark.parametrize(("colour", "count"), [("0.29804", 0), ("0.31", 1)])
+def test_a_colour_that_is_rounded(colour: str, count: int) -> None:
+    """The same biped, of two exports with more and fewer digits."""
+    robot = ""
+    for number, part in enumerate(("0.298039215686275", colour)):
+        material = f'<material name="black"><color rgba="{part} {part} 0 1"/></material>'
+        shape = f'<visual><geometry><box size="1 1 1"/></geometry>{material}</visual>'
+        robot += f'<link name="a{number}">{shape}</link>\n'
+    assert len(reported("NAM001", robot)) == count

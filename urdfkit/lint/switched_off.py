@@ -1,11 +1,16 @@
-"""Links and joints that a file of a robot defines, but an argument disables."""
+"""What a file of a robot defines, but an argument disables."""
 
+import os
 import re
 from functools import lru_cache
 
+from urdfkit.errors import PackageNotFound
 from urdfkit.lint.context import Context
-from urdfkit.text.comments import blank_comments
+from urdfkit.lint.include_graph import INCLUDE
+from urdfkit.text.comments import blank_comments, without_comments
 from urdfkit.text.source import Source
+from urdfkit.workspace.package_references import FIND
+from urdfkit.workspace.resolve import Resolver
 
 #: The name of a link or joint, behind the expressions that it begins with; the joints of other
 #: elements, such as ``<ros2_control>``, have no type.
@@ -18,12 +23,45 @@ _DEFINITION = (
 def is_switched_off(context: Context, name: str) -> bool:
     """True if a file of the robot defines a link or joint inside a false condition.
 
+    The condition may be that of its include.
+
     The joint of a controller may have the name of a link by mistake.
     """
     expanded, model = context.reading.xacro, context.model
     if expanded is None or name in model.links_by_name or name in model.joints_by_name:
         return False
-    return name in _defined(expanded.sources)
+    return name in _defined(all_sources(context))
+
+
+def all_sources(context: Context) -> tuple[Source, ...]:
+    """The files of a xacro, with those whose includes are inside a false condition."""
+    expanded = context.reading.xacro
+    return _with_unread(expanded.sources, context.resolver) if expanded else ()
+
+
+@lru_cache(maxsize=1)
+def _with_unread(sources: tuple[Source, ...], resolver: Resolver) -> tuple[Source, ...]:
+    found = {os.path.realpath(source.path): source for source in sources}
+    queue = list(sources)
+    while queue:
+        source = queue.pop()
+        for name in INCLUDE.findall(without_comments(source.data)):
+            path = _included(name.decode("utf-8", "replace"), source.path, resolver)
+            if path and os.path.realpath(path) not in found and (own := resolver.readable(path)):
+                found[os.path.realpath(path)] = own
+                queue.append(own)
+    return tuple(found.values())
+
+
+def _included(name: str, near: str, resolver: Resolver) -> str | None:
+    """The path of an include; None if it has an expression."""
+    try:
+        text = re.sub(FIND, lambda match: resolver.package(match.group(1), near), name)
+    except PackageNotFound:
+        return None
+    directory = os.path.dirname(os.path.abspath(near))
+    text = text.replace("$(dirname)", directory)
+    return None if "$" in text or "\0" in text else os.path.join(directory, text)
 
 
 @lru_cache(maxsize=1)  # a robot may have many unknown references

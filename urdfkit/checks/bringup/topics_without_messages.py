@@ -8,6 +8,7 @@ from urdfkit.checks.bringup.workspace_launches import robots_of_workspace
 from urdfkit.core.suggest import nearest
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Severity
+from urdfkit.lint.switched_off import all_sources
 from urdfkit.ros.gazebo.topics import GazeboTopic, are_all_known, topics
 from urdfkit.ros.gazebo.worlds import read_world
 from urdfkit.ros.launch.bridges import FROM_GAZEBO, SIGNS, TO_GAZEBO, BridgedTopic
@@ -187,7 +188,7 @@ def _topics_of_other_arguments(context: Context) -> Iterator[str]:
         elements = list(robot.document.root.walk())
         used = {at.text.strip().strip("/") for at in elements if "topic" in at.tag}
         called = _expanded_calls(elements)
-        for source in robot.reading.xacro.sources:
+        for source in all_sources(robot):
             data = blank_comments(source.data)
             for match in re.finditer(_TOPIC, data):
                 name = match[match.lastindex or 0].decode("utf-8", "replace").strip("/")

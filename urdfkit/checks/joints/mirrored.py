@@ -21,7 +21,8 @@ from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.link import Link
 from urdfkit.robot.shapes import solid
-from urdfkit.robot.symmetry import are_copies, has_one_side, pairs
+from urdfkit.robot.symmetry import are_copies, has_one_side, on_separate_branches, pairs
+from urdfkit.robot.tree import KinematicTree
 
 #: In m: tolerance, as robots are not quite symmetric.
 _ASYMMETRY = 0.004
@@ -183,9 +184,9 @@ def on_another_branch(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
     link that should be the parent has none.
     """
     above = {joint.child_name: joint for joint in context.model.joints}
-    links = pairs(above)
-    other = {a: b for left, right in links for a, b in ((left, right), (right, left))}
     parents = {child: joint.parent_name for child, joint in above.items()}
+    links = on_separate_branches(pairs(above), parents)
+    other = {a: b for left, right in links for a, b in ((left, right), (right, left))}
     movable = {joint.parent_name for joint in context.model.joints if joint.is_single_dof}
     matched = {
         parents[child]
@@ -269,6 +270,8 @@ def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[
         return False
     if right.kind != "continuous" and are_copies(*(_part(one, context) for one in (left, right))):
         return False
+    if _are_two_machines(pair, context.tree):
+        return False
     left_parent, right_parent = frames.get(left.parent_name), frames.get(right.parent_name)
     if left_parent is None or right_parent is None or left.parent_name == right.parent_name:
         return False
@@ -285,6 +288,31 @@ def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[
     # Another link has the place of the mirror image: only the names are not mirrored.
     image = mirror_image(place)
     return not any(frame and is_equal(frame.position, image) for frame in siblings)
+
+
+def _are_two_machines(pair: _Pair, tree: KinematicTree) -> bool:
+    """True for equal chains that are fixed to an empty root, such as two arms in a world."""
+    root = tree.roots[0]
+    left, right = (_chain(joint, tree) for joint in (pair.left, pair.right))
+    if not root.is_frame or len(left) != len(right) or left[0] is right[0]:
+        return False
+    is_mounted = left[0].kind == right[0].kind == "fixed"
+    moving = sum(joint.is_single_dof for joint in left)
+    return is_mounted and moving > 1 and all(map(_are_alike, left[1:], right[1:]))
+
+
+def _chain(joint: Joint, tree: KinematicTree) -> list[Joint]:
+    """The joints from the root to a joint."""
+    chain = [joint]
+    while (above := tree.parents[chain[-1].parent_name]) and above[0] not in chain:
+        chain.append(above[0])
+    return chain[::-1]
+
+
+def _are_alike(one: Joint, other: Joint) -> bool:
+    is_placed = is_equal(one.origin.position, other.origin.position)
+    is_turned = is_equally_turned(one, other) and direction(one) == direction(other)
+    return is_placed and is_turned and one.kind == other.kind
 
 
 def _part(joint: Joint, context: Context) -> Link | None:
