@@ -37,3 +37,14 @@ def test_sheets_on_one_another(z: float, count: int) -> None:
     sheet = '<box size="0.2 0.2 0.001"/>'
     robot = link("a", shape("visual", sheet, f"0 0 {z}"), shape("collision", sheet))
     assert len(reported("GEO004", robot)) == count
+
+
+@pytest.mark.parametrize(("name", "count"), [("gyro", 0), ("accel", 0), ("fisheye1", 1)])
+def test_a_sensor_without_an_image_has_an_optical_frame(name: str, count: int) -> None:
+    """mobile_manip_ws's T265: the frames of its gyroscope, whose axes are those of the chip."""
+    text = (
+        f'<link name="t265_{name}_frame"/><link name="t265_{name}_optical_frame"/>'
+        f'<joint name="j" type="fixed"><parent link="t265_{name}_frame"/>'
+        f'<child link="t265_{name}_optical_frame"/><origin rpy="1.5708 0 -1.5708"/></joint>'
+    )
+    assert len(reported("JNT030", text)) == count

@@ -46,7 +46,10 @@ _OPTICAL_OF_OPENGL: Rotation = ((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1
 #: Beginnings of words in the names of cameras that do not look forward.
 _ELSEWHERE = ("down", "bottom", "belly", "nadir", "upward", "ceiling")
 #: Beginnings of words in the names of sensors without an optical frame, and of what cameras see.
-_NO_CAMERAS = ("lidar", "laser", "radar", "imu", "tag", "apriltag", "aruco", "charuco", "marker")
+_NO_CAMERAS = (
+    "lidar", "laser", "radar", "imu", "gyro", "accel",
+    "tag", "apriltag", "aruco", "charuco", "marker",
+)  # fmt: skip
 #: Words in the link names of underwater vehicles, some of which have z down in all frames.
 _UNDER_WATER = ("thruster", "dvl", "sonar", "ned", "auv", "rov", "uuv", "rexrov")
 #: Allows for pi with few digits.
