@@ -114,3 +114,23 @@ def test_a_tool_half_a_metre_from_a_small_gripper() -> None:
     """A JetCobot with 0.5 for 0.05 m in the origin of its tool centre point."""
     small = robot("0.5 0 0").replace('"0.1 0.1 0.2"', '"0.05 0.05 0.05"')
     assert messages("JNT037", small) == [naming("j", "b", "0.45 m", "a", "0.05 m")]
+
+
+FOOT = '<collision><geometry><sphere radius="0.02"/></geometry></collision>'
+
+
+@pytest.mark.parametrize(
+    ("z", "shape", "is_found"),
+    [
+        ("-0.21", FOOT, False),
+        ("-0.42", FOOT, True),
+        ("-0.42", FOOT.replace("collision", "visual"), False),  # a marker
+    ],
+)
+def test_a_foot_that_does_not_touch_its_leg(z: str, shape: str, is_found: bool) -> None:
+    """A Go1 with thigh and calf in the origin of its foot."""
+    text = robot("0 0 -0.2", kind="revolute") + f'<link name="foot">{shape}</link>'
+    text += '<joint name="f" type="fixed"><parent link="b"/><child link="foot"/>'
+    text = text.replace('xyz="0 0 0.1"', 'xyz="0 0 -0.1"') + f'<origin xyz="0 0 {z}"/></joint>'
+    expected = [naming("f", "foot", "0.2 m", "b", "0.2 m")]
+    assert messages("JNT037", text) == (expected if is_found else [])

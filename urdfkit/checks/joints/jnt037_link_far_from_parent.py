@@ -4,6 +4,8 @@
   that fixed joints connect to one of them is in between. Usually a decimal point is misplaced, 2.45
   for 0.245, or the origin is measured from the root of the robot instead of the parent link. The
   second of two arms on one base may stand far away.
+- A link with a collision that is fixed to the end of a limb, such as a foot, does not touch it: the
+  gap is 0.6 times as long as either shape. Tools that are only frames or markers may be anywhere.
 - The links or joints of an arm are numbered, but `link_3` and `link_4` are both children of
   `link_2`, `link_3` has no child, and `link_5` follows `link_4`: the parent of `link_4` was not
   corrected in a copy.
@@ -40,6 +42,9 @@ _MIN_ARM = 4
 #: Most joints of the base of two arms.
 _MAX_SIBLINGS = 20
 
+#: The same for a foot.
+_FOOT_GAPS = 0.6, 0.08
+
 _NUMBER = r"\d{1,9}"
 #: Most numbers of a name that are tried: of the robot, an arm, a finger, a link.
 _MAX_NUMBERS = 8
@@ -57,7 +62,8 @@ def check(context: Context) -> Findings:
     bodies = rigid_bodies(context.tree) if far else ()
     body_of = {name: body for body in bodies for name in body.names}
     for joint, parent, child, (gap, longest) in far:
-        if not (_is_second_arm(context, joint) or _is_bridged(context, parent, child, body_of)):
+        is_near = _is_bridged(context, parent, child, body_of, _least_gaps(context, joint, child))
+        if not (is_near or _is_second_arm(context, joint)):
             yield Finding(
                 joint.at.child_or_self("origin"),
                 f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}'; "
@@ -111,21 +117,34 @@ def _far(context: Context) -> Iterator[tuple[Joint, Link, Link, tuple[float, flo
     """The joints whose links are far from each other, with parent, child, gap and longest edge."""
     links = context.model.links_by_name
     for joint in context.model.joints:
-        if max(map(abs, joint.origin.position)) < _MIN_GAP or joint.kind not in _JOINTS_WITHOUT_GAP:
-            continue
         ends = (joint.parent, joint.child)
         parent, child = (links.get(end.value) if end else None for end in ends)
-        if parent is None or child is None:
+        if parent is None or child is None or joint.kind not in _JOINTS_WITHOUT_GAP:
             continue
-        if gap := _gap(context, parent, child, joint.origin):
+        least = _least_gaps(context, joint, child)
+        if max(map(abs, joint.origin.position)) < least[1]:
+            continue
+        if gap := _gap(context, parent, child, joint.origin, least):
             yield joint, parent, child, gap
 
 
-def _gap(context: Context, here: Link, there: Link, frame: Transform) -> tuple[float, float] | None:
+def _least_gaps(context: Context, joint: Joint, child: Link) -> tuple[float, float]:
+    """The least gap that is reported: times the longest shape, and in m."""
+    above = context.tree.parents.get(joint.parent_name, [])
+    is_foot = joint.kind == "fixed" and child.collisions and not context.tree.children[child.name]
+    if is_foot and above and above[0].is_single_dof:
+        return _FOOT_GAPS
+    return _MIN_RELATIVE_GAP, _MIN_GAP
+
+
+def _gap(
+    context: Context, here: Link, there: Link, frame: Transform, least: tuple[float, float]
+) -> tuple[float, float] | None:
     """The gap between two links and the length of the longer one, in m; None if there is none.
 
     Args:
         frame: frame of the second link in that of the first.
+        least: of `_least_gaps`.
     """
     first, second = (_solid(context, link) for link in (here, there))
     if first is None or second is None:
@@ -133,7 +152,8 @@ def _gap(context: Context, here: Link, there: Link, frame: Transform) -> tuple[f
     one, other = first.bounds, second.bounds.moved(frame)
     gap = one.gap(other)
     longest = max(*one.edges, *other.edges)
-    return (gap, longest) if gap > max(_MIN_RELATIVE_GAP * longest, _MIN_GAP) else None
+    times_longest, metres = least
+    return (gap, longest) if gap > max(times_longest * longest, metres) else None
 
 
 def _is_second_arm(context: Context, joint: Joint) -> bool:
@@ -148,12 +168,17 @@ def _is_second_arm(context: Context, joint: Joint) -> bool:
 
 
 def _is_bridged(
-    context: Context, parent: Link, child: Link, body_of: Mapping[str, RigidBody]
+    context: Context,
+    parent: Link,
+    child: Link,
+    body_of: Mapping[str, RigidBody],
+    least: tuple[float, float],
 ) -> bool:
     """True if a link that is merged with one of two links is near the other, or may be.
 
     Args:
         body_of: the rigid body that contains each link, by link name.
+        least: of `_least_gaps`.
     """
     frames = context.tree.frames
     if not {parent.name, child.name} <= frames.keys():
@@ -169,7 +194,7 @@ def _is_bridged(
             ):
                 continue
             frame = frames[link.name].inverse @ frames[other.name]
-            if _gap(context, link, other, frame) is None:
+            if _gap(context, link, other, frame, least) is None:
                 return True
     return False
 
