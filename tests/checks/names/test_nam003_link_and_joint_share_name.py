@@ -43,7 +43,7 @@ def test_the_frame_of_a_merged_link_has_a_unique_name_in_gz_sim(robot: str) -> N
     context = read(Source("r.urdf", f'<robot name="r">{robot}</robot>'.encode()))
     (rejection,) = rejections([], context.gazebo)
     assert rejection.code == "NAM003"
-    with pytest.raises(UrdfkitError, match="see: urdfkit explain NAM003"):
+    with pytest.raises(UrdfkitError, match="see 'urdfkit explain NAM003'"):
         convert(context, "out", to="sdf")
 
 

@@ -92,7 +92,7 @@ def _require_convertible(robot: Context, conversion: SdfConversion) -> None:
     """
     diagnostics = run_rules(robot, sorted(CODES)).diagnostics
     for rejection in rejections(diagnostics, conversion):
-        hint = f"; see: urdfkit explain {rejection.code}" if rejection.code else ""
+        hint = f"; see 'urdfkit explain {rejection.code}'" if rejection.code else ""
         raise UrdfkitError(
             f"{rejection.span}: {rejection.reader} rejects the robot: {rejection.message}{hint}"
         )
@@ -100,7 +100,7 @@ def _require_convertible(robot: Context, conversion: SdfConversion) -> None:
         if diagnostic.code in IN_JOINTS and diagnostic.severity is Severity.ERROR:
             raise UrdfkitError(
                 f"{diagnostic.span}: {diagnostic.message}: Gazebo drops this part of the robot; "
-                f"see: urdfkit explain {diagnostic.code}"
+                f"see 'urdfkit explain {diagnostic.code}'"
             )
     for span, message in _defects(conversion):
         raise UrdfkitError(f"{span}: {message}")
