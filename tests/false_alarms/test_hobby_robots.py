@@ -420,3 +420,31 @@ def test_a_colour_that_is_rounded(colour: str, count: int) -> None:
         shape = f'<visual><geometry><box size="1 1 1"/></geometry>{material}</visual>'
         robot += f'<link name="a{number}">{shape}</link>\n'
     assert len(reported("NAM001", robot)) == count
+
+
+@pytest.mark.parametrize(
+    ("clocks", "at"),
+    [("True False False", 0), ("False False True", 2), ("True True False", 2), ("True True", None)],
+)
+def test_the_only_node_with_simulation_time(tmp_path: Path, clocks: str, at: int | None) -> None:
+    """A rover: one of its nodes waits for a clock, and eight do not."""
+    text = _IMPORTS + "nodes = [\n"
+    for number, clock in enumerate(clocks.split()):
+        node = f"package='nav2_planner', executable='planner_server', name='n{number}'"
+        text += f"Node({node}, parameters=[{{'use_sim_time': {clock}}}]),\n"
+    found = of_launch(tmp_path / "arm", "LAU031", "a.launch.py", f"{text}]\n")
+    assert [one.span.line for one in found] == ([at + 3] if at is not None else [])
+
+
+@pytest.mark.parametrize(("height", "help"), [("0.2", "lower the robot"), ("0.05", "raise 'base")])
+def test_a_robot_on_tracks_above_its_footprint(height: str, help: str) -> None:
+    """A tracked rover: its tracks are part of the base, and lower than the wheels in them."""
+    shape = '<collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision>'
+    ball = '<collision><geometry><sphere radius="0.05"/></geometry></collision>'
+    robot = '<link name="base_footprint"/>\n'
+    place = f"0 0 {height}"
+    robot += child("base_link", "fixed", parent="base_footprint", inside=shape, xyz=place)
+    for name, y in (("left_wheel", 0.1), ("right_wheel", -0.1)):
+        robot += child(name, parent="base_link", inside=ball, xyz=f"0 {y} -0.03")
+    (found,) = reported("TRE008", robot)
+    assert help in (found.help or "")

@@ -2,7 +2,8 @@
 
 - A filter or a planner uses the wall clock, while Gazebo and other nodes use simulation time
   (`use_sim_time`): its transforms are years newer than the data. An info for
-  robot_state_publisher, which keeps the stamps of the joint states.
+  robot_state_publisher, which keeps the stamps of the joint states. Without Gazebo, a node with
+  simulation time is reported if more nodes use the wall clock.
 - Nodes use `use_sim_time`, but no bridge forwards Gazebo's `/clock`: their time stays zero. Or the
   controller manager of a robot that is not simulated uses it.
 - Controllers are spawned in a gz sim that is started without `-r`: the simulation is paused, and
@@ -165,6 +166,14 @@ def _wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) ->
         return
     resolver, is_simulated = context.resolver, any(map(model_spawner, programs))
     other = _waiting(programs, resolver)
+    if other is not None and not is_simulated and (most := _most(programs, resolver)):
+        yield Finding(
+            other.at,
+            f"{_SIM_TIME} of '{other.executable}' is true, unlike that of '{most[0].executable}' "
+            f"and {len(most) - 1} more",
+            f'give it {{"{_SIM_TIME}": False}}, or all others True',
+        )
+        return
     for node in programs:
         severity = data("nodes")["stamping"].get(node.package)
         own = _sim_time(node, resolver) if severity else None
@@ -182,6 +191,19 @@ def _wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) ->
             continue
         help = f'give it {{"{_SIM_TIME}": True}}'
         yield Finding(node.at, message, help, severity=Severity(severity))
+
+
+def _most(programs: Sequence[StartedProgram], resolver: Resolver) -> list[StartedProgram]:
+    """The nodes that use the wall clock, if they are more than those with simulation time.
+
+    None if their messages have no stamps.
+    """
+    running = [(node, _sim_time(node, resolver)) for node in programs if node.is_sure]
+    real = [node for node, is_simulated in running if is_simulated is False]
+    simulated = [node for node, is_simulated in running if is_simulated is True]
+    severities = {data("nodes")["stamping"].get(node.package) for node in real}
+    is_stamped = Severity.WARNING.value in severities
+    return real if is_stamped and len(real) > len(simulated) else []
 
 
 def _waiting(programs: Sequence[StartedProgram], resolver: Resolver) -> StartedProgram | None:

@@ -116,7 +116,7 @@ def _hanging(tree: KinematicTree, gap: float, wheels: list[str], standing: str) 
 
 def _help(footprint: str, link: str, height: float, is_below: bool, is_lifted: bool) -> str:
     """The help of a finding."""
-    if is_lifted:
+    if is_lifted and height < 0:  # else the robot may stand on tracks
         return f"raise '{link}', or make it smaller, until the wheels touch the ground"
     if is_below:
         verb = "raise" if height < 0 else "lower"
