@@ -54,6 +54,19 @@ def test_known_joints_and_files_without_limits(tmp_path: Path) -> None:
         assert findings(tmp_path, "", "SRD026") == []
 
 
+@pytest.mark.parametrize(
+    ("variable", "count"),
+    [("x", 0), ("theta", 0), ("z", 1), ("rot_w", 1)],
+)
+def test_limits_of_the_variables_of_a_planar_joint(
+    tmp_path: Path, variable: str, count: int
+) -> None:
+    """A mobile base of which MoveIt plans the motion: limits of ``position/x``."""
+    virtual = '<virtual_joint name="v" type="planar" parent_frame="world" child_link="base"/>'
+    reported(tmp_path, "shoulder", f"v/{variable}")
+    assert len(findings(tmp_path, virtual, "SRD026")) == count
+
+
 GROUPS = (
     '<group name="arm"><link name="arm"/></group><group name="hand"><link name="hand"/></group>'
 )

@@ -26,6 +26,7 @@ Sources:
 
 import os
 import re
+from collections.abc import Iterator
 
 from urdfkit.checks.srdf.namesakes import has_incomplete_namesake
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, Suggester, did_you_mean, nearest
@@ -64,6 +65,12 @@ _MAX_NAMED = 8
 #: Most directories of a package that are searched for configurations of RViz.
 _MAX_DIRECTORIES = 200
 
+#: The variables of a joint by its type, as MoveIt names them.
+_VARIABLES = {
+    "planar": ("x", "y", "theta"),
+    "floating": ("trans_x", "trans_y", "trans_z", "rot_x", "rot_y", "rot_z", "rot_w"),
+}
+
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
 def check(context: Context) -> Findings:
@@ -82,7 +89,7 @@ def check(context: Context) -> Findings:
 
 
 def _joint_limits(context: Context, srdf: Srdf) -> Findings:
-    known = context.model.joints_by_name
+    known = {*context.model.joints_by_name, *_variables(context, srdf)}
     planned = list(planned_limits(context))
     unknown = [limit for limit in planned if limit.joint not in known]
     others = names_of_other_robots(context, srdf, {limit.joint for limit in unknown})
@@ -94,6 +101,14 @@ def _joint_limits(context: Context, srdf: Srdf) -> Findings:
         message = f"limits of unknown joint '{limit.joint}'{suggester.hint(limit.joint)}"
         help = "fix the name, or remove the entry"
         yield Finding(limit.at.span, message, help, severity=Severity.WARNING)
+
+
+def _variables(context: Context, srdf: Srdf) -> Iterator[str]:
+    """The variables of joints with several degrees of freedom, which have limits of their own."""
+    joints = [(joint.get("name"), joint.get("type")) for joint in srdf.virtual_joints]
+    joints += [(joint.name, joint.kind) for joint in context.model.joints]
+    for name, kind in joints:
+        yield from (f"{name}/{variable}" for variable in _VARIABLES.get(kind or "", ()))
 
 
 def _groups(context: Context, srdf: Srdf) -> Findings:
