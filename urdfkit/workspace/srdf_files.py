@@ -53,8 +53,8 @@ def has_srdf_files(robot: str, name: str, resolver: Resolver) -> bool:
 def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
     """The SRDF files of sibling MoveIt packages that may be for a robot, or for another one.
 
-    Their packages expand the robot with arguments, or do not state for which file they are. A
-    package for several robots may have a directory for each.
+    Their packages expand the robot with arguments, do not state for which file they are, or have
+    the SRDF in a directory of ``config`` now. A package for several robots may have one for each.
 
     Args:
         name: of the robot; an SRDF belongs to the robot with its name, or to the robot with which a
@@ -68,7 +68,8 @@ def other_srdf_files(robot: str, name: str, resolver: Resolver) -> list[str]:
         setup = setup_assistant(moveit)
         is_for = package is not None and setup.is_for(robot, package)
         is_stale = _is_renamed(setup, moveit, robot, resolver) or _includes(robot, setup)
-        if not setup.urdf or is_stale or (is_for and setup.has_arguments):
+        is_moved = is_for and not any(srdf_in(_directories(moveit, setup), resolver))
+        if not setup.urdf or is_stale or is_moved or (is_for and setup.has_arguments):
             for directory in _directories(moveit, setup):
                 directories.update(dict.fromkeys((directory, *_inner(directory, resolver))))
     files = list(srdf_in(directories, resolver))

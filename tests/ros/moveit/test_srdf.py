@@ -204,6 +204,8 @@ ARGUMENTS = "\n    xacro_args: side:=left"
         ("arm_moveit_config/config/r", SETUP.format(""), "", True),
         ("arm_moveit_config/config/r", SETUP.format(ARGUMENTS), "", True),
         ("arm_moveit_config/config/r", SETUP.replace("r.urdf", "s.urdf").format(""), "", False),
+        # the file was moved after the assistant ran
+        ("arm_moveit_config/config/r", SETUP.replace("r/r.srdf", "r.srdf").format(""), "", True),
         # the package was renamed after the assistant ran
         ("arm_moveit_config/config/r", SETUP.replace("arm", "leg").format(""), "", True),
         ("all_moveit/config/r", "", "", True),
