@@ -6,11 +6,11 @@ from functools import cache
 
 def comes_with_ros(name: str) -> bool:
     """True for a package of ROS or of a common stack."""
-    return name in _names()
+    return name in ros_packages()
 
 
 @cache
-def _names() -> frozenset[str]:
-    """The names in ``ros_packages.txt``, a line for each; its comments are no names."""
+def ros_packages() -> frozenset[str]:
+    """The packages of ROS and of common stacks: the lines of ``ros_packages.txt``."""
     with open(f"{os.path.splitext(__file__)[0]}.txt", encoding="utf-8") as file:
         return frozenset(file.read().splitlines())

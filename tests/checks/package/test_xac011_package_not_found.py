@@ -1,5 +1,7 @@
 from pathlib import Path
 
+import pytest
+
 from tests.naming import naming
 from tests.xacros import codes, reported, told_of, write
 from urdfkit.lint import engine
@@ -138,3 +140,10 @@ def test_a_package_of_the_workspace_that_has_the_file(tmp_path: Path) -> None:
     write(tmp_path / "arm_bringup", hand='<link name="a"/>')
     hand, _ = told_of("XAC011", tmp_path / "arm_bringup" / "robot.xacro")
     assert hand.help == naming("--package", "arm=DIR"), "two packages have it"
+
+
+@pytest.mark.parametrize(("name", "count"), [("ros_gz_sims", 1), ("ros_gz_driver", 0)])
+def test_a_misspelt_package_of_ros(tmp_path: Path, name: str, count: int) -> None:
+    found = engine.check(Source(str(tmp_path / "a.launch"), launch(name))).diagnostics
+    warnings = [one.message for one in found if one.severity is Severity.WARNING]
+    assert [message.count("'ros_gz_sim'") for message in warnings] == [1] * count

@@ -21,10 +21,10 @@ Sources:
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from urdfkit.core import disk
-from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.suggest import did_you_mean, is_typo
 from urdfkit.errors import Unavailable
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, reported, rule
 from urdfkit.robot.assets.file_names import is_mistyped
@@ -34,6 +34,7 @@ from urdfkit.text.diagnostic import Problem
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
 from urdfkit.workspace.manifest import is_known_dependency, manifest_of
+from urdfkit.workspace.ros_packages import ros_packages
 
 BAD = xacro_xml('<xacro:include filename="$(find arm_descripton)/urdf/arm.xacro"/>')
 GOOD = xacro_xml('<link name="base"/>')
@@ -69,11 +70,8 @@ def _explained(context: Context, problem: Problem, finding: Finding) -> Finding:
     (name,) = re.findall(_NAME, problem.message)
     path = problem.span.source.path
     known = context.resolver.packages.known(context.source.path)
-    alike = [
-        package
-        for package in known
-        if is_mistyped(name, package) or package.rstrip("0123456789") == name
-    ]
+    alike = _meant(name, known)
+    alike += [package for package in known if package.rstrip("0123456789") == name]
     is_declared = is_known_dependency(name, path, context.resolver)
     severity = None if alike and not is_declared else Severity.WARNING
     reason = "is not found"
@@ -91,6 +89,14 @@ def _explained(context: Context, problem: Problem, finding: Finding) -> Finding:
         group_key=name,
         severity=severity,
     )
+
+
+def _meant(name: str, known: Iterable[str]) -> list[str]:
+    """The packages of the workspace and of ROS of which a name may be a typo."""
+    return [
+        *(package for package in known if is_mistyped(name, package)),
+        *(package for package in sorted(ros_packages()) if is_typo(name, package)),
+    ]
 
 
 def _from(span: Span) -> str:
@@ -117,7 +123,7 @@ def _of_meshes(context: Context, name: str, meshes: list[MeshReference]) -> Find
     is_declared = is_known_dependency(name, first.at.span.source.path, context.resolver)
     count = "1 mesh" if len(meshes) == 1 else f"{len(meshes)} meshes"
     known = context.resolver.packages.known(context.source.path)
-    suggested = did_you_mean(name, [package for package in known if is_mistyped(name, package)])
+    suggested = did_you_mean(name, _meant(name, known))
     is_model = first.located.scheme == "model"
     source = "add the directory around it to GAZEBO_MODEL_PATH or GZ_SIM_RESOURCE_PATH"
     source = source if is_model else "source the workspace that has it"
@@ -139,7 +145,7 @@ def _launched(context: Context) -> Findings:
         name = package.name
         if package.searched is None or is_known_dependency(name, path, resolver):
             continue
-        suggested = did_you_mean(name, [package for package in known if is_mistyped(name, package)])
+        suggested = did_you_mean(name, _meant(name, known))
         undeclared, help = "", "fix the name"
         if manifest is not None:
             undeclared = " and not declared in package.xml"
