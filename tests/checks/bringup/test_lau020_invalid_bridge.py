@@ -372,3 +372,19 @@ def test_a_file_that_is_not_yaml(tmp_path: Path, text: str, line: int) -> None:
     node = NODE.format(f"parameters=[{{'config_file': '{tmp_path}/b.yaml'}}]")
     found = reported(tmp_path, "LAU020", "a.launch.py", node, {"b.yaml": text})
     assert [(one.span.line, "YAML" in one.message) for one in found] == [(line, True)] * (line > 0)
+
+
+ENTRY = """- ros_topic_name: {0}
+  gz_topic_name: {0}
+  ros_type_name: sensor_msgs/msg/Imu
+  gz_type_name:
+    gz.msgs.IMU
+"""
+
+
+@pytest.mark.parametrize(("dash", "count"), [("-", 0), (" ", 1)])
+def test_two_entries_without_a_dash(tmp_path: Path, dash: str, count: int) -> None:
+    node = NODE.format(f"parameters=[{{'config_file': '{tmp_path}/b.yaml'}}]")
+    text = ENTRY.format("a") + ENTRY.format("b").replace("-", dash, 1)
+    found = reported(tmp_path, "LAU020", "a.launch.py", node, {"b.yaml": text})
+    assert [(one.span.line, one.span.text) for one in found] == [(6, "b")] * count

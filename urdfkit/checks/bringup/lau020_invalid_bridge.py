@@ -15,6 +15,7 @@ Reported as a warning:
   is not bridged. The topics of `image_bridge` of ros_gz_image are images. A sensor without
   `<topic>` publishes below `/world/NAME/model/NAME/link/...`; the `camera_info` of a camera is next
   to its images. A topic that the xacro has with other arguments is not reported.
+- An entry of the file has a key twice, as two have without the dash of the second.
 - The bridge has parameters, but neither `config_file` nor topics as arguments.
 - The topic is bridged only in the wrong direction, such as `/clock` to Gazebo.
 - Two topics of sensors are bridged to one topic of ROS: images of two cameras alternate on it. Or
@@ -32,6 +33,7 @@ Sources:
 
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 
 from urdfkit.checks.bringup.topics_without_messages import topics_without_messages
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
@@ -59,7 +61,7 @@ from urdfkit.ros.launch.bridges import (
     ros_types,
 )
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.text.located_yaml import items, load, syntax_error
+from urdfkit.text.located_yaml import Value, items, load, syntax_error
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -85,6 +87,7 @@ def check(context: Context) -> Findings:
     for program in context.launch.programs:
         yield from _without_topics(program)
         yield from _not_a_list(program, context)
+        yield from _joined(program, context)
     bridged = [
         (topic, program.frame)
         for program in context.launch.programs
@@ -131,6 +134,24 @@ def _not_a_list(program: StartedProgram, context: Context) -> Findings:
         if isinstance(value, list):
             help = f"remove {key}: and write its list as the whole file"
         yield Finding(Location(key.span, program.frame), message, help)
+
+
+def _joined(program: StartedProgram, context: Context) -> Findings:
+    """An entry that repeats a key, as two do without the dash of the second."""
+    path = config_path(program) if is_bridge(program) else None
+    source = context.resolver.readable(path) if path else None
+    entries = load(source) if source else None
+    for entry in entries if isinstance(entries, list) else ():
+        for (key, value), (after, _) in pairwise(items(entry)):
+            # The place of a key is the first, that of its value the last.
+            if isinstance(value, Value) and value.span.start > after.span.start:
+                yield Finding(
+                    Location(value.span, program.frame),
+                    f"'{key}' is given twice in one entry: the bridge has one topic of two",
+                    f"write - before the second {key}",
+                    severity=Severity.WARNING,
+                )
+                break
 
 
 def _merged(context: Context) -> Findings:
