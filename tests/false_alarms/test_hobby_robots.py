@@ -448,3 +448,22 @@ def test_a_robot_on_tracks_above_its_footprint(height: str, help: str) -> None:
         robot += child(name, parent="base_link", inside=ball, xyz=f"0 {y} -0.03")
     (found,) = reported("TRE008", robot)
     assert help in (found.help or "")
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ('<disable_collisions link1="base" link2="{}" reason="Never"/>', ""),
+        ('<group name="g"><link name="{}"/></group>', "inside a false condition"),
+    ],
+)
+def test_an_srdf_with_what_is_switched_off(tmp_path: Path, content: str, message: str) -> None:
+    """The gripper of an arm, whose include has a condition: the SRDF is for both."""
+    drive = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="wheel"/></robot>'
+    add_file(tmp_path / "drive.xacro", drive)
+    path = add_file(tmp_path / "r.urdf.xacro", _SWITCH)
+    for link, expected in (("wheel", message), ("weel", "unknown link")):
+        add_file(tmp_path / "r.srdf", f'<robot name="r">{content.format(link)}</robot>')
+        found = check(str(path), select=["SRD001"]).diagnostics
+        assert len(found) == bool(expected)
+        assert all(expected in one.message for one in found)

@@ -4,7 +4,7 @@
   drops the group or state, and planning fails with "group not found" or with joints that never
   move. A warning for the group of a state if the SRDF has no groups: Pinocchio reads the state.
 - An unknown link in the collision matrix (warning): "Link is not known to URDF. Cannot disable
-  collisions"; the entry has no effect. Not for a link of a macro that other arguments call.
+  collisions"; the entry has no effect. Not for a link that the robot has with other arguments.
 - A state that sets a joint outside its group (warning): MoveIt ignores the value.
 
 The SRDF is out of date, or the name is misspelt.
@@ -23,6 +23,7 @@ from urdfkit.checks.srdf.namesakes import has_incomplete_namesake, names_in_name
 from urdfkit.core.suggest import SIMILAR, Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
+from urdfkit.lint.switched_off import all_sources, is_switched_off
 from urdfkit.robot.samples import link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf, is_free_flyer
@@ -64,14 +65,15 @@ def check(context: Context) -> Findings:
         is_known = attribute.value in srdf.known(kind) or is_free_flyer(attribute)
         if attribute.value and not is_known:
             finding = suggestions.unknown(kind, attribute)
-            is_for_pinocchio = attribute.element.tag == "group_state" and not srdf.groups
-            yield finding._replace(severity=Severity.WARNING) if is_for_pinocchio else finding
+            yield _of_other_arguments(context, kind, attribute, finding, bool(srdf.groups))
     links = srdf.known("link") | elsewhere
     uncalled = _Uncalled(context)
     for pair in (*srdf.root.all("disable_collisions"), *srdf.root.all("enable_collisions")):
         for key in ("link1", "link2"):
             name = pair.attributes.get(key)
-            if name and name.value not in links and not uncalled.may_make(name.value):
+            if not name or name.value in links or uncalled.may_make(name.value):
+                continue
+            if not is_switched_off(context, name.value):
                 yield suggestions.unknown("link", name)._replace(
                     help="compute the collision matrix again, or fix the name",
                     severity=Severity.WARNING,
@@ -79,18 +81,31 @@ def check(context: Context) -> Findings:
     yield from _not_in_group(context, srdf)
 
 
+def _of_other_arguments(
+    context: Context, kind: str, attribute: Attribute, finding: Finding, has_groups: bool
+) -> Finding:
+    """The finding, as a warning if it is for Pinocchio, or of the robot with other arguments."""
+    if kind != "group" and is_switched_off(context, attribute.value):
+        return finding._replace(
+            message=f"{kind} '{attribute.value}' is inside a false condition of the robot",
+            help="write a .srdf.xacro with the same argument, or pass it to the robot",
+            fix=None,
+        )
+    is_for_pinocchio = attribute.element.tag == "group_state" and not has_groups
+    return finding._replace(severity=Severity.WARNING) if is_for_pinocchio else finding
+
+
 class _Uncalled:
     """The links in macros that this robot does not call, such as those of its other grippers."""
 
     def __init__(self, context: Context) -> None:
-        self._reading = context.reading.xacro
+        self._context = context
         self._made = tuple(context.model.links_by_name)
 
     @cached_property
     def _ends(self) -> tuple[str, ...]:
         """What follows the expressions in their names."""
-        sources = self._reading.sources if self._reading else ()
-        texts = (blank_comments(source.data) for source in sources)
+        texts = (blank_comments(source.data) for source in all_sources(self._context))
         found = {end.decode("utf-8", "replace") for text in texts for end in _MADE.findall(text)}
         return tuple(end for end in found if not any(name.endswith(end) for name in self._made))
 
