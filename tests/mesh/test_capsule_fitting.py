@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 trimesh = pytest.importorskip("trimesh", reason="meshes need the extra meshes")
 
 from urdfkit.mesh import solids
-from urdfkit.mesh.capsule_fitting import Capsules, fit
+from urdfkit.mesh.capsule_fitting import Capsules, _radius_by_ends, fit
 from urdfkit.mesh.cover_quality import measure
 from urdfkit.mesh.geometry import Floats
 
@@ -130,3 +130,13 @@ def test_boxes_are_covered_as_stated(size: tuple[float, float, float], margin: f
     points = np.random.default_rng(0).uniform(-0.5, 0.5, (5000, 3)) * size
     assert (found.distances(points) <= 0).mean() > 0.98
     assert 1 <= len(found.radii) <= 9
+
+
+def test_the_radius_by_the_ends_is_the_distance_of_a_point_from_the_axis() -> None:
+    random = np.random.default_rng(0)
+    points = random.normal((100, 0, 0), size=(500, 3))
+    radius = _radius_by_ends(points, 400)
+    axes = [random.normal((100, 0, 0), size=(2, 3)) for _ in range(20)]
+    for axis in [*axes, np.repeat(points[:1], 2, axis=0)]:
+        distances = np.sort(Capsules(axis[None], np.zeros(1)).distances(points))
+        assert radius(axis.ravel()) == pytest.approx(distances[400], abs=1e-9)

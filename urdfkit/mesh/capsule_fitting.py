@@ -9,6 +9,7 @@ in the algorithm of S. P. Lloyd ("Least squares quantization in PCM", 1982).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from math import sqrt
 
 import numpy as np
 from scipy.optimize import minimize
@@ -40,6 +41,8 @@ _WORTH, _LOOKAHEAD = 0.95, 2
 #: Quantile of protrusions that is compared with the margin.
 _QUANTILE = 0.95
 _SEED = 13
+#: Square of the length of an axis that is a point, as a divisor.
+_TINY = 1e-300
 
 
 class Capsules(Record):
@@ -72,6 +75,32 @@ def _to_segment(points: Floats, segment: Floats) -> Floats:
         shares = np.clip(offsets @ along / square, 0.0, 1.0)
         offsets = offsets - shares[:, None] * along
     return np.asarray(np.sqrt(np.einsum("ij,ij->i", offsets, offsets)))
+
+
+def _radius_by_ends(points: Floats, place: int) -> Callable[[Floats], float]:
+    """The radius of a capsule by the ends of its axis (6,): the distance of one of the points.
+
+    Thousands of axes are tried for each capsule, so this avoids arrays of vectors: squares of
+    distances are sums of products that are computed once.
+
+    Args:
+        points: (n, 3).
+        place: index of the point among all, sorted by distance.
+    """
+    center = points.mean(axis=0)
+    centered = points - center
+    squares = np.einsum("ij,ij->i", centered, centered)
+
+    def radius(ends: Floats) -> float:
+        begin, along = ends[:3] - center, ends[3:] - ends[:3]
+        length = max(float(along @ along), _TINY)
+        ahead = centered @ along - begin @ along
+        shares = np.minimum(np.maximum(ahead / length, 0.0), 1.0)
+        beside = squares - centered @ (2 * begin) + shares * (shares * length - 2 * ahead)
+        beside.partition(place)
+        return sqrt(max(float(beside[place] + begin @ begin), 0.0))
+
+    return radius
 
 
 def _on_surface(segment: Floats, radius: float, random: np.random.Generator) -> Floats:
@@ -166,14 +195,14 @@ class _Solid:
         """The smallest capsule near an axis that contains enough of the points."""
         size = float(np.ptp(points, axis=0).max())
         place = int(self._part * (len(points) - 1))
+        radius = _radius_by_ends(points, place)
 
-        def capsule(ends: Floats) -> _Capsule:
-            segment = ends.reshape(2, 3)
-            return segment, float(np.partition(_to_segment(points, segment), place)[place])
+        def volume(ends: Floats) -> float:
+            return float(_volume(ends.reshape(2, 3), radius(ends)) ** (1 / 3))
 
         first = start.ravel()
         found = minimize(
-            lambda ends: _volume(*capsule(ends)) ** (1 / 3),
+            volume,
             first,
             method="Nelder-Mead",
             options={
@@ -183,7 +212,7 @@ class _Solid:
                 "fatol": _PRECISION * size,
             },
         )
-        return capsule(found.x)
+        return found.x.reshape(2, 3), radius(found.x)
 
     def _cover(self, capsules: list[_Capsule]) -> _Cover:
         """Capsules with radii that suffice for other points, and how far they protrude."""
