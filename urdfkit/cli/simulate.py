@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterable, Iterator
+from itertools import groupby
 from typing import Any
 
 from urdfkit.cli import output
@@ -19,6 +20,9 @@ from urdfkit.text.terminal import GREEN, RED, YELLOW
 #: Pixels of the image and of the animation.
 SIZE, MOVING = (1280, 720), (640, 400)
 MOVING_FORMATS = (".gif", ".webp", ".apng")
+#: Most verdicts of a test with the same result that the text lists: the links of a hand whose
+#: meshes are in millimetres overlap in 300 pairs.
+_MOST = 10
 COLORS = {r"(?<=^  )FAILS\b": RED, r"(?<=^  )warns\b": YELLOW, r"(?<=^  )passes\b": GREEN}
 
 
@@ -69,8 +73,13 @@ def _page(simulation: Simulation) -> Iterator[str]:
     yield "its root stands on a floor" if simulation.is_free else "its root is welded to the world"
     if simulation.srdf:
         yield f"pairs of links that {shown(simulation.srdf)} disables do not collide"
-    for verdict in simulation.verdicts:
-        yield from output.indented(str(verdict))
+    kinds = groupby(simulation.verdicts, lambda one: (one.test, one.passes, one.warns))
+    for _, verdicts in kinds:
+        alike = [*verdicts]
+        for verdict in alike[:_MOST]:
+            yield from output.indented(str(verdict))
+        if len(alike) > _MOST:
+            yield f"  and {len(alike) - _MOST} more like these; --format json has all"
 
 
 def _draw(context: Context, base: str, srdf: str | None, paths: Iterable[str]) -> None:

@@ -20,7 +20,8 @@ def overlap(robot: SimulatedRobot) -> Iterator[Verdict]:
     for names, depth in sorted(depths.items(), key=lambda pair: -pair[1]):
         links = " and ".join(f"'{name}'" for name in names)
         kind = "convex hulls of links" if robot.has_mesh(*names) else "links"
-        text = f"{kind} {links} overlap by {depth * 1e3:.3g} mm at the start"
+        length = f"{depth * 1e3:.3g} mm" if depth < 1 else f"{depth:.3g} m"
+        text = f"{kind} {links} overlap by {length} at the start"
         if frozenset(names) in robot.neighbours:  # which MuJoCo otherwise excludes
             text += "; MuJoCo collides them, since the parent is welded to the world"
         place = robot.collision(names[0])
