@@ -1,4 +1,4 @@
-"""The arguments of functions in a Python launch file that are called once."""
+"""The arguments of functions in a Python launch file that are called once, as each copy is."""
 
 import ast
 from collections import Counter
@@ -9,21 +9,29 @@ from urdfkit.text.python_source import dotted_name, nodes
 
 #: The class that calls a function with the launch context, then with its own ``args``.
 _OPAQUE = "OpaqueFunction"
+#: The key of ``**`` in a call.
+_OTHERS = "**"
 
 
 def bound_parameters(tree: ast.Module) -> dict[ast.FunctionDef, dict[str, ast.expr]]:
     """The parameters of each function that is called in one place, with the expressions passed.
 
-    A function that is used in any other way, or defined twice, is not known.
+    A function that is used in any other way, or defined twice, is not known. Of a function with a
+    copy for each call (see ``repeated_calls``), any copy may be that of any call.
     """
     defined = by_key((node.name, node) for node in nodes(tree) if isinstance(node, ast.FunctionDef))
     uses = Counter(node.id for node in nodes(tree) if isinstance(node, ast.Name))
+    free = {
+        name: [*functions]
+        for name, functions in defined.items()
+        if len(functions) == uses[name] and len({node.lineno for node in functions}) == 1
+    }
     found = {}
     for call in nodes(tree):
         if isinstance(call, ast.Call) and (target := _target(call)):
             name, positional, keywords = target
-            if len(defined.get(name, ())) == 1 and uses[name] == 1:
-                (function,) = defined[name]
+            if free.get(name):
+                function = free[name].pop(0)
                 bound = dict(_bound(function, positional, keywords))
                 found[function] = {name: bound[name] for name in bound.keys() - _asked(function)}
     return found
@@ -40,7 +48,7 @@ def _target(call: ast.Call) -> tuple[str, list[ast.expr | None], dict[str, ast.e
     """The name of the called function, and its arguments; None stands for an unknown one."""
     if not isinstance(call.func, ast.Name):
         return None
-    keywords = {keyword.arg: keyword.value for keyword in call.keywords if keyword.arg}
+    keywords = {keyword.arg or _OTHERS: keyword.value for keyword in call.keywords}
     if call.func.id != _OPAQUE:
         return call.func.id, list(call.args), keywords
     function = keywords.get("function")
@@ -70,3 +78,8 @@ def _bound(
         if value is not None:
             passed[name] = value
     yield from passed.items() if is_whole else keywords.items()
+    if function.args.kwarg and _OTHERS not in keywords:
+        names += [parameter.arg for parameter in function.args.kwonlyargs]
+        rest = {name: value for name, value in keywords.items() if name not in names}
+        keys = [ast.copy_location(ast.Constant(name), value) for name, value in rest.items()]
+        yield function.args.kwarg.arg, ast.Dict(list(keys), list(rest.values()))

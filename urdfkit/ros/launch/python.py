@@ -30,6 +30,7 @@ from urdfkit.ros.launch.python_loads import loading_functions, record_loaded, re
 from urdfkit.ros.launch.python_names import wrong_names
 from urdfkit.ros.launch.python_nodes import start_components, start_node
 from urdfkit.ros.launch.python_order import declared_late
+from urdfkit.ros.launch.repeated_calls import with_copies
 from urdfkit.ros.launch.scopes import overwritten, unread, with_items
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.values import argument, called, parts_of_path
@@ -50,7 +51,7 @@ def read(collector: Collector, file: LaunchedFile) -> None:
     """Collect the contents of a launch file in Python, as far as they are constant."""
     source = file.source
     try:
-        tree = python_source.parse(source.data, source.path)
+        tree = with_copies(python_source.parse(source.data, source.path))
     except SyntaxError as error:
         start = source.offset(error.lineno or 1, error.offset or 1)
         at = Span(source, start, start)

@@ -102,7 +102,8 @@ class Scopes:
             inner = _Scope({}, scope)
             parameters = node.args
             passed = self._passed.get(node, {}) if isinstance(node, ast.FunctionDef) else {}
-            for argument in (*parameters.posonlyargs, *parameters.args, *parameters.kwonlyargs):
+            named = (*parameters.posonlyargs, *parameters.args, *parameters.kwonlyargs)
+            for argument in (*named, *filter(None, (parameters.kwarg,))):
                 inner.bind(argument.arg, passed.get(argument.arg))
             return inner
         else:

@@ -1,0 +1,63 @@
+"""Functions of a Python launch file that create actions and are called several times.
+
+They get one copy for each call, so that their parameters have one value each.
+"""
+
+import ast
+from collections import Counter
+from copy import deepcopy
+from functools import lru_cache
+
+from urdfkit.core.grouping import by_key
+from urdfkit.ros.launch.values import called
+from urdfkit.text.python_source import CACHE_SIZE, nodes
+
+_ACTIONS = frozenset(("ExecuteProcess", "IncludeLaunchDescription", "LifecycleNode", "Node"))
+#: Most calls of one function: copies take time and memory.
+_MAX_CALLS = 12
+
+
+@lru_cache(CACHE_SIZE)
+def with_copies(tree: ast.Module) -> ast.Module:
+    """The tree with a copy of such a function for each call; the same tree if there is none."""
+    counts = _repeated(tree)
+    if not counts:
+        return tree
+    try:
+        copied = deepcopy(tree)
+    except RecursionError:
+        return tree
+    owners: list[ast.Module | ast.FunctionDef] = [copied]
+    owners += [node for node in ast.walk(copied) if isinstance(node, ast.FunctionDef)]
+    for owner in owners:
+        owner.body = [copy for node in owner.body for copy in (node, *_copies(node, counts))]
+    return copied
+
+
+def _copies(node: ast.stmt, counts: dict[str, int]) -> list[ast.stmt]:
+    """The further copies of a function."""
+    count = counts.get(node.name, 1) if isinstance(node, ast.FunctionDef) else 1
+    return [deepcopy(node) for _ in range(count - 1)]
+
+
+def _repeated(tree: ast.Module) -> dict[str, int]:
+    """The numbers of calls of functions that are used in no other way."""
+    defined = by_key((node.name, node) for node in nodes(tree) if isinstance(node, ast.FunctionDef))
+    names = [node for node in nodes(tree) if isinstance(node, ast.Name)]
+    uses = Counter(node.id for node in names)
+    calls = Counter(called(node) for node in nodes(tree) if isinstance(node, ast.Call))
+    return {
+        name: uses[name]
+        for name, functions in defined.items()
+        if len(functions) == 1
+        and 1 < uses[name] <= _MAX_CALLS
+        and uses[name] == calls[name]
+        and functions[0].args.args
+        and _creates_actions(functions[0])
+    }
+
+
+def _creates_actions(function: ast.FunctionDef) -> bool:
+    return any(
+        isinstance(node, ast.Call) and called(node) in _ACTIONS for node in ast.walk(function)
+    )
