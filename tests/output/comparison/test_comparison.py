@@ -370,3 +370,16 @@ def test_a_rename_is_reported_in_chinese(pair: Path) -> None:
     page = as_html.render(compare("a/arm.urdf", "b/arm.urdf"), language="zh")
     assert "<code>tool</code></th><td>改名为 <code>hand</code></td>" in page
     assert '<span class="badge warning">名称</span>' in page
+
+
+def test_text_in_another_layout_is_no_new_finding(tmp_path: Path) -> None:
+    """A robot and its expansion: the stray text stood on a line of its own."""
+    shape = '<geometry>s\n<box size="1 1 1"/></geometry>'
+    before = f'<robot name="r"><link name="a"><visual>{shape}</visual></link></robot>'
+    for name, text in (("a", before), ("b", before.replace(">s", ">\n  s\n"))):
+        (tmp_path / f"{name}.urdf").write_text(text)
+    found = compare(str(tmp_path / "a.urdf"), str(tmp_path / "b.urdf"))
+    assert (found.new_findings, found.fixed_findings) == ((), ())
+    (tmp_path / "a.urdf").write_text(before.replace(">s", ">"))
+    found = compare(str(tmp_path / "a.urdf"), str(tmp_path / "b.urdf"))
+    assert [finding.code for finding in found.new_findings] == ["URD017"]

@@ -188,8 +188,9 @@ def _findings(
 
 def _keys(finding: Diagnostic, names: RenamedParts | None = None) -> set[tuple[str, str]]:
     elements = {_renamed(call.element, names) for call in finding.calls} - {""}
-    if not elements:  # the finding concerns the text
-        elements = {" ".join(finding.span.source.line(finding.span.line).split())}
+    if not elements:  # the finding concerns the text, which may be laid out anew
+        line = finding.span.source.line(finding.span.line)
+        elements = {" ".join(line.split()), finding.message}
     return {(finding.code, element) for element in elements}
 
 
