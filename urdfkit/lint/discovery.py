@@ -17,7 +17,7 @@ from urdfkit.lint.config import Config, RobotEntry, matches
 from urdfkit.lint.entry_points import ROOT, DirectoryContents, EntryPoints
 from urdfkit.lint.include_graph import SUFFIXES, IncludeGraph
 from urdfkit.text.comments import without_comments
-from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.file_kinds import generates_launch, has_launch_name, is_launch
 from urdfkit.workspace.directories import Directories
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.resolve import Resolver
@@ -140,13 +140,9 @@ def _is_readable_launch(path: str, config: Config) -> bool:
     if not is_launch(path) or matches(config.relative(path), config.exclude):
         return False
     is_readable = disk.is_file(path) and os.access(path, os.R_OK)
-    return is_readable and not (_is_template(path) or _is_helper(path))
-
-
-def _is_helper(path: str) -> bool:
-    """True for a module beside launch files, which they import."""
-    is_marked = path.endswith("launch.py") or not path.endswith(".py")
-    return not is_marked and b"def generate_launch_description" not in read_head(path)
+    if not is_readable or _is_template(path):
+        return False
+    return has_launch_name(path) or generates_launch(read_head(path))
 
 
 def _is_template(path: str) -> bool:

@@ -4,6 +4,7 @@ import os
 import re
 from functools import lru_cache
 
+from urdfkit.core import disk
 from urdfkit.errors import PackageNotFound
 from urdfkit.lint.context import Context
 from urdfkit.lint.include_graph import INCLUDE
@@ -41,14 +42,14 @@ def all_sources(context: Context) -> tuple[Source, ...]:
 
 @lru_cache(maxsize=1)
 def _with_unread(sources: tuple[Source, ...], resolver: Resolver) -> tuple[Source, ...]:
-    found = {os.path.realpath(source.path): source for source in sources}
+    found = {disk.real(source.path): source for source in sources}
     queue = list(sources)
     while queue:
         source = queue.pop()
         for name in INCLUDE.findall(without_comments(source.data)):
             path = _included(name.decode("utf-8", "replace"), source.path, resolver)
-            if path and os.path.realpath(path) not in found and (own := resolver.readable(path)):
-                found[os.path.realpath(path)] = own
+            if path and disk.real(path) not in found and (own := resolver.readable(path)):
+                found[disk.real(path)] = own
                 queue.append(own)
     return tuple(found.values())
 

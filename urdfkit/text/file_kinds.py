@@ -43,9 +43,19 @@ _LAUNCH = (
 
 def is_launch(path: str) -> bool:
     """True if a file has the name of a launch file, or is a program in a directory of them."""
-    if path.endswith(_LAUNCH):
+    if has_launch_name(path):
         return True
     return path.endswith(".py") and os.path.basename(os.path.dirname(path)) == "launch"
+
+
+def has_launch_name(path: str) -> bool:
+    """True for a launch file by its name alone."""
+    return path.endswith(_LAUNCH)
+
+
+def generates_launch(data: bytes) -> bool:
+    """True for a launch file in Python, unlike a module that launch files import."""
+    return b"def generate_launch_description" in data
 
 
 def has_srdf_tags(root: Element) -> bool:

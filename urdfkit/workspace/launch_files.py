@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from itertools import islice
 
-from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.file_kinds import generates_launch, has_launch_name, is_launch
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.resolve import Resolver
 
@@ -16,7 +16,9 @@ def launch_files(directory: str, mentioned: str, resolver: Resolver) -> Iterator
     files = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
     for path in islice(files, MAX_FILES):
         source = resolver.readable(shown(path))
-        if source and mentioned.encode() in source.data:
+        if source is None or mentioned.encode() not in source.data:
+            continue
+        if has_launch_name(path) or generates_launch(source.data):
             yield source
 
 

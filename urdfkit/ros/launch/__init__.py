@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 from urdfkit.core.static_typing import TYPE_CHECKING
+from urdfkit.text.file_kinds import generates_launch
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -52,5 +53,5 @@ def _read(collector: Collector, file: LaunchedFile) -> None:
 
 def is_python(source: Source) -> bool:
     """True for a Python program, which ``ros2 launch`` also assumes for unknown suffixes."""
-    is_marked = b"def generate_launch_description" in source.data
-    return source.path.endswith(".py") or (is_marked and not source.data.lstrip().startswith(b"<"))
+    is_marked = generates_launch(source.data) and not source.data.lstrip().startswith(b"<")
+    return source.path.endswith(".py") or is_marked
