@@ -53,3 +53,19 @@ def test_a_robot_whose_left_is_minus_y() -> None:
     assert messages("JNT025", robot(*mirrored)) == []
     mirrored[3] = mirrored[2]
     assert messages("JNT025", robot(*mirrored))[0].startswith("joint 'rear_right' ")
+
+
+@pytest.mark.parametrize(("turned", "count"), [(True, 0), (False, 1)])
+def test_brackets_that_are_turned_inside_their_links(turned: bool, count: int) -> None:
+    """A waferbot: one bracket is half a turn of the other, so its corner is on the other side."""
+    sides = (("left", "-0.02 0.08 0", "0.02 -0.03 0"), ("right", "0.02 -0.08 0", "-0.02 0.03 0"))
+    text = '<link name="base"/>'
+    for side, place, center in sides:
+        shift = center if turned else "0.02 -0.03 0"
+        text += (
+            f'<link name="{side}_bracket"><visual><origin xyz="{shift}"/><geometry>'
+            '<box size="0.05 0.055 0.035"/></geometry></visual></link>'
+            f'<joint name="{side}_bracket" type="fixed"><parent link="base"/>'
+            f'<child link="{side}_bracket"/><origin xyz="{place}"/></joint>'
+        )
+    assert len(messages("JNT025", text)) == count

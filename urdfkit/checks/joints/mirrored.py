@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from math import dist
 
 from urdfkit.checks.joints.mirrored_siblings import (
     TOLERANCE,
@@ -61,7 +62,7 @@ def misplaced(context: Context) -> Iterator[tuple[Joint, Joint, str]]:
     reported: set[str] = set()
     for correct, wrong, reason in misplaced_siblings(context.model):
         reported |= _moved_with(correct, context) | _moved_with(wrong, context)
-        if _would_overlap(context, correct, wrong):
+        if _would_overlap(context, correct, wrong) or _are_mirrored_bodies(context, correct, wrong):
             continue
         places = f"{_at(wrong)} {reason} its counterpart '{correct.name}' {_at(correct)}"
         yield correct, wrong, places
@@ -118,6 +119,20 @@ def _would_overlap(context: Context, correct: Joint, wrong: Joint) -> bool:
     place = correct.origin.position
     mirrored = correct.origin._replace(position=mirror_image(place))
     return body.bounds.moved(correct.origin).gap(body.bounds.moved(mirrored)) <= 0
+
+
+def _are_mirrored_bodies(context: Context, correct: Joint, wrong: Joint) -> bool:
+    """True for bodies at mirrored places, such as a bracket that is turned inside its link."""
+    boxes = []
+    for joint in (correct, wrong):
+        link = context.model.links_by_name.get(joint.child_name)
+        body = solid(link.visuals, context.mesh_solid) if link else None
+        if body is None:
+            return False
+        boxes.append(body.bounds.moved(joint.origin))
+    (low, high), (other_low, other_high) = boxes
+    image = mirror_image((low[0], high[1], low[2])), mirror_image((high[0], low[1], high[2]))
+    return max(map(dist, image, (other_low, other_high))) < _ASYMMETRY
 
 
 def _places(one: Joint, other: Joint) -> tuple[Vector, Vector]:
