@@ -314,3 +314,11 @@ def test_the_mesh_of_the_other_side(tmp_path: Path, name: str, is_other: bool) -
     (found,) = meshed.reported(tmp_path, "INE006", own, files)
     assert ("left_steer.stl' is the mesh" in found.message) is is_other
     assert (found.fix is None) is is_other
+
+
+def test_a_moment_of_a_wheel_whose_other_moments_are_far_from_its_own() -> None:
+    """diffbot of ros2_control_demos: m/12 (3 r + h^2), m/12 r^2 and again, all three wrong."""
+    moments = (0.0005675, 2.8125e-6, 2.8125e-6)
+    wheel = shape("collision", '<cylinder radius="0.015" length="0.02"/>', rpy="1.5708 0 0")
+    (found,) = reported("INE003", link("wheel", wheel, inertial(0.15, moments, rpy="1.5708 0 0")))
+    assert found.help == 'write ixx="1.34375e-05" iyy="1.34375e-05" izz="1.6875e-05"'
