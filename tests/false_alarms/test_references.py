@@ -1,5 +1,7 @@
 """Names of links that are not there, and the link that was meant."""
 
+from pathlib import Path
+
 import pytest
 
 from tests.naming import naming
@@ -73,3 +75,23 @@ def test_a_block_of_a_link_is_not_for_a_joint(tag: str, reference: str, hint: st
     )
     (found,) = reported("GAZ001", robot)
     assert found.help == hint
+
+
+@pytest.mark.parametrize(
+    ("tag", "is_named"),
+    [('<link name="camera"/>', True), ('<xacro:property name="camera" value="1"/>', False)],
+)
+def test_a_property_with_the_name_of_a_link_is_no_link(
+    tmp_path: Path, tag: str, is_named: bool
+) -> None:
+    """waiter_robot_ROS: camera_link is a length, and the block names a camera that is not there."""
+    robot = (
+        '<robot name="{}" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="base"/>'
+        '{}<xacro:include filename="bot.gazebo"/></robot>'
+    )
+    (tmp_path / "a.xacro").write_text(robot.format("a", ""))
+    (tmp_path / "b.xacro").write_text(robot.format("b", tag))
+    block = '<robot><gazebo reference="camera"><material>Gazebo/Gray</material></gazebo></robot>'
+    (tmp_path / "bot.gazebo").write_text(block)
+    (found,) = check(tmp_path / "a.xacro", select=["GAZ001"]).diagnostics
+    assert ("'camera', which b.xacro has" in found.help) is is_named

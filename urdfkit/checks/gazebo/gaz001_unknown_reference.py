@@ -36,6 +36,8 @@ FIXED = GOOD = BAD.replace("whel", "wheel")
 #: What the robot lacks without the block; the rest is about a link that the robot does not have.
 _THINGS = frozenset(("sensor", "plugin"))
 _NONE: frozenset[str] = frozenset()
+#: What stands before the name of a link, a joint or a macro's part, and not of a property.
+_NAMED = rb"<(?!xacro:(?:property|arg)\b)[\w:.-]+\s[^<>]*?"
 
 
 @rule(
@@ -144,9 +146,10 @@ def _robot_with(context: Context, reference: Attribute) -> str:
         return ""
     from urdfkit.workspace.includes import includers  # few references are unknown
 
-    name = re.compile(rb"\bname\s*=\s*[\"']" + re.escape(reference.value.encode()) + rb"[\"']")
-    own = {source.path for source in context.reading.xacro.sources}
-    for path in sorted(set(includers(file, packages) or ()) - own):
+    value = re.escape(reference.value.encode())
+    name = re.compile(_NAMED + rb"""\bname\s*=\s*["']""" + value + rb"""["']""")
+    own = {os.path.abspath(source.path) for source in context.reading.xacro.sources}
+    for path in sorted(set(map(os.path.abspath, includers(file, packages) or ())) - own):
         source = context.resolver.readable(path)
         if source and name.search(blank_comments(source.data)):
             return os.path.basename(path)
