@@ -147,3 +147,45 @@ def test_a_robot_that_is_spawned_from_sdf(tmp_path: Path, file: str, count: int)
     text = BRIDGE % "/scan" + SPAWNED % file
     found = reported(tmp_path / "arm", "LAU020", "a.launch.py", text, {"urdf/r.urdf.xacro": BARE})
     assert len(found) == count
+
+
+EXPANDED = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch_ros.actions import Node
+from ros_gz_bridge.actions import RosGzBridge
+
+robot = open("../urdf/r.urdf").read()
+file = os.path.join(get_package_share_directory("arm"), "config", "b.yaml")
+nodes = [
+    Node(package="robot_state_publisher", executable="robot_state_publisher",
+         parameters=[{"robot_description": robot}]),
+    %s,
+]
+"""
+OF_BOT = """<robot name="r"><link name="base"/><gazebo reference="base">
+<sensor name="front" type="gpu_lidar"><topic>bot/scan</topic></sensor></gazebo></robot>"""
+ENTRY = """\
+- topic_name: scan
+  ros_type_name: sensor_msgs/msg/LaserScan
+  gz_type_name: gz.msgs.LaserScan
+  direction: GZ_TO_ROS
+"""
+
+
+ACTION = 'RosGzBridge(bridge_name="b", namespace="bot", config_file=file%s)'
+NODE = 'Node(package="ros_gz_bridge", executable="bridge_node", namespace="bot", parameters=[%s])'
+EXPANDING = '{"expand_gz_topic_names": True, "config_file": file}'
+
+
+@pytest.mark.parametrize(
+    ("bridge", "count"),
+    [(ACTION % f", extra_bridge_params={EXPANDING}", 0), (NODE % EXPANDING, 0), (ACTION % "", 1)],
+)
+def test_names_of_gazebo_below_the_namespace_of_the_bridge(
+    tmp_path: Path, bridge: str, count: int
+) -> None:
+    """A waferbot, whose robots share a file of topics."""
+    files = {"urdf/r.urdf": OF_BOT, "config/b.yaml": ENTRY}
+    found = reported(tmp_path / "arm", "LAU020", "a.launch.py", EXPANDED % bridge, files)
+    assert [one.help for one in found] == ["write /bot/scan"] * count

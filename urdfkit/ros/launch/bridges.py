@@ -26,6 +26,8 @@ FROM_GAZEBO, TO_GAZEBO, BOTH = "GZ_TO_ROS", "ROS_TO_GZ", "BIDIRECTIONAL"
 DIRECTIONS = (FROM_GAZEBO, TO_GAZEBO, BOTH)
 
 CONFIG_FILE = "config_file:="
+#: The parameter with which names of Gazebo in a file begin with the namespace of the bridge, too.
+EXPANDS_NAMES = "expand_gz_topic_names"
 _IMAGE_PACKAGES = ("ros_gz_image", "ros_ign_image")
 #: Characters for directions in a command line.
 SIGNS = {FROM_GAZEBO: "[", TO_GAZEBO: "]", BOTH: "@"}
@@ -103,11 +105,20 @@ def config_path(program: StartedProgram) -> str | None:
 
 def bridged_topics(program: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:
     """Topics of a bridge of ros_gz, with the namespace of the bridge; empty for other programs."""
+    space = program.namespace
+    is_expanding = (program.parameters.values.get(EXPANDS_NAMES) or "").lower() == "true"
     for topic in _topics(program, resolver):
-        if program.namespace and not topic.ros_topic.startswith("/"):
-            yield topic._replace(ros_topic=resolve_name(topic.ros_topic, program.namespace))
-        else:
-            yield topic
+        is_below = is_expanding and bool(topic.places)
+        yield topic._replace(
+            ros_topic=_below(space, topic.ros_topic),
+            topic=_below(space, topic.topic) if is_below else topic.topic,
+        )
+
+
+def _below(namespace: str | None, topic: str) -> str:
+    """The full name of a topic in a namespace."""
+    is_relative = namespace and not topic.startswith("/")
+    return resolve_name(topic, namespace or "") if is_relative else topic
 
 
 def _topics(program: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopic]:

@@ -4,9 +4,11 @@ Source: ``ros_gz_sim/launch``, ``ros_gz_bridge/launch`` and the ``actions`` of g
 which include these files.
 """
 
+import re
 from collections.abc import Iterator, Mapping
 
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.bridges import EXPANDS_NAMES
 from urdfkit.ros.launch.contents import GivenParameters, IncludedFile, StartedProgram, Word
 
 _SPAWNER = "ros_gz_sim/create"
@@ -17,6 +19,7 @@ _OPTIONS = {name: name for name in ("world", "file", "topic", "x", "y", "z", "R"
 _CONFIG_FILE = "config_file"
 #: Arguments of later versions with parameters of the bridge.
 _OTHER_PARAMETERS = ("bridge_params", "extra_bridge_params")
+_EXPANDED = re.compile(rf"\b{EXPANDS_NAMES}\W+true\b", re.IGNORECASE)
 
 
 def file_of_action(name: str) -> str:
@@ -63,6 +66,9 @@ def _bridge(node: StartedProgram, arguments: Mapping[str, Word]) -> StartedProgr
     missing = Word("", node.span)
     name, space = (arguments.get(key, missing).text for key in ("bridge_name", "namespace"))
     given = {key: word for key, word in arguments.items() if key == _CONFIG_FILE}
+    others = [arguments[key] for key in _OTHER_PARAMETERS if key in arguments]
+    if word := next((word for word in others if _EXPANDED.search(word.span.text)), None):
+        given[EXPANDS_NAMES] = Word("true", word.span)
     return node._replace(
         name=name or "",
         namespace=space and space.strip("/"),
