@@ -8,6 +8,7 @@ from tests.launched import MANIFEST, launch, reported
 from tests.naming import naming
 from tests.workspaces import add_file
 from urdfkit import Diagnostic, check
+from urdfkit.ros.launch.samples import nav2_launch
 from urdfkit.text.diagnostic import Confidence
 
 ROBOT = """<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -285,3 +286,18 @@ def test_names_that_a_prefix_of_the_launch_file_tells_apart(
         ("NAM001", severity),
         ("TRE003", severity),
     }
+
+
+@pytest.mark.parametrize(
+    ("release", "count"),
+    [
+        ("default_nav_to_pose_bt_xml: /opt/ros/humble/share/nav2_bt_navigator/a.xml", 0),
+        ("default_nav_to_pose_bt_xml: /opt/ros/jazzy/share/nav2_bt_navigator/a.xml", 1),
+    ],
+)
+def test_navigators_in_a_file_for_humble(tmp_path: Path, release: str, count: int) -> None:
+    """A tank: in Humble the two navigators are no plugins, and the list is not read."""
+    yaml = f"bt_navigator:\n  ros__parameters:\n    navigators: [navigate_to_pose]\n    {release}\n"
+    text = nav2_launch("nav2_bt_navigator", "bt_navigator", '"../config/nav2.yaml"')
+    files = {"config/nav2.yaml": yaml}
+    assert len(reported(tmp_path / "arm", "LAU039", "a.launch.py", text, files)) == count

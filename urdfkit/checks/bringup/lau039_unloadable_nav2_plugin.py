@@ -2,8 +2,8 @@
 
 - A plugin in `plugins` or `filters` of a costmap has no parameters: "Can not get 'plugin' param
   value for voxel_layer". The same holds for `controller_plugins` and the other lists of Nav2, and
-  for polygons, sources and docks. A source in `observation_sources` has no parameters (warning):
-  the layer subscribes to a topic of that name.
+  for polygons, sources and docks. Humble does not read `navigators`. A source in
+  `observation_sources` has no parameters (warning): the layer subscribes to a topic of that name.
 - A planner or controller of Nav2 is misspelt (warning), lacks its critics or its primary
   controller, or has an unknown critic. The classes of plugins have names of different versions of
   Nav2 (warning).
@@ -26,6 +26,7 @@ from urdfkit.core.suggest import CLOSE_TYPO, TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.known_parameters import plugin_class
+from urdfkit.ros.launch.releases import is_of_older
 from urdfkit.ros.launch.samples import nav2_launch
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Key, Node, Value, items, mapping, scalar, scalars
@@ -41,6 +42,8 @@ FILES = {
 }
 
 _CRITICS = "critics"
+#: The list that Humble does not read: its two navigators are no plugins.
+_NAVIGATORS = "navigators"
 #: Least similarity of a misspelt critic: ObstacleCritic is ObstaclesCritic.
 _MIN_SIMILARITY = 0.8
 #: The classes with a slash up to Iron, and colons from Jazzy on.
@@ -116,7 +119,8 @@ def _without_parameters(node: NodeParameters) -> Findings:
     for key, defaults in data("nodes")["lists"].items():
         if key in ("plugins", "filters") and node.name not in COSTMAPS:
             continue
-        if has_default_plugins(node, key, defaults):
+        is_unread = key == _NAVIGATORS and is_of_older(node.at.source)
+        if is_unread or has_default_plugins(node, key, defaults):
             continue
         for plugin in scalars(node.values.get(key)):
             if plugin.text not in sections and f"{plugin.text}.plugin" not in node.values:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
 #: The packages of Nav2 whose classes have a slash up to Iron, and colons later.
@@ -19,6 +20,7 @@ _JAZZY = re.compile(
     re.MULTILINE,
 )
 _OLDER = re.compile(rb"^[^#\n]*" + _PACKAGES + rb"/", re.MULTILINE)
+_INSTALLED = re.compile(rb"/opt/ros/(?:foxy|galactic|humble)/")
 
 
 def is_for_jazzy(path: str, resolver: Resolver, others: Iterable[str] = ()) -> bool:
@@ -31,3 +33,8 @@ def is_for_jazzy(path: str, resolver: Resolver, others: Iterable[str] = ()) -> b
     paths = {file.path for launch in launches for file in launch.parameters if file.exists}
     sources = filter(None, map(resolver.readable, sorted(paths.union(others))))
     return any(_JAZZY.search(file.data) and not _OLDER.search(file.data) for file in sources)
+
+
+def is_of_older(source: Source) -> bool:
+    """True if a parameter file has names of Iron and earlier, or paths of Humble and earlier."""
+    return bool(_OLDER.search(source.data) or _INSTALLED.search(source.data))
