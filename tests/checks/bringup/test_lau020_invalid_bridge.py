@@ -277,6 +277,14 @@ def test_the_clock_comes_from_gazebo(tmp_path: Path, sign: str, count: int) -> N
 
 
 @pytest.mark.parametrize(
+    ("name", "count"), [("clock", 0), ("/world/w/clock", 0), ("/cloc", 1), ("/robot/clock", 1)]
+)
+def test_the_topics_of_the_clock(tmp_path: Path, name: str, count: int) -> None:
+    found = of_words(tmp_path, f"{name}@rosgraph_msgs/msg/Clock[gz.msgs.Clock")
+    assert [one.message for one in found] == [naming(name)] * count
+
+
+@pytest.mark.parametrize(
     ("word", "count"), [("/front", 0), ("front", 0), ("/front/image_raw", 1), ("--ros-args", 0)]
 )
 def test_images_of_ros_gz_image(tmp_path: Path, word: str, count: int) -> None:

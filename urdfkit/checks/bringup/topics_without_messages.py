@@ -17,9 +17,10 @@ from urdfkit.ros.launch.worlds import worlds
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import CallFrame, Element
 
+_CLOCK = "Clock"
 #: Topics that Gazebo itself publishes: the simulation time, and the poses of all models.
 _OF_GAZEBO = (
-    *(GazeboTopic("Gazebo", "Clock", name) for name in ("clock", "world/*/clock")),
+    *(GazeboTopic("Gazebo", _CLOCK, name) for name in ("clock", "world/*/clock")),
     *(GazeboTopic("Gazebo", "Pose_V", f"world/*/{name}/info") for name in ("pose", "dynamic_pose")),
 )
 #: Message types that only robots and models of the world publish or read.
@@ -72,6 +73,10 @@ def topics_without_messages(
                 help = _unless_estimated(context, kind) + help
                 yield Finding(at, message, help, severity=Severity.WARNING)
             unnamed.add(other.who)
+        elif kind == _CLOCK:
+            message = f"Gazebo publishes no clock as '{topic.topic}'"
+            help = "write /clock, or /world/NAME/clock"
+            yield Finding(at, message, help, severity=Severity.WARNING)
         elif is_known and kind in _OF_ROBOTS:
             verb = "reads" if topic.direction == TO_GAZEBO else "publishes"
             message = f"nothing in Gazebo {verb} '{topic.topic}': the robot has no sensor and no "
