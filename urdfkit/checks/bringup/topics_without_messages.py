@@ -73,16 +73,22 @@ def topics_without_messages(
                 help = _unless_estimated(context, kind) + help
                 yield Finding(at, message, help, severity=Severity.WARNING)
             unnamed.add(other.who)
-        elif kind == _CLOCK:
-            message = f"Gazebo publishes no clock as '{topic.topic}'"
-            help = "write /clock, or /world/NAME/clock"
-            yield Finding(at, message, help, severity=Severity.WARNING)
-        elif is_known and kind in _OF_ROBOTS:
-            verb = "reads" if topic.direction == TO_GAZEBO else "publishes"
-            message = f"nothing in Gazebo {verb} '{topic.topic}': the robot has no sensor and no "
-            message += f"system with {topic.gz_type}"
-            help = "add one to the robot, or remove the topic from the bridge"
-            yield Finding(at, message, help, severity=Severity.WARNING)
+        else:
+            yield from _of_nothing(topic, kind, at, is_known=is_known)
+
+
+def _of_nothing(topic: BridgedTopic, kind: str, at: Location, *, is_known: bool) -> Findings:
+    """A topic that nothing publishes or reads, as far as this is certain."""
+    if kind == _CLOCK:
+        message = f"Gazebo publishes no clock as '{topic.topic}'"
+        help = "write /clock, or /world/NAME/clock"
+        yield Finding(at, message, help, severity=Severity.WARNING)
+    elif is_known and kind in _OF_ROBOTS:
+        verb = "reads" if topic.direction == TO_GAZEBO else "publishes"
+        message = f"nothing in Gazebo {verb} '{topic.topic}': the robot has no sensor and no "
+        message += f"system with {topic.gz_type}"
+        help = "add one to the robot, or remove the topic from the bridge"
+        yield Finding(at, message, help, severity=Severity.WARNING)
 
 
 def _is_of_another_robot(context: Context, topic: BridgedTopic) -> bool:
