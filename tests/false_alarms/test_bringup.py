@@ -301,3 +301,15 @@ def test_navigators_in_a_file_for_humble(tmp_path: Path, release: str, count: in
     text = nav2_launch("nav2_bt_navigator", "bt_navigator", '"../config/nav2.yaml"')
     files = {"config/nav2.yaml": yaml}
     assert len(reported(tmp_path / "arm", "LAU039", "a.launch.py", text, files)) == count
+
+
+def test_a_display_of_another_model_than_the_robot(tmp_path: Path) -> None:
+    """A rover with the view of a TurtleBot 4: its dock is shown beside the robot."""
+    dock = MODEL.partition("Displays:\n")[2].replace("robot_desc", "standard_dock_desc")
+    files = {
+        "r.urdf": '<robot name="r"><link name="base_link"/></robot>',
+        "launch/view.rviz": MODEL + dock,
+    }
+    (found,) = reported(tmp_path / "arm", "LAU022", "a.launch.xml", PUBLISHER + RVIZ, files)
+    assert found.message == naming("RobotModel", "RViz", "standard_dock_description")
+    assert found.help == naming("/standard_dock_description")

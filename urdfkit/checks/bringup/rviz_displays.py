@@ -169,22 +169,33 @@ def unpublished_models(context: Context, published: dict[str, Span]) -> Findings
     """
     if has_other_topics(context):
         return
-    for file, display, name in read_by_rviz(context):
+    displays = list(read_by_rviz(context))
+    shown = {(file.path, _described(display)) for file, display, _ in displays}
+    for file, display, name in displays:
         topic = topic_of(display, "Description Topic")
         source = scalar(display, "Description Source")
         is_topic = source is None or source.text == "Topic"
         if topic is None or not name.endswith("/RobotModel") or not is_topic:
             continue
-        read = f"/{topic.text.strip('/')}"
+        read = _described(display)
         if read not in published:
             other = next(iter(published))
             is_shared = _is_shown_elsewhere(context, file.path, read)
+            help = f"remap {read} to {other} for RViz" if is_shared else f"write {other}"
+            if (file.path, other) in shown:  # the robot itself: this display is of another model
+                help = f"remove the display, or start what publishes {read}"
             yield _finding(
                 topic.span,
                 f"RobotModel of RViz reads '{topic.text}', but nothing publishes a robot there",
-                f"remap {read} to {other} for RViz" if is_shared else f"write {other}",
+                help,
                 file,
             )
+
+
+def _described(display: dict[str, Node]) -> str:
+    """The full name of the topic of the robot that a display shows."""
+    topic = topic_of(display, "Description Topic")
+    return f"/{topic.text.strip('/')}" if topic else ""
 
 
 def _is_shown_elsewhere(context: Context, path: str, topic: str) -> bool:
