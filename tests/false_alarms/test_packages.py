@@ -222,3 +222,23 @@ def test_files_that_a_macro_of_cmake_creates(
     add_file(tmp_path / "models" / "r.urdf.xacro", xacro(include).encode())
     found = check(tmp_path / "models" / "r.urdf.xacro", select=["XAC001"]).diagnostics
     assert [one.severity.value for one in found] == [severity]
+
+
+@pytest.mark.parametrize(("other", "code"), [("arm", "XAC011"), ("", "XAC001")])
+def test_a_few_files_that_lie_over_an_installed_package(
+    tmp_path: Path, other: str, code: str
+) -> None:
+    """UR10e with RG6: ur_description without package.xml, whose other files are installed.
+
+    In a copy without any package the directory stands for the package.
+    """
+    file = tmp_path / "src/ur_description/urdf/robot.xacro"
+    add_file(tmp_path / "src/ur_description/urdf/macro.xacro", b"<robot/>")
+    find = '<xacro:include filename="$(find ur_description)/urdf/{}.xacro"/>'
+    add_file(file, xacro('<link name="base"/>' + find.format("macro") + find.format("common")))
+    if other:
+        add_file(tmp_path / "src" / other / "package.xml", MANIFEST.encode())
+    found = check(file, select=["XAC001", "XAC011"]).diagnostics
+    assert [(one.code, one.span.text) for one in found] == [
+        (code, "$(find ur_description)/urdf/common.xacro")
+    ]

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from xml.parsers.expat import ExpatError
 
 from urdfkit.core.record import Record
+from urdfkit.errors import PackageNotFound
 from urdfkit.text.diagnostic import Problem
-from urdfkit.text.source import Span
+from urdfkit.text.source import Span, shown
 from urdfkit.text.xml_reader import syntax_problems, unbound_prefixes
 from urdfkit.xacro import diagnosis
 from urdfkit.xacro.dom import Node
@@ -15,6 +17,8 @@ from urdfkit.xacro.expansion import ExpansionRun
 from urdfkit.xacro.expansion_log import ANY
 from urdfkit.xacro.missing_files import next_to, relative_to_caller
 
+#: A file of a package, as xacro includes it.
+_FOUND = re.compile(r"\s*\$\(find\s+([\w-]+)\)/")
 _UNBOUND_PREFIX = 27  # expat's XML_ERROR_UNBOUND_PREFIX
 
 
@@ -67,6 +71,7 @@ def _stock_message(error: BaseException) -> str:
 
 
 def _failure(run: ExpansionRun, error: BaseException, node: Node | None) -> _Failure:
+    error = _without_manifest(run, error, node) or error
     if isinstance(error, ExpatError):
         return _not_well_formed(error)
     written = node.tag_at.span.text if node else ""
@@ -88,6 +93,26 @@ def _failure(run: ExpansionRun, error: BaseException, node: Node | None) -> _Fai
     notes = diagnosis.macro_notes(error)
     at = _at(node, str(error))
     return _Failure([Problem(code, at, message, help, node.frame, notes)], node)
+
+
+def _without_manifest(
+    run: ExpansionRun, error: BaseException, node: Node | None
+) -> PackageNotFound | None:
+    """The error for a file of a package of which only a part is here, without its package.xml.
+
+    ROS finds the package, and the file, elsewhere. A workspace without any package is a copy, whose
+    directories stand for its packages.
+    """
+    is_missing = isinstance(root_cause(error), FileNotFoundError)
+    found = _FOUND.match(node.getAttribute("filename")) if node and is_missing else None
+    if node is None or found is None:
+        return None
+    near, packages = node.tag_at.source.path, run.request.resolver.packages
+    candidates = list(packages.candidates(found[1], near))
+    if any(one.certain for one in candidates) or not packages.known(near):
+        return None
+    partial = (f"{shown(one.directory)} (no package.xml)" for one in candidates)
+    return PackageNotFound(found[1], (*partial, *packages.searched(found[1], near)))
 
 
 def _at(node: Node, message: str) -> Span:
