@@ -150,3 +150,20 @@ def test_a_static_transform_to_a_frame_known_at_run_time(
     )
     files = {"r.urdf": robot, "r.rviz": display}
     assert len(reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)) == count
+
+
+@pytest.mark.parametrize(("child", "count"), [("optical", 0), ("other", 1)])
+def test_the_frame_of_gazebo_above_a_link_of_another_launch_file(
+    tmp_path: Path, child: str, count: int
+) -> None:
+    """ros2_amr: 'did you mean' named the frame itself; LAU021 reports the two parents."""
+    files = {
+        "robot.urdf": '<robot name="r"><link name="optical"/></robot>',
+        "launch/robot.launch.py": _FILTER.partition("    Node(package='tf2_ros'")[0] + "]\n",
+    }
+    text = (
+        "from launch_ros.actions import Node\n"
+        "nodes = [Node(package='tf2_ros', executable='static_transform_publisher',\n"
+        f"    arguments=['--frame-id', 'amr/base/camera', '--child-frame-id', '{child}'])]\n"
+    )
+    assert len(reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)) == count

@@ -250,7 +250,8 @@ def _unknown_parents(
             continue
         name, child = transform.parent.name, transform.child.name
         # Gazebo's plugins publish frames as MODEL/FRAME.
-        if name and name.rpartition("/")[2] not in known and child not in of_robot:
+        is_known = name in known or name.rpartition("/")[2] in known
+        if name and not is_known and child not in of_robot:
             message = f"parent '{name}' of the static transform is not a link of the robot"
             message += did_you_mean(name, known - {child})
             help = f"name a frame that is published: {few(sorted(known - WELL_KNOWN), _MAX_NAMED)}"
