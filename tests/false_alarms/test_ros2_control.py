@@ -398,3 +398,11 @@ def test_a_template_of_controllers(tmp_path: Path, above: str, count: int) -> No
     add_file(tmp_path / "r.launch", f"<launch>{robot}{load}</launch>".encode())
     found = check(tmp_path / "r.launch", select=["RCT034"]).diagnostics
     assert sum("missing: joint" in one.message for one in found) == count
+
+
+@pytest.mark.parametrize(("above", "count"), [("      ros__parameters:\n  ", 0), ("", 1)])
+def test_a_type_below_a_second_ros_parameters(tmp_path: Path, above: str, count: int) -> None:
+    """panda_ros2_gazebo, whose spawner has the type: no controller is 'drive.ros__parameters'."""
+    text = driving.DRIVE.replace("      type: diff", f"{above}      type: dif")
+    found = driving.reported(tmp_path, "RCT034", text)
+    assert [one.message.partition(":")[0] for one in found] == ["controller 'drive'"] * count

@@ -18,7 +18,7 @@ from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros import RosDescription
 from urdfkit.ros.catalog.ros_control import ControllerType, controller_types, simulated_hardware
-from urdfkit.ros.node_parameters import node_parameters
+from urdfkit.ros.node_parameters import PARAMETERS, node_parameters
 from urdfkit.ros.ros_control import components, control_plugins
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
@@ -58,7 +58,13 @@ class Section(Record):
     def types(self) -> dict[str, Value]:
         """Values of the parameters named ``type``, by the preceding part of their names."""
         names = (name for name in self.given if name == "type" or name.endswith(".type"))
-        return {name[: -len(".type")]: self.values(name)[0] for name in names if self.values(name)}
+        owners = {name[: -len(".type")]: self.values(name) for name in names}
+        # Below a second ``ros__parameters`` it belongs to no controller.
+        return {
+            owner: values[0]
+            for owner, values in owners.items()
+            if values and not owner.endswith(f".{PARAMETERS}")
+        }
 
 
 class Controller(Record):
