@@ -33,6 +33,7 @@ from urdfkit.ros.launch.python_order import declared_late
 from urdfkit.ros.launch.repeated_calls import with_copies
 from urdfkit.ros.launch.scopes import overwritten, unread, with_items
 from urdfkit.ros.launch.signature import of_python
+from urdfkit.ros.launch.unrolled_loops import without_loops
 from urdfkit.ros.launch.values import argument, called, parts_of_path
 from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
@@ -51,7 +52,7 @@ def read(collector: Collector, file: LaunchedFile) -> None:
     """Collect the contents of a launch file in Python, as far as they are constant."""
     source = file.source
     try:
-        tree = with_copies(python_source.parse(source.data, source.path))
+        tree = with_copies(without_loops(python_source.parse(source.data, source.path)))
     except SyntaxError as error:
         start = source.offset(error.lineno or 1, error.offset or 1)
         at = Span(source, start, start)
