@@ -176,6 +176,13 @@ def test_static_transforms(tmp_path: Path, parent: str, count: int) -> None:
     assert len(messages(tmp_path, text)) == count
 
 
+def test_the_prefix_is_in_the_names_of_the_links(tmp_path: Path) -> None:
+    """ardacihan/leo_rover_gazebo: a loop starts leo1 and leo2."""
+    robot = ROBOT.replace("base_link", "leo1/base_link").replace("lidar", "leo1/lidar")
+    text = PUBLISHER.format("") + STATIC.format("leo1/lidar", "leo1/base_footprint/gpu_lidar")
+    assert messages(tmp_path, text, r_urdf=robot) == []
+
+
 def test_a_root_above_the_robot(tmp_path: Path) -> None:
     text = PUBLISHER.format("") + STATIC.format("cell", "base_link")
     assert messages(tmp_path, text) == []
