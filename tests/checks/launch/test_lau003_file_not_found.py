@@ -356,3 +356,18 @@ def test_a_file_that_a_function_reads(tmp_path: Path, call: str, message: str) -
     text = f"{LOADING}def load_other(a, b): ...\nprint({call})\n"
     found = reported(tmp_path / "arm", "LAU003", "a.launch.py", text, {"config/a.yaml": "a: 1\n"})
     assert [one.message.endswith(f"/{message}") for one in found] == [True] * bool(message)
+
+
+@pytest.mark.parametrize(
+    ("files", "place"),
+    [
+        ({"param/slam.yaml": "a: 1"}, "param/slam.yaml"),
+        ({"param/slam.yaml": "a: 1", "old/slam.yaml": "a: 1"}, ""),
+        ({"param/other.yaml": "a: 1"}, ""),
+    ],
+)
+def test_a_file_in_another_directory(tmp_path: Path, files: dict[str, str], place: str) -> None:
+    text = '<rosparam file="$(find arm)/config/slam.yaml"/>'
+    (found,) = reported(tmp_path / "arm", "LAU003", "a.launch", text, files)
+    assert place in found.help
+    assert ("the package has it" in found.help) is bool(place)

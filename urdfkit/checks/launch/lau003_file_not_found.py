@@ -85,7 +85,7 @@ def check(context: Context) -> Findings:
         elif file.purpose == MAP and file.path.endswith(_IMAGES):
             yield _image_as_map(file.path, file.span)
         elif not file.exists and not _may_exist_elsewhere(context, file.path):
-            yield _not_found(file.purpose, file.path, file.span)
+            yield _not_found(context, file.purpose, file.path, file.span)
         elif file.exists and file.purpose == MAP:
             yield from _missing_image(context, file)
     yield from _in_parameters(context)
@@ -127,7 +127,7 @@ def _pose_graph(context: Context, file: FileUse) -> Findings:
     if file.path.endswith(_OF_MAPS):
         yield _with_suffix(file.path, file.span)
     elif not disk.exists(file.path + _GRAPH) and not _may_exist_elsewhere(context, file.path):
-        yield _not_found(file.purpose, file.path + _GRAPH, file.span)
+        yield _not_found(context, file.purpose, file.path + _GRAPH, file.span)
 
 
 def _with_suffix(path: str, span: Span) -> Finding:
@@ -169,13 +169,26 @@ def _missing_image(context: Context, file: FileUse) -> Findings:
             yield Finding(image.span, f"image of the map not found: {path}", hint)
 
 
-def _not_found(what: str, path: str, span: Span) -> Finding:
+def _not_found(context: Context, what: str, path: str, span: Span) -> Finding:
     suggested = nearest_file(path)
     is_own = suggested == os.path.basename(span.source.path)  # a file that includes itself
     help = f"did you mean '{suggested}'?" if suggested and not is_own else ""
+    if moved := _in_other_directory(context, path):
+        help = f"the package has it as {moved}"
     if directory := _before_missing_slash(path):
         help = f"write a slash after {directory}"
     return Finding(span, f"{what} not found: {path}", help)
+
+
+def _in_other_directory(context: Context, path: str) -> str:
+    """The path in its package of the only file with the name of a missing one; may be empty."""
+    home = context.resolver.packages.enclosing(path)
+    if home is None:
+        return ""
+    files = context.resolver.directories.files_below(home[1], _MAX_DIRECTORIES)
+    own, name = os.path.abspath(context.source.path), os.path.basename(path)
+    same = [file for file in files if os.path.basename(file) == name and file != own]
+    return os.path.relpath(same[0], home[1]) if len(same) == 1 else ""
 
 
 def _before_missing_slash(path: str) -> str:
@@ -216,7 +229,7 @@ def _world_file(context: Context, world: StartedWorld) -> Findings:
     if disk.is_file(path) and not context.resolver.admits(path):
         yield _outside_workspace(f"world {path}", world.span)
     elif not exists and not _may_exist_elsewhere(context, path):
-        yield _not_found("world", path, world.span)
+        yield _not_found(context, "world", path, world.span)
 
 
 def _unknown_world(context: Context, world: StartedWorld) -> Findings:
