@@ -371,3 +371,21 @@ def test_a_file_in_another_directory(tmp_path: Path, files: dict[str, str], plac
     (found,) = reported(tmp_path / "arm", "LAU003", "a.launch", text, files)
     assert place in found.help
     assert ("the package has it" in found.help) is bool(place)
+
+
+@pytest.mark.parametrize(
+    ("test", "count"),
+    [
+        ("os.path.exists(VIEW)", 0),
+        ("os.path.isfile(VIEW)", 0),
+        ("Path(VIEW).exists()", 0),
+        ("x", 1),
+    ],
+)
+def test_a_file_that_the_program_looks_for(tmp_path: Path, test: str, count: int) -> None:
+    """CharlesH777/NEXUS_GAZEBO_SIM: the configuration of RViz is in a submodule."""
+    text = f"""VIEW = FindPackageShare('arm').find('arm') + '/rviz/more.rviz'
+if {test}:
+    Node(package='rviz2', executable='rviz2', arguments=['-d', VIEW])
+"""
+    assert len(reported(tmp_path / "arm", "LAU003", "a.launch.py", text)) == count

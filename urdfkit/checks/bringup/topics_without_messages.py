@@ -63,7 +63,7 @@ def topics_without_messages(
         if is_shared or not of_other_arguments.isdisjoint((name, name.rpartition("/")[0])):
             continue
         kind = topic.gz_type.rpartition(".")[2]
-        waiting = [gz for gz in unbridged if gz.message == kind and _passes(topic, gz)]
+        waiting = [gz for gz in unbridged if gz.message == kind and gz.tag and _passes(topic, gz)]
         at = Location(topic.at("gz_topic_name", "topic_name", "ros_topic_name"), frame)
         if waiting:
             other = _nearest(topic.topic, waiting, served)

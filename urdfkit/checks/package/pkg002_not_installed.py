@@ -21,7 +21,7 @@ from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.file_kinds import has_launch_name, is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.install_rules import InstallRules
 from urdfkit.workspace.manifest import manifest_of
@@ -112,7 +112,8 @@ def _launched(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
     if not os.path.relpath(own, directory).startswith("launch"):
         return  # a test or an example, which stay in the source tree
     named = [(file.path, file.span) for file in context.launch.files if file.exists]
-    for path, span in [(own, Span(context.source, 0, 0)), *named]:
+    itself = [(own, Span(context.source, 0, 0))] if has_launch_name(own) else []
+    for path, span in [*itself, *named]:
         relative = os.path.relpath(path, directory)
         if os.sep in relative and not relative.startswith(os.pardir):
             yield relative, span

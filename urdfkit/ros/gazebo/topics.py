@@ -92,10 +92,11 @@ def _library(plugin: Element) -> str:
 def are_all_known(model: RobotModel) -> bool:
     """True if the topics of all sensors and systems of the robot are catalogued."""
     plugins = (_library(plugin) for gazebo in model.gazebo for plugin in gazebo.all("plugin"))
-    known = data("bridge")["silent"].split()
-    return all(_entries("sensors", sensor.type) for sensor in sensors(model)) and all(
-        _entries("plugins", plugin) or plugin in known for plugin in plugins
-    )
+    silent, silent_sensors = (data("bridge")[key].split() for key in ("silent", "silent_sensors"))
+    return all(
+        _entries("sensors", sensor.type) or sensor.type in silent_sensors
+        for sensor in sensors(model)
+    ) and all(_entries("plugins", plugin) or plugin in silent for plugin in plugins)
 
 
 def _entries(section: str, key: str) -> list[str]:

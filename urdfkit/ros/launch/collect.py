@@ -74,6 +74,7 @@ class Collector:
         self.configured: list[LaunchedDescription] = []
         self.built: list[tuple[LaunchedDescription, FileUse | None]] = []
         self.files: list[FileUse] = []
+        self.optional: set[str] = set()  # paths that a program looks for before it uses them
         self.packages: dict[str, PackageUse] = {}
         self.problems: list[Problem] = []
         self.started: list[StartedProgram] = []
@@ -327,7 +328,7 @@ class Collector:
             self.problems += wrong_options(program)
         return Launch(
             tuple(self.descriptions),
-            tuple(self.files),
+            tuple(file for file in self.files if file.exists or file.path not in self.optional),
             tuple(self.packages.values()),
             tuple(self.problems),
             tuple(self.started),

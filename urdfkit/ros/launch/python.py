@@ -44,6 +44,8 @@ _PUSHING = ("PushRosNamespace", "PushROSNamespace")
 #: Actions that apply to the nodes after them.
 _SCOPES = (*_PUSHING, "SetParameter", "SetParametersFromFile", "SetRemap", "SetUseSimTime")
 
+#: Functions and methods that look for a file.
+_LOOKING = ("exists", "is_file", "isfile")
 #: Functions of ``subprocess`` and ``os`` that return the output of a command.
 _PROCESSES = ("Popen", "check_output", "getoutput", "popen", "run")
 
@@ -95,6 +97,7 @@ class _PythonReader(PythonLaunchFile):
             "process_file": partial(process_file, self),
             "read_text": partial(read_text, self),
             "yaml": partial(record_parameters, self),
+            **dict.fromkeys(_LOOKING, self._look),
             **dict.fromkeys(_PROCESSES, partial(run_process, self)),
         }
         loading = dict.fromkeys(loading_functions(self.tree), partial(record_loaded, self))
@@ -112,6 +115,12 @@ class _PythonReader(PythonLaunchFile):
             self._report_problems()
         self._mentions()
         self.collector.problems += self.configurations.undeclared()
+
+    def _look(self, call: ast.Call) -> None:
+        """A path whose file may be missing, since the program looks for it."""
+        owner = call.func.value if isinstance(call.func, ast.Attribute) else None
+        if path := self.path(call.args[0] if call.args else owner):
+            self.collector.optional.add(path)
 
     def _may_run(self, action: ast.Call) -> bool:
         """False for an action that is not in a launch description, or switched off in this one."""

@@ -44,7 +44,10 @@ def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
     if description.srdf is None:
         return
     root = description.moveit_config.parameter(_FILE, "robot_description_planning")
-    for name, entry in items(root, "joint_limits"):
+    entries = list(items(root, "joint_limits"))
+    if any("$(" in name for name, _ in entries):
+        return  # launch substitutes the prefix: $(var tf_prefix)joint_1
+    for name, entry in entries:
         given = {key: value for key, value in mapping(entry).items() if isinstance(value, Value)}
         if given:
             yield PlannedLimit(name, name.at, given)
