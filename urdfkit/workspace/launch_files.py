@@ -1,5 +1,6 @@
 """The launch files that may start a robot."""
 
+import os
 from collections.abc import Iterator
 from itertools import islice
 
@@ -9,11 +10,19 @@ from urdfkit.workspace.resolve import Resolver
 
 #: Launch files of a directory that are read, and directories that are searched for them.
 MAX_FILES, MAX_DIRECTORIES = 200, 2000
+_MODULE = f"{os.sep}__init__.py"
 
 
 def launch_files(directory: str, mentioned: str, resolver: Resolver) -> Iterator[Source]:
     """The launch files of a directory whose text mentions a package."""
-    files = filter(is_launch, resolver.directories.files_below(directory, MAX_DIRECTORIES))
+    paths = list(resolver.directories.files_below(directory, MAX_DIRECTORIES))
+    # A package of Python may be called launch, too.
+    modules = {os.path.dirname(path) for path in paths if path.endswith(_MODULE)}
+    files = (
+        path
+        for path in paths
+        if has_launch_name(path) or (is_launch(path) and os.path.dirname(path) not in modules)
+    )
     for path in islice(files, MAX_FILES):
         source = resolver.readable(shown(path))
         if source is None or mentioned.encode() not in source.data:
