@@ -31,7 +31,7 @@ _SIDES = frozenset("left right front rear back upper lower inner outer fl fr rl 
 
 #: Words for the kind of the named thing, which people omit.
 _KINDS = frozenset(("link", "joint", "frame", "name"))
-_KIND_SUFFIX = re.compile(rf"_({'|'.join(sorted(_KINDS))})_?\d*$")
+_KIND_SUFFIX = rf"_({'|'.join(sorted(_KINDS))})_?\d*$"
 
 #: Beginnings of names that say the opposite: ``max_linear_speed`` is not ``min_speed``.
 _OPPOSITES = {"min": "max", "max": "min"}
@@ -53,9 +53,10 @@ def nearest(word: str, known: Iterable[str], cutoff: float = SIMILAR) -> str | N
     for candidate in sorted(close, key=lambda key: not _differs_in_kind(text, key)):
         stem, other = _without_common_suffix(text, candidate)
         least = _WITHOUT_SUFFIX if stem[:1] == other[:1] else _OF_ANOTHER_INITIAL
+        least = least if cutoff else 0  # the nearest of all, however different
         short, long = sorted((stem, other), key=len)
         is_longer = long.startswith(f"{short}_")
-        if stem == text or is_longer or get_close_matches(stem, [other], 1, least if cutoff else 0):
+        if stem == text or is_longer or get_close_matches(stem, [other], 1, least):
             return spellings[candidate]
     return None
 
@@ -80,7 +81,7 @@ def _without_common_suffix(word: str, other: str) -> tuple[str, str]:
 
     It may have a number: ``finger_joint1`` and ``laser_joint``.
     """
-    own, others = _KIND_SUFFIX.search(word), _KIND_SUFFIX.search(other)
+    own, others = re.search(_KIND_SUFFIX, word), re.search(_KIND_SUFFIX, other)
     if own and others and own[1] == others[1] and own.start() and others.start():
         return word[: own.start()], other[: others.start()]
     return word, other

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 #: In the default of an argument: a path, which chooses no part of a robot.
 _PATH = r"/|\$\(find "
+#: Rules about names, which launch files may tell apart by a prefix that is empty by default.
+_OF_NAMES = ("NAM001", "TRE003")
 
 
 def reader(options: Options, resolver: Resolver) -> Callable[[Job], Context]:
@@ -133,10 +135,6 @@ def _is_present(span: Span, job: Job) -> bool:
     tags = job.present.get(span.source.path, [])
     before = bisect_right(tags, span.start, key=lambda tag: tag[0])
     return before > 0 and span.start < tags[before - 1][1]
-
-
-#: Rules about names, which launch files may tell apart by a prefix that is empty by default.
-_OF_NAMES = ("NAM001", "TRE003")
 
 
 def _with_unknown_values(job: Job, context: Context, result: FileResult) -> FileResult:

@@ -19,14 +19,12 @@ MAX_SWITCHED = 4
 #: A robot of more elements is not checked once more for each of them.
 MAX_ELEMENTS = 5_000
 _BOOLEANS = ("true", "false")
-_CONDITION = re.compile(rb"<xacro:(?:if|unless)\b[^<>]*?\bvalue\s*=\s*(?:\"([^\"]*)|'([^']*))")
-_WORD = re.compile(r"\w+")
+# Compiled when needed: most robots have no arguments.
+_CONDITION = rb"<xacro:(?:if|unless)\b[^<>]*?\bvalue\s*=\s*(?:\"([^\"]*)|'([^']*))"
 #: ``sensor == 'lidar'``, ``'$(arg sensor)' == 'lidar'``
-_COMPARED = re.compile(r"(\w+)\)?[\"']?\s*==\s*[\"']([\w.-]+)[\"']")
+_COMPARED = r"\b(\w+)\)?[\"']?\s*==\s*[\"']([\w.-]+)[\"']"
 #: A property or parameter with the value of an argument.
-_PASSED = re.compile(
-    rb"(?:\bname\s*=\s*[\"'](\w+)[\"']\s+value|\b(\w+))\s*=\s*[\"']\$\(arg\s+(\w+)\)[\"']"
-)
+_PASSED = rb"(?:\bname\s*=\s*[\"'](\w+)[\"']\s+value|\b(\w+))\s*=\s*[\"']\$\(arg\s+(\w+)\)[\"']"
 
 
 def switched(job: Job, started: list[tuple[Job, Context]]) -> Iterator[Job]:
@@ -71,13 +69,13 @@ def _conditions(context: Context) -> dict[str, list[str]]:
     values: dict[str, list[str]] = {}
     passed: list[tuple[str, str]] = []
     for source in context.reading.xacro.sources:
-        for match in _CONDITION.findall(source.data):
+        for match in re.findall(_CONDITION, source.data):
             text = b"".join(match).decode("utf-8", "replace")
-            for name in _WORD.findall(text):
+            for name in re.findall(r"\w+", text):
                 values.setdefault(name, [])
-            for name, value in _COMPARED.findall(text):
+            for name, value in re.findall(_COMPARED, text):
                 values[name].append(value)
-        for one, other, argument in _PASSED.findall(source.data):
+        for one, other, argument in re.findall(_PASSED, source.data):
             passed.append((argument.decode(), (one or other).decode()))
     for argument, name in passed:
         if name in values and name != argument:

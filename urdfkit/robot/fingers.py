@@ -13,7 +13,7 @@ from urdfkit.core.static_typing import TypeVar
 
 T = TypeVar("T")
 
-_FINGER = re.compile(r"(?i)index|middle|ring(?!er)|pink(?:y|ie)|little")
+_FINGER = r"(?i)index|middle|ring(?!er)|pink(?:y|ie)|little"
 
 #: Least number of fingers, of which one may differ from all others.
 _MIN_FINGERS = 4
@@ -24,13 +24,13 @@ _MAX_LENGTH = 200
 
 def finger_of(name: str) -> str:
     """The word for the finger in a name; empty unless there is one such word."""
-    found = _FINGER.findall(name) if len(name) <= _MAX_LENGTH else []
+    found = re.findall(_FINGER, name) if len(name) <= _MAX_LENGTH else []
     return found[0] if len(found) == 1 else ""
 
 
 def with_finger(name: str, finger: str) -> str:
     """The name with another finger in the place of its own."""
-    return _FINGER.sub(finger, name)
+    return re.sub(_FINGER, finger, name)
 
 
 def series(names: Iterable[str]) -> list[list[str]]:

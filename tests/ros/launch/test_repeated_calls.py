@@ -30,6 +30,13 @@ def test_copies(program: str, count: int) -> None:
     assert sum(function.name == "spawner" for function in functions) == count
 
 
+def test_many_copies_are_not_made() -> None:
+    functions = "".join(SPAWNER.replace("spawner", f"f{number}") for number in range(200))
+    calls = "".join(f"f{number}(1)\n" * 12 for number in range(200))
+    tree = ast.parse(functions + calls)
+    assert with_copies(tree) is tree
+
+
 def test_nodes_and_included_files(package: Path) -> None:
     """A mobile manipulator whose launch file includes three others by one function."""
     for name in ("one.launch.py", "two.launch.py"):

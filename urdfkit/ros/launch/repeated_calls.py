@@ -10,19 +10,24 @@ from functools import lru_cache
 
 from urdfkit.core.grouping import by_key
 from urdfkit.ros.launch.values import called
-from urdfkit.text.python_source import CACHE_SIZE, nodes
+from urdfkit.text.python_source import nodes
 
-_ACTIONS = frozenset(("ExecuteProcess", "IncludeLaunchDescription", "LifecycleNode", "Node"))
-#: Most calls of one function: copies take time and memory.
-_MAX_CALLS = 12
+_ACTIONS = frozenset(
+    ("ComposableNode", "ExecuteProcess", "IncludeLaunchDescription", "LifecycleNode", "Node")
+)
+#: Most calls of one function, and most nodes of the syntax tree that all copies of a file may have:
+#: copies take time and memory.
+_MAX_CALLS, MAX_NODES = 12, 20_000
 
 
-@lru_cache(CACHE_SIZE)
+@lru_cache(maxsize=4)  # a file is read once for each set of its arguments
 def with_copies(tree: ast.Module) -> ast.Module:
     """The tree with a copy of such a function for each call; the same tree if there is none."""
-    counts = _repeated(tree)
-    if not counts:
+    functions = _repeated(tree)
+    sizes = (len(tuple(ast.walk(node))) * (count - 1) for node, count in functions.items())
+    if not functions or sum(sizes) > MAX_NODES:
         return tree
+    counts = {node.name: count for node, count in functions.items()}
     try:
         copied = deepcopy(tree)
     except RecursionError:
@@ -40,24 +45,23 @@ def _copies(node: ast.stmt, counts: dict[str, int]) -> list[ast.stmt]:
     return [deepcopy(node) for _ in range(count - 1)]
 
 
-def _repeated(tree: ast.Module) -> dict[str, int]:
-    """The numbers of calls of functions that are used in no other way."""
+def _repeated(tree: ast.Module) -> dict[ast.FunctionDef, int]:
+    """Functions that are called several times, and used in no other way, with their calls."""
     defined = by_key((node.name, node) for node in nodes(tree) if isinstance(node, ast.FunctionDef))
     names = [node for node in nodes(tree) if isinstance(node, ast.Name)]
     uses = Counter(node.id for node in names)
     calls = Counter(called(node) for node in nodes(tree) if isinstance(node, ast.Call))
     return {
-        name: uses[name]
+        functions[0]: uses[name]
         for name, functions in defined.items()
         if len(functions) == 1
         and 1 < uses[name] <= _MAX_CALLS
         and uses[name] == calls[name]
         and functions[0].args.args
-        and _creates_actions(functions[0])
+        and creates_actions(functions[0])
     }
 
 
-def _creates_actions(function: ast.FunctionDef) -> bool:
-    return any(
-        isinstance(node, ast.Call) and called(node) in _ACTIONS for node in ast.walk(function)
-    )
+def creates_actions(node: ast.AST) -> bool:
+    """True for a part of a program that creates actions of launch."""
+    return any(isinstance(one, ast.Call) and called(one) in _ACTIONS for one in ast.walk(node))

@@ -9,24 +9,22 @@ from collections.abc import Iterator
 from copy import deepcopy
 from functools import lru_cache
 
+from urdfkit.ros.launch.repeated_calls import MAX_NODES, creates_actions
 from urdfkit.ros.launch.values import called
-from urdfkit.text.python_source import CACHE_SIZE, nodes
+from urdfkit.text.python_source import nodes
 
-_ACTIONS = frozenset(
-    ("ComposableNode", "ExecuteProcess", "IncludeLaunchDescription", "LifecycleNode", "Node")
-)
-#: Most items of a list, and most nodes of the syntax tree that all copies of a file may have.
-_MAX_ITEMS, _MAX_NODES = 20, 20_000
+#: Most items of a list.
+_MAX_ITEMS = 20
 
 #: The values of the variables of a loop.
 Variables = dict[str, ast.expr]
 
 
-@lru_cache(CACHE_SIZE)
+@lru_cache(maxsize=4)  # a file is read once for each set of its arguments
 def without_loops(tree: ast.Module) -> ast.Module:
     """The tree with such loops and comprehensions replaced; the same tree if there is none."""
     loops = (node for node in nodes(tree) if isinstance(node, (ast.For, ast.ListComp)))
-    if not any(map(_creates_actions, loops)):
+    if not any(map(creates_actions, loops)):
         return tree
     try:
         unroller = _Unroller(tree)
@@ -39,7 +37,7 @@ class _Unroller(ast.NodeTransformer):
     """Replaces loops, as long as the copies are few."""
 
     def __init__(self, tree: ast.Module) -> None:
-        self._left = _MAX_NODES
+        self._left = MAX_NODES
         names = [node for node in nodes(tree) if isinstance(node, ast.Name)]
         stored = Counter(node.id for node in names if not isinstance(node.ctx, ast.Load))
         self._uses = Counter(node.id for node in names)
@@ -79,7 +77,7 @@ class _Unroller(ast.NodeTransformer):
 
     def _rounds(self, loop: ast.AST, items: ast.expr, target: ast.expr) -> list[Variables] | None:
         """The values of the variables in each round; None if a loop is not replaced."""
-        values = self._items(items) if _creates_actions(loop) else None
+        values = self._items(items) if creates_actions(loop) else None
         if values is None or len(values) > _MAX_ITEMS:
             return None
         self._left -= len(values) * sum(1 for _ in ast.walk(loop))
@@ -137,10 +135,6 @@ def _variables(target: ast.expr, value: ast.expr) -> Variables | None:
         return None
     parts = [_variables(*pair) for pair in zip(target.elts, value.elts, strict=True)]
     return None if None in parts else {k: v for part in parts if part for k, v in part.items()}
-
-
-def _creates_actions(node: ast.AST) -> bool:
-    return any(isinstance(one, ast.Call) and called(one) in _ACTIONS for one in ast.walk(node))
 
 
 def _flat(items: Iterator[ast.AST | list[ast.stmt]]) -> Iterator[ast.stmt]:
