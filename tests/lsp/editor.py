@@ -10,8 +10,10 @@ from typing import Any
 from lsprotocol import types as lsp
 from pygls.lsp.client import LanguageClient
 
-from tests.conftest import ROOT
+from tests.conftest import MISSION, ROOT
 from urdfkit.lsp.text import to_uri
+
+TEXT = MISSION.read_text(encoding="utf-8")
 
 #: Seconds that a test waits for anything.
 PATIENCE = 30
@@ -132,7 +134,18 @@ class Editor:
             )
 
 
+def position(text: str, needle: str, skip: int = 0) -> lsp.Position:
+    """Behind some characters of a piece of ASCII text."""
+    at = text.index(needle) + skip
+    return lsp.Position(text.count("\n", 0, at), at - text.rfind("\n", 0, at) - 1)
+
+
+def codes(found: list[lsp.Diagnostic]) -> list[str]:
+    return [str(one.code) for one in found]
+
+
 Conversation = Callable[[Editor], Awaitable[None]]
+Held = Callable[[Conversation], None]
 
 
 def talk(conversation: Conversation, encoding: str | None = None, *, pulls: bool = False) -> None:
@@ -142,9 +155,7 @@ def talk(conversation: Conversation, encoding: str | None = None, *, pulls: bool
 
 
 @contextmanager
-def session(
-    encoding: str | None = None, *, pulls: bool = False
-) -> Iterator[Callable[[Conversation], None]]:
+def session(encoding: str | None = None, *, pulls: bool = False) -> Iterator[Held]:
     """A server for several conversations; it ends in good order."""
     editor = Editor()
 

@@ -6,12 +6,14 @@ import shutil
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import partial
+from functools import cache, partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
 import pytest
+
+from urdfkit.output.report.writing import report
 
 BROWSER = shutil.which("chromium") or shutil.which("google-chrome")
 DRIVER = shutil.which("chromedriver")
@@ -93,3 +95,15 @@ def served(directory: Path, handler: type[SimpleHTTPRequestHandler] = Quiet) -> 
     yield f"http://127.0.0.1:{server.server_port}"
     server.shutdown()
     server.server_close()
+
+
+@cache
+def _report(robot: Path, language: str) -> str:
+    return report(str(robot), language=language, quick=True)[0]
+
+
+def written(robot: Path, directory: Path, language: str = "en") -> Path:
+    """The report of a robot, as a file."""
+    file = directory / "report.html"
+    file.write_text(_report(robot, language), encoding="utf-8")
+    return file

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.ros.launch.test_python import HEAD, included, read
+from tests.ros.launch.python_files import HEAD, included, read
 from urdfkit import check
 from urdfkit.ros.launch.repeated_calls import with_copies
 

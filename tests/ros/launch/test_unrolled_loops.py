@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.ros.launch.test_python import read
+from tests.ros.launch.python_files import read
 from urdfkit.ros.launch.unrolled_loops import without_loops
 
 NODE = "Node(package='p', executable='e', name={})"

@@ -1,0 +1,97 @@
+"""LAU032: who publishes the odometry that a filter or navigation reads."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.checks.bringup.nodes import NODE, SPAWNER
+from tests.checks.bringup.topics import BRIDGE
+from tests.launched import reported
+
+DRIVE = """
+controller_manager: {ros__parameters: {base: {type: diff_drive_controller/DiffDriveController}}}
+base: {ros__parameters: {left_wheel_names: [l], right_wheel_names: [r]}}
+"""
+
+
+@pytest.mark.parametrize(("topic", "count"), [("base/odom", 0), ("wheel/odom", 1)])
+def test_odometry_of_another_launch_file(tmp_path: Path, topic: str, count: int) -> None:
+    control = NODE.format(
+        "controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']"
+    ) + SPAWNER.format(["base"])
+    files = {
+        "launch/control.launch.py": control,
+        "c.yaml": DRIVE,
+        "ekf.yaml": f"ekf: {{ros__parameters: {{odom0: {topic}, odom0_config: [true]}}}}\n",
+    }
+    text = NODE.format(
+        "robot_localization", "ekf_node", f"name='ekf', parameters=['{tmp_path}/ekf.yaml']"
+    )
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    assert ["on '/base/odom'" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("of_filter", "of_drive", "more", "count"),
+    [
+        ("false", "false", "", 1),
+        ("true", "false", "", 0),
+        ("true, world_frame: map", "false", "", 1),
+        ("true, world_frame: map, odom_frame: map", "false", "", 0),
+        ("true, world_frame: map", "true", "", 0),
+        ("false", "true", "", 0),
+        ("false", "false", NODE.format("rf2o_laser_odometry", "rf2o", ""), 0),
+        (
+            "false",
+            "false",
+            BRIDGE.format("/tf@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V"),
+            0,
+        ),
+    ],
+)
+def test_nothing_publishes_odometry(
+    tmp_path: Path, of_filter: str, of_drive: str, more: str, count: int
+) -> None:
+    drive = DRIVE.replace("right_wheel", f"enable_odom_tf: {of_drive}, right_wheel")
+    files = {
+        "c.yaml": drive,
+        "ekf.yaml": f"ekf: {{ros__parameters: {{publish_tf: {of_filter}, "
+        "odom0: base/odom, odom0_config: [true]}}\n",
+    }
+    text = (
+        NODE.format("controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']")
+        + SPAWNER.format(["base"])
+        + NODE.format(
+            "robot_localization", "ekf_node", f"name='ekf', parameters=['{tmp_path}/ekf.yaml']"
+        )
+        + more
+    )
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    help = f"write {'world_frame: odom' if 'world' in of_filter else 'publish_tf: true'}"
+    assert [one.help for one in found if "odometry" in one.message] == [help] * count
+
+
+@pytest.mark.parametrize(
+    ("of_drive", "package", "more", "count"),
+    [
+        ("false", "nav2_controller", "", 1),
+        ("true", "nav2_controller", "", 0),
+        ("false", "rviz2", "", 0),
+        ("false", "nav2_controller", NODE.format("topic_tools", "relay", ""), 1),
+        ("false", "nav2_controller", NODE.format("rf2o_laser_odometry", "rf2o", ""), 0),
+        ("false", "nav2_controller", NODE.format("robot_localization", "ekf_node", ""), 0),
+    ],
+)
+def test_nothing_publishes_the_odometry_of_navigation(
+    tmp_path: Path, of_drive: str, package: str, more: str, count: int
+) -> None:
+    drive = DRIVE.replace("right_wheel", f"enable_odom_tf: {of_drive}, right_wheel")
+    text = (
+        NODE.format("controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']")
+        + SPAWNER.format(["base"])
+        + NODE.format(package, "server", "")
+        + more
+    )
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, {"c.yaml": drive})
+    help = "write enable_odom_tf: true"
+    assert [one.help for one in found if "odometry" in one.message] == [help] * count
