@@ -48,7 +48,7 @@ def _fold(rule: Rule, group: list[Finding], targets: tuple[str, ...]) -> Diagnos
         rule.code,
         rule.name,
         severity,
-        worst.confidence,
+        worst.confidence or rule.confidence,
         worst.message,
         place(worst)[0],
         calls,

@@ -58,7 +58,7 @@ class Finding(Record):
     help: str = ""  # what to do; the rule's own help if empty
     fix: Fix | None = None  # as text edits
     related: tuple[Related, ...] = ()  # other places that explain it
-    confidence: Confidence = Confidence.MEASURED
+    confidence: Confidence | None = None  # that of the rule if None
     weight: float = 0.0  # larger is worse; orders the calls of one macro
     #: Equal for findings with the same cause; more than a few of them are shown as one.
     group_key: str = ""
@@ -134,6 +134,7 @@ class Rule(Record):
             applied after the fixes of those values.
         migrates: True for a rule that reports features that another Gazebo generation lacks.
         about_files: True for a rule about mesh files, whose findings a generated mesh resolves.
+        confidence: of findings without a confidence of their own.
     """
 
     code: str
@@ -154,6 +155,7 @@ class Rule(Record):
     computes_fix: bool = False
     migrates: bool = False
     about_files: bool = False
+    confidence: Confidence = Confidence.MEASURED
 
     def option(self, context: Context, name: str) -> float:
         """The configured value of an option, otherwise its default."""
@@ -242,6 +244,7 @@ def name_of(module: str) -> str:
 def rule(
     severity: Severity,
     *,
+    confidence: Confidence = Confidence.MEASURED,
     needs: tuple[Need, ...] = (Need.MODEL,),
     help: str = "",
     by_target: Mapping[str, Severity] | None = None,
@@ -289,6 +292,7 @@ def rule(
             computes_fix,
             migrates,
             about_files,
+            confidence,
         )
 
     return declare

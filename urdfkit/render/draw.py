@@ -52,11 +52,7 @@ class Quality(NamedTuple):
     sun: int
 
 
-QUALITIES = {
-    "draft": Quality(3, 0, 4),
-    "default": Quality(6, 16, 10),
-    "high": Quality(16, 32, 16),
-}
+QUALITIES = {"draft": Quality(3, 0, 4), "default": Quality(6, 16, 10), "high": Quality(16, 32, 16)}
 
 
 #: Hard edges without shadows, for comparisons.

@@ -1,13 +1,6 @@
 """The transform of an ``<origin>``."""
 
-from urdfkit.core.spatial import (
-    IDENTITY,
-    ORIGIN,
-    Rotation,
-    Transform,
-    from_quaternion,
-    from_rpy,
-)
+from urdfkit.core.spatial import IDENTITY, ORIGIN, Rotation, Transform, from_quaternion, from_rpy
 from urdfkit.robot.values import numbers, vector
 from urdfkit.text.document import Element
 from urdfkit.text.schema import VERSIONS

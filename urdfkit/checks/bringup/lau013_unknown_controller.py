@@ -28,15 +28,7 @@ from urdfkit.checks.bringup.unread_commands import is_part_of_ros
 from urdfkit.checks.bringup.workspace_launches import workspace_launches
 from urdfkit.core.suggest import Suggester, did_you_mean, is_typo
 from urdfkit.core.words import few
-from urdfkit.lint.rules import (
-    Context,
-    Finding,
-    Findings,
-    Need,
-    Related,
-    Severity,
-    rule,
-)
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.claims import named_sensors
 from urdfkit.ros.controllers import Controller, read

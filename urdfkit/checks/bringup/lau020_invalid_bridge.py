@@ -37,16 +37,7 @@ from itertools import pairwise
 
 from urdfkit.checks.bringup.topics_without_messages import topics_without_messages
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
-from urdfkit.lint.rules import (
-    Context,
-    Finding,
-    Findings,
-    Location,
-    Need,
-    Related,
-    Severity,
-    rule,
-)
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.launch.bridges import (
     DIRECTIONS,
     FROM_GAZEBO,

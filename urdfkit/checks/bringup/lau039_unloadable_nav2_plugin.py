@@ -179,10 +179,7 @@ def _incomplete(node: NodeParameters, name: Key, kind: str, section: dict[str, N
         if isinstance(value, dict) and key not in known and suggested:
             message = f"'{node.name}': the parameters of '{key}' are not read: the critic is "
             yield Finding(
-                key.span,
-                f"{message}'{suggested}'",
-                f"write {suggested}",
-                severity=Severity.WARNING,
+                key.span, f"{message}'{suggested}'", f"write {suggested}", severity=Severity.WARNING
             )
 
 

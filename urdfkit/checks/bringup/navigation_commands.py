@@ -8,11 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.bringup.unread_commands import (
-    command_readers,
-    command_sources,
-    is_known_reader,
-)
+from urdfkit.checks.bringup.unread_commands import command_readers, command_sources, is_known_reader
 from urdfkit.checks.bringup.workspace_launches import programs_of, workspace_launches
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest

@@ -26,10 +26,7 @@ def misnamed_sections(context: Context, files: dict[str, list[NodeParameters]]) 
 
 
 def _of_other_nodes(
-    context: Context,
-    path: str,
-    users: list[StartedProgram],
-    files: dict[str, list[NodeParameters]],
+    context: Context, path: str, users: list[StartedProgram], files: dict[str, list[NodeParameters]]
 ) -> Findings:
     """A file of parameters for other nodes than those that load it, whose names are known."""
     sections = {section.name: section for section in reversed(files[path])}

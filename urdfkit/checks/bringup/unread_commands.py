@@ -14,9 +14,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.bringup.defined_controllers import (
-    controllers_of_workspace,
-)
+from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
 from urdfkit.checks.bringup.processes import is_silent_process
 from urdfkit.checks.bringup.unread_remappings import renamed_topics
 from urdfkit.checks.bringup.workspace_launches import (

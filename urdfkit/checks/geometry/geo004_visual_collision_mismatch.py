@@ -44,11 +44,7 @@ from urdfkit.core.words import rounded, spaced
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.assets.collision_mismatches import Mismatch, VisualCollisionPairs
 from urdfkit.robot.assets.mesh_defects import MeshDefect
-from urdfkit.robot.assets.visual_collision import (
-    LEAST_OVERLAP,
-    SIMILAR_UNIT,
-    VisualCollisionPair,
-)
+from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, SIMILAR_UNIT, VisualCollisionPair
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Body, Link, Shape
 from urdfkit.robot.samples import collision_xml, link_xml, visual_xml
@@ -92,7 +88,11 @@ _CONSISTENT_LINKS = 2
 _UNIT_TOLERANCE = 1.08
 
 
-@rule(Severity.WARNING, help="compare both in RViz, and correct the one that is wrong")
+@rule(
+    Severity.WARNING,
+    confidence=Confidence.INFERRED,
+    help="compare both in RViz, and correct the one that is wrong",
+)
 def check(context: Context) -> Findings:
     model, files = context.model, context.files
     compared = VisualCollisionPairs(model, context.mesh_solid, files.has_ambiguous_axes)
@@ -118,7 +118,6 @@ def check(context: Context) -> Findings:
             f"'{copied.unused}'",
             f"write the path of '{copied.unused}'",
             related=(Related(copied.correct.at.span, f"the mesh of '{side}'"),),
-            confidence=Confidence.INFERRED,
         )
     for copied in collisions_of_the_other_side(context):
         seen, used = (os.path.basename(mesh.at.value) for mesh in (copied.correct, copied.wrong))
@@ -128,7 +127,6 @@ def check(context: Context) -> Findings:
             f"the visual '{seen}', and no link uses '{copied.unused}'",
             f"write the path of '{copied.unused}'",
             related=(Related(copied.correct.at.span, "the visual"),),
-            confidence=Confidence.INFERRED,
         )
 
 
@@ -150,7 +148,6 @@ def _apart(
         f"name the mesh of '{link.name}'" if foreign else _help(pair, wrong, right),
         _fix(wrong.at, right.at) if is_known else None,
         (Related(right.at.span, f"the {right.at.tag}"),),
-        confidence=Confidence.INFERRED,
         weight=1 - pair.overlap,
         group_key="moved" if difference else "apart",
     )
@@ -201,7 +198,6 @@ def _of_size(pair: VisualCollisionPair, wrong: Body) -> Finding:
         "(collision)",
         "correct the scale or the size of the one that is wrong",
         related=(Related(other.at.span, "the collision" if is_visual else "the visual"),),
-        confidence=Confidence.INFERRED,
         weight=factor,
         severity=Severity.INFO if is_stand_in else None,
     )
@@ -234,7 +230,6 @@ def _rotated(pair: VisualCollisionPair, foreign: tuple[Body, str] | None) -> Fin
         f"would be {turn.overlap:.0%}" + (_of_another_link(*foreign) if foreign else ""),
         f"name the mesh of '{pair.link.name}', or correct the <origin>" if foreign else "",
         related=(Related(others[0].at.span, f"the {other}"),),
-        confidence=Confidence.INFERRED,
         weight=turn.overlap - pair.overlap,
     )
 
@@ -259,7 +254,6 @@ def _other_scale(context: Context) -> Findings:
             f"the visual, which is the same mesh, {spaced(visual.scale)}",
             "write the same scale for both",
             related=(Related(visual.at.span, "the visual"),),
-            confidence=Confidence.INFERRED,
         )
 
 
@@ -286,7 +280,6 @@ def _mesh_of_another_link(context: Context, reported: set[str]) -> Findings:
                 f"other {len(links) - 1} links has one mesh for visual and collision",
                 f"write {_path(right)}",
                 related=(Related(right.at.span, "the other mesh of the link"),),
-                confidence=Confidence.INFERRED,
             )
             return
 
@@ -335,7 +328,6 @@ def _diameters(context: Context) -> Findings:
                 f"is {times} that of the {small.at.tag}, {min(first, second):g} m",
                 "write the radius in both" if factor == 2 else "correct the decimal point",
                 related=(Related(small.at.span, f"the {small.at.tag}"),),
-                confidence=Confidence.INFERRED,
                 severity=Severity.INFO if factor == 2 else None,
             )
 
@@ -361,7 +353,6 @@ def _diameter_of_mesh(pair: VisualCollisionPair) -> Findings:
             f"that of the visual mesh, {shape.radius and shape.radius / (low + high) * 2:.3g} m",
             "write the radius instead of the diameter",
             related=(Related(pair.link.visuals[0].at.span, "the visual"),),
-            confidence=Confidence.INFERRED,
             severity=Severity.INFO,
         )
 

@@ -80,6 +80,7 @@ _MIN_SHARE, _MAX_SHARE = 0.1, 0.99
 
 @rule(
     Severity.WARNING,
+    confidence=Confidence.INFERRED,
     help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
     computes_fix=True,
 )
@@ -117,7 +118,6 @@ def _too_large(inertia: LinkInertia, masses: Masses, load: float | None) -> Find
         f"{describe_solid(inertia)}{_radius(inertia)}{_share(inertia, masses)}",
         help,
         fix,
-        confidence=Confidence.INFERRED,
         weight=high / bound,
         severity=Severity.INFO if _is_deliberate(inertia) else None,
     )
@@ -157,7 +157,6 @@ def _too_small(inertia: LinkInertia, masses: Masses) -> Finding:
         f"1/{expected / high:.0f} of its shape; {describe_solid(inertia)}",
         advice(inertia, diagnosis),
         replacement(inertia, diagnosis.tensor),
-        confidence=Confidence.INFERRED,
         weight=expected / high,
     )
 
@@ -172,9 +171,9 @@ def _wrong_axes(inertia: LinkInertia) -> Finding:
     if flipped and (other := _mesh_of_other_side(inertia)):
         message += f"; '{other}' is the mesh of the other side"
         help = "show the mesh of this side, which fits the tensor"
-        return Finding(inertia.at, message, help, confidence=Confidence.INFERRED)
+        return Finding(inertia.at, message, help)
     help = f"{fix.title}, or rotate the <inertial>" if fix else _TURN
-    return Finding(inertia.at, message, help, fix, confidence=Confidence.INFERRED)
+    return Finding(inertia.at, message, help, fix)
 
 
 def _mesh_of_other_side(inertia: LinkInertia) -> str:
@@ -188,7 +187,7 @@ def _turned(inertia: LinkInertia) -> Finding:
     tensor = inertia.tensor
     if max(map(abs, (tensor.ixy, tensor.ixz, tensor.iyz))) < _SMALL_PRODUCT * inertia.moments[2]:
         help = _TURN if _is_of_size(inertia) else ""
-        return Finding(inertia.at, _moments(inertia), help, confidence=Confidence.INFERRED)
+        return Finding(inertia.at, _moments(inertia), help)
     assert inertia.turned_axis is not None
     axes = [axis if max(axis, key=abs) > 0 else times(axis, -1) for axis in inertia.turned_axis]
     own, other = (rounded(axis, 2) for axis in axes)
@@ -201,7 +200,6 @@ def _turned(inertia: LinkInertia) -> Finding:
         f"link '{inertia.link.name}': the tensor is that of a body with the axis {own}, but the "
         f"solid {inertia.solid} has the axis {other}",
         help,
-        confidence=Confidence.INFERRED,
     )
 
 

@@ -31,6 +31,7 @@ _EXCHANGED = "was computed with the radius as the length"
 
 @rule(
     Severity.INFO,
+    confidence=Confidence.INFERRED,
     help="compute ixx, iyy and izz from mass and size (urdfkit explain INE006 has the formulas)",
     computes_fix=True,
 )
@@ -46,7 +47,6 @@ def check(context: Context) -> Findings:
             f"{format_moments(inertia.diagonal)}; {describe_solid(inertia)}",
             advice(inertia, diagnosis),
             replacement(inertia, diagnosis.tensor),
-            confidence=Confidence.INFERRED,
             weight=max(*ratios, 1 / max(min(ratios), 1e-9)),
             group_key="other shape",
             severity=Severity.WARNING if diagnosis.cause.startswith(_EXCHANGED) else None,

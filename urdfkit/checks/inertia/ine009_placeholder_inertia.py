@@ -27,6 +27,7 @@ FILES = {"arm.stl": PLATE}
 
 @rule(
     Severity.WARNING,
+    confidence=Confidence.INFERRED,
     help="take the tensor from the CAD program, or compute it for a box around the link",
 )
 def check(context: Context) -> Findings:
@@ -40,6 +41,4 @@ def _finding(inertia: LinkInertia) -> Finding:
         f"{format_moments(inertia.diagonal)} (radius of gyration "
         f"{inertia.radius_of_gyration:.3g} m)"
     )
-    return Finding(
-        inertia.at, message, confidence=Confidence.INFERRED, weight=inertia.radius_of_gyration
-    )
+    return Finding(inertia.at, message, weight=inertia.radius_of_gyration)

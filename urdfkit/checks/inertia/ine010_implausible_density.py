@@ -52,7 +52,12 @@ _UNIT_HELPS = {
 }
 
 
-@rule(Severity.WARNING, help="correct the mass in kg, or the size in m", computes_fix=True)
+@rule(
+    Severity.WARNING,
+    confidence=Confidence.INFERRED,
+    help="correct the mass in kg, or the size in m",
+    computes_fix=True,
+)
 def check(context: Context) -> Findings:
     unequal = {  # left and right
         link.name
@@ -107,7 +112,6 @@ def _finding(inertia: LinkInertia, *, is_certain: bool) -> Finding:
         f"{shown:.3g} kg/m³; robot parts have {MIN_PART_DENSITY:g} to {MAX_PART_DENSITY:g}",
         _advice(inertia),
         _in_kilograms(inertia) if unit_mistake(inertia) == "g" else None,
-        confidence=Confidence.INFERRED,
         weight=max(density / MAX_PART_DENSITY, MIN_PART_DENSITY / max(density, 1e-300)),
         group_key="density",
         severity=Severity.INFO if _is_harmless(inertia, density) and not is_certain else None,

@@ -32,7 +32,11 @@ GOOD = link_xml(
 BAD = GOOD.replace("<mass", '<origin xyz="-0.4 0 0"/>\n    <mass')
 
 
-@rule(Severity.WARNING, help="write the <origin> of the <inertial> in the link's own frame, in m")
+@rule(
+    Severity.WARNING,
+    confidence=Confidence.INFERRED,
+    help="write the <origin> of the <inertial> in the link's own frame, in m",
+)
 def check(context: Context) -> Findings:
     for inertia in context.masses.defects.get(InertiaDefect.CENTER_OF_MASS, ()):
         distance = center_is_outside(inertia)
@@ -44,7 +48,6 @@ def check(context: Context) -> Findings:
             f"link '{inertia.link.name}': the centre of mass at {spaced(center, 3)} m is "
             f"{distance:.3g} m outside the shapes, which are {max(bounds.edges):.3g} m long "
             f"about {spaced(bounds.center, 3)}{f'; it {mistake}' if mistake else ''}",
-            confidence=Confidence.INFERRED,
             weight=distance / max(bounds.edges) if any(bounds.edges) else inf,
             group_key="outside",
         )
@@ -58,6 +61,5 @@ def check(context: Context) -> Findings:
                 f"link '{inertia.link.name}': the centre of mass is that of the solid "
                 f"{inertia.solid}, but for the sign of {axis}",
                 f"write {value:.4g} for {axis}",
-                confidence=Confidence.INFERRED,
                 group_key="other sign",
             )

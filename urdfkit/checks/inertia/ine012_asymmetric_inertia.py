@@ -58,7 +58,11 @@ _ALL = frozenset((*_PRODUCTS, *_AXES))
 _TURNED = frozenset(("ixy", "iyz", "y"))
 
 
-@rule(Severity.WARNING, help="compare the two, and give both the right value")
+@rule(
+    Severity.WARNING,
+    confidence=Confidence.INFERRED,
+    help="compare the two, and give both the right value",
+)
 def check(context: Context) -> Findings:
     for left, right in context.masses.asymmetric_pairs:
         if unlike(left, right) != "mass":
@@ -86,7 +90,6 @@ def _odd_fingers(masses: Masses) -> Findings:
                 f"{odd[1]:g} kg",
                 f"write {odd[1]:g}",
                 related=(Related(other.at.span, f"the inertia of '{other.name}'"),),
-                confidence=Confidence.INFERRED,
             )
 
 
@@ -99,7 +102,6 @@ def _of_mass(left: LinkInertia, right: LinkInertia) -> Finding:
         f"link '{right.link.name}' has {right.mass:g} kg, its counterpart '{left.link.name}' "
         f"{left.mass:g} kg: a factor of {ratio:.3g}",
         related=(Related(left.inertial.mass.span, f"'{left.link.name}' has {left.mass:g} kg"),),
-        confidence=Confidence.INFERRED,
         weight=ratio,
     )
 
@@ -111,7 +113,6 @@ def _of_inertia(left: LinkInertia, right: LinkInertia) -> Finding:
         f"{format_moments(right.moments)}, its counterpart '{left.link.name}' of the same mass "
         f"{format_moments(left.moments)}",
         related=(Related(left.at.span, f"the inertia of '{left.link.name}'"),),
-        confidence=Confidence.INFERRED,
     )
 
 
@@ -125,7 +126,6 @@ def _of_sign(wrong: _WrongSign) -> Finding:
         f"link would be the mirror image of its counterpart '{wrong.left.name}', as others are",
         f"write {-wrong.value:g}, or correct the counterpart",
         related=(Related(wrong.left.at.span, f"the inertia of '{wrong.left.name}'"),),
-        confidence=Confidence.INFERRED,
     )
 
 

@@ -78,7 +78,11 @@ _MAX_ARM_RANGE = 8 * pi
 _MAX_SLOW_SPEED = 10.0
 
 
-@rule(Severity.WARNING, help="write it in radians, or radians per second")
+@rule(
+    Severity.WARNING,
+    confidence=Confidence.INFERRED,
+    help="write it in radians, or radians per second",
+)
 def check(context: Context) -> Findings:
     yield from _limits(context.model)
     yield from _rotations(context.document.root)
@@ -125,7 +129,6 @@ def _limit(joint: Joint, lower: float, upper: float) -> Finding:
         f"joint '{joint.name}' has limits [{lower:g}, {upper:g}] rad, {turns:.1f} turns, which "
         f"looks like degrees{'' if are_degrees else ' or a missing decimal point'}",
         fix=Fix.of("write the limits in radians", edits),
-        confidence=Confidence.INFERRED,
     )
 
 
@@ -178,7 +181,7 @@ def _rotations(root: Element) -> Findings:
             f"{part} has an rpy of {worst:g} rad, {abs(worst) / (2 * pi):.1f} turns, which looks "
             "like degrees"
         )
-        yield Finding(rpy, message, fix=_in_radians(rpy, angles), confidence=Confidence.INFERRED)
+        yield Finding(rpy, message, fix=_in_radians(rpy, angles))
 
 
 def _origins(root: Element) -> Iterator[Element]:
@@ -253,4 +256,4 @@ def _speed(joint: Joint, velocity: Placed[float]) -> Finding:
         f"degrees per second ({float(in_radians):.3g} rad/s)"
     )
     fix = fix_value(velocity.at, in_radians)
-    return Finding(velocity, message, fix=fix, confidence=Confidence.INFERRED, group_key="velocity")
+    return Finding(velocity, message, fix=fix, group_key="velocity")

@@ -56,7 +56,7 @@ _MIN_SIZE = 5.0
 _GROUNDS = ("ground", "floor", "world", "plane", "room", "map", "terrain", "field")
 
 
-@rule(Severity.WARNING, help="divide by 1000: lengths are metres")
+@rule(Severity.WARNING, confidence=Confidence.INFERRED, help="divide by 1000: lengths are metres")
 def check(context: Context) -> Findings:
     yield from _origins(context.model)
     yield from _limits(context)
@@ -81,7 +81,6 @@ def _origins(model: RobotModel) -> Findings:
             f"{several(joints)}: the origin is {reach:g} m away, but {evidence}; that looks like "
             "millimetres",
             related=related(places),
-            confidence=Confidence.INFERRED,
         )
 
 
@@ -132,7 +131,6 @@ def _limits(context: Context) -> Findings:
                 joint.limit.at,
                 f"joint '{joint.name}' has limits [{lower:g}, {upper:g}] m, but {known}",
                 fix=Fix.of("write the limits in metres", scale_limits(joint.limit.at, 1e-3)),
-                confidence=Confidence.INFERRED,
             )
 
 
@@ -168,7 +166,6 @@ def _shapes(model: RobotModel) -> Findings:
             f"{longest:.3g} m",
             f"divide by {100 if in_cm else 1000}: lengths are metres",
             related=tuple(Related(other.at.span, f"{edge:g} m, too") for edge, other in others),
-            confidence=Confidence.INFERRED,
         )
 
 

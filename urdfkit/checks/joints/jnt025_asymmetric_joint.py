@@ -79,7 +79,7 @@ _MAX_DIFFERENCE_OF_WIDTH = 1e-3
 _RANGE_TOLERANCE = 0.05
 
 
-@rule(Severity.WARNING)
+@rule(Severity.WARNING, confidence=Confidence.INFERRED)
 def check(context: Context) -> Findings:
     for first, second in context.symmetric_joints:
         if differences := list(_differences(first, second)):
@@ -89,7 +89,6 @@ def check(context: Context) -> Findings:
                 + ", ".join(differences),
                 "write the same value for both",
                 related=(Related(first.at.span, f"counterpart '{first.name}'"),),
-                confidence=Confidence.INFERRED,
                 group_key="counterparts",
             )
     for correct, misplaced_joint, reason in misplaced(context):
@@ -98,7 +97,6 @@ def check(context: Context) -> Findings:
             f"joint '{misplaced_joint.name}' {reason}",
             "mirror its origin in the plane between the two",
             related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
-            confidence=Confidence.INFERRED,
         )
     for correct, wrong, parent, reason in (*on_the_other_side(context), *on_one_side(context)):
         yield Finding(
@@ -107,7 +105,6 @@ def check(context: Context) -> Findings:
             f"'{correct.name}', {reason}",
             f"name '{parent}' as its parent",
             related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
-            confidence=Confidence.INFERRED,
         )
     for correct, wrong, parent in on_another_branch(context):
         yield Finding(
@@ -116,7 +113,6 @@ def check(context: Context) -> Findings:
             f"'{correct.name}' has '{correct.parent_name}'",
             f"name '{parent}' as its parent",
             related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
-            confidence=Confidence.INFERRED,
         )
     yield from _axes(context)
     yield from _ranges(context)
@@ -128,7 +124,6 @@ def check(context: Context) -> Findings:
             f"{odd.difference}",
             odd.help,
             related=(Related(odd.other.at.span, f"joint '{odd.other.name}'"),),
-            confidence=Confidence.INFERRED,
         )
 
 
@@ -148,7 +143,6 @@ def _fixed(context: Context) -> Findings:
             f"joint '{fixed.name}' is fixed, but its counterpart '{moving.name}' is {moving.kind}",
             f'write type="{moving.kind}", or remove the <limit>',
             related=(Related(moving.at.span, f"counterpart '{moving.name}'"),),
-            confidence=Confidence.INFERRED,
         )
 
 
@@ -232,7 +226,6 @@ def _axes(context: Context) -> Findings:
                 f"counterpart '{left.name}' about {rounded(a, 3)}",
                 "give both the same axis in the root frame, or the opposite one",
                 related=(Related(left.at.child_or_self("axis").span, "axis of the counterpart"),),
-                confidence=Confidence.INFERRED,
             )
 
 
@@ -269,7 +262,6 @@ def _ranges(context: Context) -> Findings:
         f'write lower="{lower:g}" upper="{upper:g}", correct those of the counterpart, or invert '
         "the axis of one",
         related=(Related(left.limit.at.span, "limits of the counterpart"),),
-        confidence=Confidence.INFERRED,
     )
 
 

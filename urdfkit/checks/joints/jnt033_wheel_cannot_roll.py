@@ -47,7 +47,7 @@ _MIN_UNLIMITED = 100.0
 _ROUND, _FLAT = 0.94, 0.75
 
 
-@rule(Severity.WARNING)
+@rule(Severity.WARNING, confidence=Confidence.INFERRED)
 def check(context: Context) -> Findings:
     links = context.model.links_by_name
     for joint in context.model.joints:
@@ -77,7 +77,6 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
             f"write the axis of the {shape_name}, or rotate the shapes with their <origin>"
             + (_STEERED if is_vertical else ""),
             related=(Related(body.at.span, f"the {shape_name}"),),
-            confidence=Confidence.INFERRED,
         )
 
 
@@ -93,7 +92,6 @@ def _limited(joint: Joint, link: Link) -> Findings:
             f"joint '{joint.name}' of wheel '{link.name}' is revolute, with limits "
             f"[{ends[0]:g}, {ends[1]:g}] rad",
             'write type="continuous", without lower and upper',
-            confidence=Confidence.INFERRED,
         )
 
 

@@ -55,6 +55,7 @@ _JOINTS_WITHOUT_GAP = ("fixed", "revolute", "continuous")
 
 @rule(
     Severity.WARNING,
+    confidence=Confidence.INFERRED,
     help="check the decimal point; the origin is measured from the parent link, in m",
 )
 def check(context: Context) -> Findings:
@@ -68,7 +69,6 @@ def check(context: Context) -> Findings:
                 joint.at.child_or_self("origin"),
                 f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}'; "
                 f"neither is longer than {longest:.3g} m",
-                confidence=Confidence.INFERRED,
             )
     yield from _skipped(context)
 
@@ -102,7 +102,6 @@ def _skipping(joint: Joint, previous: Joint) -> Finding:
         f"'{previous.child_name}', which has no child",
         f"name '{previous.child_name}' as its parent, if the links are a chain",
         related=(Related(previous.at.span, f"joint '{previous.name}'"),),
-        confidence=Confidence.INFERRED,
     )
 
 

@@ -36,7 +36,11 @@ _TIMES_LESS = 200.0
 _MIN_OTHERS = 3
 
 
-@rule(Severity.WARNING, help="check the unit (N·m or N, rad/s or m/s) and the decimal point")
+@rule(
+    Severity.WARNING,
+    confidence=Confidence.INFERRED,
+    help="check the unit (N·m or N, rad/s or m/s) and the decimal point",
+)
 def check(context: Context) -> Findings:
     joints = [joint for joint in context.model.joints if joint.is_single_dof and joint.limit]
     for kind in SINGLE_DOF:  # wheels have other motors than arms
@@ -70,5 +74,4 @@ def _finding(joint: Joint, limit: Placed[float], key: str, ratio: str) -> Findin
         limit,
         f"joint '{joint.name}': {key} limit {limit.value:g} {in_unit} is {ratio} of the other "
         "joints",
-        confidence=Confidence.INFERRED,
     )

@@ -31,16 +31,7 @@ import os
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import is_typo, nearest_file
-from urdfkit.lint.rules import (
-    Context,
-    Finding,
-    Findings,
-    Location,
-    Need,
-    Severity,
-    reported,
-    rule,
-)
+from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.worlds import shipped_worlds
 from urdfkit.ros.launch.collect import UNKNOWN

@@ -49,6 +49,7 @@ _MANY, _DECIMAL_POINTS, _MAX_RATIO = 4, (10.0, 100.0), 5.0
 
 @rule(
     Severity.WARNING,
+    confidence=Confidence.INFERRED,
     needs=(Need.MODEL, Need.MESHES),
     help='add scale="0.001 0.001 0.001" to the mesh, or export it in metres',
 )
@@ -60,7 +61,7 @@ def check(context: Context) -> Findings:
             f"{use.who} is {length:.4g} m long, the rest of the robot "
             f"{rest_of_robot(context.model):.3g} m; in mm it would be {length / 1000:.3g} m"
         )
-        yield Finding(use.at, message, fix=_fix(use), confidence=Confidence.INFERRED, weight=length)
+        yield Finding(use.at, message, fix=_fix(use), weight=length)
     for use in defects.get(MeshDefect.MICROSCOPIC, ()):
         unscaled = use.longest / max(map(abs, use.shape.scale))
         yield Finding(
@@ -68,7 +69,6 @@ def check(context: Context) -> Findings:
             f"{use.who} is {1000 * use.longest:.2g} mm long by its scale, and {unscaled:.3g} m "
             "without it",
             "remove the scale, or correct it",
-            confidence=Confidence.INFERRED,
             group_key="scale",
         )
     measured = context.measured
@@ -78,7 +78,6 @@ def check(context: Context) -> Findings:
             f"{use.who} is {use.longest:.3g} m long with the scale {use.shape.scale[0]:g}; the "
             f"other meshes have the scale {usual:g}",
             f'write scale="{usual:g} {usual:g} {usual:g}"',
-            confidence=Confidence.INFERRED,
         )
 
 

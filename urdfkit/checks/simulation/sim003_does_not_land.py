@@ -19,11 +19,7 @@ def _wheel(name: str, y: str) -> str:
     return robot_xml(
         link_xml(name, inertial_xml("0.2", "0.0002 0.0002 0.0002"), *_BALL),
         joint_xml(
-            "continuous",
-            f'<origin xyz="0 {y} 0"/>',
-            '<axis xyz="0 1 0"/>',
-            name=name,
-            child=name,
+            "continuous", f'<origin xyz="0 {y} 0"/>', '<axis xyz="0 1 0"/>', name=name, child=name
         ),
     )
 

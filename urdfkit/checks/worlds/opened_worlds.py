@@ -8,13 +8,7 @@ from collections.abc import Iterator
 from urdfkit.core.record import Record
 from urdfkit.errors import UnreadableFile
 from urdfkit.lint.rules import Context, Findings, Location, Related
-from urdfkit.ros.gazebo.worlds import (
-    World,
-    default_systems,
-    has_model,
-    read_world,
-    shipped_worlds,
-)
+from urdfkit.ros.gazebo.worlds import World, default_systems, has_model, read_world, shipped_worlds
 from urdfkit.ros.launch.worlds import GZ, StartedWorld, world_file, worlds
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Span

@@ -20,11 +20,7 @@ from urdfkit.text.source import Span
 _MOMENTS = {
     "box": (
         ("x", "y", "z"),
-        (
-            "${mass / 12 * (y*y + z*z)}",
-            "${mass / 12 * (x*x + z*z)}",
-            "${mass / 12 * (x*x + y*y)}",
-        ),
+        ("${mass / 12 * (y*y + z*z)}", "${mass / 12 * (x*x + z*z)}", "${mass / 12 * (x*x + y*y)}"),
     ),
     "cylinder": (
         ("radius", "length"),

@@ -238,10 +238,7 @@ def _text(
     written = ast.unparse(node) if not isinstance(node, ast.Name) else value.value
     text = str(written).lower() if kind == "bool" else str(written)
     yield values.problem(
-        "LAU033",
-        node,
-        f"{subject} is a {kind}, but {reader} expects a string",
-        f"write '{text}'",
+        "LAU033", node, f"{subject} is a {kind}, but {reader} expects a string", f"write '{text}'"
     )
 
 

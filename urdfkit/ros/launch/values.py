@@ -40,11 +40,7 @@ _PASSED_ON = {
 _OF_OBJECT = ("perform", "resolve", "absolute", "as_posix")
 #: Functions with the value of an environment variable, and the name of the argument for its
 #: default: most users do not set the variable.
-_OF_ENVIRONMENT = {
-    "EnvironmentVariable": "default_value",
-    "get": "default",
-    "getenv": "default",
-}
+_OF_ENVIRONMENT = {"EnvironmentVariable": "default_value", "get": "default", "getenv": "default"}
 _ENVIRONMENTS = ("os.environ", "environ")
 #: Variables that are always set, with a value that files for several distributions expect.
 _ASSUMED = {"ROS_DISTRO": "jazzy"}

@@ -32,11 +32,7 @@ _OF_GROUPS = {
     _OMPL: ("planner_configs", "default_planner_config", "projection_evaluator"),
 }
 CONTROLLERS = "moveit_controllers.yaml"
-_OF_CONTROLLERS = (
-    CONTROLLERS,
-    "simple_moveit_controllers.yaml",
-    "fake_controllers.yaml",
-)
+_OF_CONTROLLERS = (CONTROLLERS, "simple_moveit_controllers.yaml", "fake_controllers.yaml")
 #: The list of controllers in packages that were not written by the setup assistant.
 _OF_ROS_1 = "controllers.yaml"
 PIPELINES = (
