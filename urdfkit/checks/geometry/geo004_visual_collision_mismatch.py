@@ -31,25 +31,25 @@ Sources:
 """
 
 import os
-from collections.abc import Iterator
-from math import isclose
 
+from urdfkit.checks.geometry.link_meshes import mesh_of_another_link, other_scale
 from urdfkit.checks.geometry.other_side import (
+    MeshOfOtherSide,
     collisions_of_the_other_side,
     meshes_of_another_finger,
     meshes_of_the_other_side,
 )
+from urdfkit.checks.geometry.radii import different_radii, radius_of_mesh
 from urdfkit.core.spatial import Z_AXIS, Transform, cross, length, minus, rotate
-from urdfkit.core.words import rounded, spaced
+from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.assets.collision_mismatches import Mismatch, VisualCollisionPairs
 from urdfkit.robot.assets.mesh_defects import MeshDefect
-from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, SIMILAR_UNIT, VisualCollisionPair
+from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, VisualCollisionPair
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.link import Body, Link, Shape
+from urdfkit.robot.link import Body, Link
 from urdfkit.robot.samples import collision_xml, link_xml, visual_xml
 from urdfkit.robot.shapes import BoundingBox
-from urdfkit.robot.symmetry import pairs
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_first, remove_element
@@ -75,15 +75,6 @@ _SAME_CENTER = 0.01
 #: Sine of the angle up to which two axes are parallel.
 _PARALLEL = 0.1
 
-#: Ratio of a diameter to the double of a radius, and of the lengths of two such cylinders.
-_DIAMETER_TOLERANCE, _MAX_WIDTH_RATIO = 1.05, 1.5
-
-#: Ratios of two radii by a diameter, and by a decimal point.
-_RADIUS_FACTORS = (2, 10, 100, 1000)
-
-#: Least number of links with one mesh at one scale next to the one at two scales.
-_CONSISTENT_LINKS = 2
-
 #: Relative tolerance of a factor of units: visual and collision are rarely equal.
 _UNIT_TOLERANCE = 1.08
 
@@ -104,30 +95,29 @@ def check(context: Context) -> Findings:
             yield _of_size(pair, wrong)
     for pair in compared.mismatches.get(Mismatch.ROTATION, ()):
         yield _rotated(pair, compared.of_another_link(pair))
-    yield from _other_scale(context)
+    yield from other_scale(context)
     reported = {pair.link.name for of_kind in compared.mismatches.values() for pair in of_kind}
-    yield from _mesh_of_another_link(context, reported)
-    yield from _diameters(context)
+    yield from mesh_of_another_link(context, reported)
+    yield from different_radii(context)
     for pair in compared.each():
-        yield from _diameter_of_mesh(pair)
+        yield from radius_of_mesh(pair)
     for copied in (*meshes_of_the_other_side(context), *meshes_of_another_finger(context)):
-        name, side = copied.wrong.link.name, copied.correct.link.name
-        yield Finding(
-            copied.wrong.at,
-            f"link '{name}': the visual is the mesh of its counterpart '{side}', and no link uses "
-            f"'{copied.unused}'",
-            f"write the path of '{copied.unused}'",
-            related=(Related(copied.correct.at.span, f"the mesh of '{side}'"),),
-        )
+        side = copied.correct.link.name
+        what = f"the visual is the mesh of its counterpart '{side}'"
+        yield _copied(copied, what, f"the mesh of '{side}'")
     for copied in collisions_of_the_other_side(context):
         seen, used = (os.path.basename(mesh.at.value) for mesh in (copied.correct, copied.wrong))
-        yield Finding(
-            copied.wrong.at,
-            f"link '{copied.wrong.link.name}': the collision '{used}' is of the other side than "
-            f"the visual '{seen}', and no link uses '{copied.unused}'",
-            f"write the path of '{copied.unused}'",
-            related=(Related(copied.correct.at.span, "the visual"),),
-        )
+        what = f"the collision '{used}' is of the other side than the visual '{seen}'"
+        yield _copied(copied, what, "the visual")
+
+
+def _copied(mesh: MeshOfOtherSide, what: str, note: str) -> Finding:
+    return Finding(
+        mesh.wrong.at,
+        f"link '{mesh.wrong.link.name}': {what}, and no link uses '{mesh.unused}'",
+        f"write the path of '{mesh.unused}'",
+        related=(Related(mesh.correct.at.span, note),),
+    )
 
 
 def _apart(
@@ -232,137 +222,6 @@ def _rotated(pair: VisualCollisionPair, foreign: tuple[Body, str] | None) -> Fin
         related=(Related(others[0].at.span, f"the {other}"),),
         weight=turn.overlap - pair.overlap,
     )
-
-
-def _other_scale(context: Context) -> Findings:
-    """The only link that has one mesh at two scales, which are not those of two units."""
-    same, other = 0, []
-    for link, visual, collision in _links_with_two_meshes(context):
-        if _path(visual) == _path(collision):
-            if visual.scale == collision.scale:
-                same += 1
-            else:
-                other.append((link, visual, collision))
-    if len(other) != 1 or same < _CONSISTENT_LINKS:
-        return
-    ((link, visual, collision),) = other
-    ratios = [a / b if b else 0.0 for a, b in zip(visual.scale, collision.scale, strict=True)]
-    if all(1 / SIMILAR_UNIT < abs(ratio) < SIMILAR_UNIT for ratio in ratios):
-        yield Finding(
-            collision.at,
-            f"link '{link.name}': the scale of the collision is {spaced(collision.scale)}, that of "
-            f"the visual, which is the same mesh, {spaced(visual.scale)}",
-            "write the same scale for both",
-            related=(Related(visual.at.span, "the visual"),),
-        )
-
-
-def _mesh_of_another_link(context: Context, reported: set[str]) -> Findings:
-    """The only link with the mesh of another link as its collision, or as its visual."""
-    links = list(_links_with_two_meshes(context))
-    other = [found for found in links if _path(found[1]) != _path(found[2])]
-    if len(other) != 1 or len(links) <= _CONSISTENT_LINKS + 1:
-        return
-    ((link, visual, collision),) = other
-    # A collision may be that of the other side: wheels are symmetric.
-    if link.name in reported or pairs((_path(visual), _path(collision))):
-        return
-    for wrong, right, role in ((collision, visual, "collision"), (visual, collision, "visual")):
-        owners = [
-            owner.name
-            for owner, seen, _ in links
-            if owner.name != link.name and _path(seen) == _path(wrong)
-        ]
-        if len(owners) == 1 and not (role == "visual" and _is_simplified(visual, collision)):
-            yield Finding(
-                wrong.at,
-                f"link '{link.name}': the {role} is the mesh of '{owners[0]}'; each of the "
-                f"other {len(links) - 1} links has one mesh for visual and collision",
-                f"write {_path(right)}",
-                related=(Related(right.at.span, "the other mesh of the link"),),
-            )
-            return
-
-
-def _is_simplified(visual: Shape, collision: Shape) -> bool:
-    """True for a collision that is named after the visual, such as ``wheel_simple``."""
-    names = [
-        os.path.basename(_path(shape)).partition(".")[0].lower() for shape in (visual, collision)
-    ]
-    short, long = sorted(names, key=len)
-    return short in long
-
-
-def _links_with_two_meshes(context: Context) -> Iterator[tuple[Link, Shape, Shape]]:
-    """The links with one mesh as their visual and one as their collision, with both."""
-    for link in context.model.links:
-        shapes = [body.shape for body in (*link.visuals, *link.collisions)]
-        if len(link.visuals) == len(link.collisions) == 1 and all(map(_path, shapes)):
-            visual, collision = shapes
-            assert visual is not None
-            assert collision is not None
-            yield link, visual, collision
-
-
-def _path(shape: Shape | None) -> str:
-    return shape.filename.value if shape and shape.filename else ""
-
-
-def _diameters(context: Context) -> Findings:
-    for link in context.model.links:
-        if len(link.visuals) != 1 or len(link.collisions) != 1:
-            continue
-        visual, collision = link.visuals[0], link.collisions[0]
-        first, second = _radius(visual, collision), _radius(collision, visual)
-        if not first or not second:
-            continue
-        large, small = (visual, collision) if first > second else (collision, visual)
-        ratio = max(first, second) / min(first, second)
-        factor = next((factor for factor in _RADIUS_FACTORS if isclose(ratio, factor)), None)
-        assert large.shape is not None
-        if factor and (factor == 2 or large.shape.length):  # else the whole size differs
-            times = "twice" if factor == 2 else f"{factor} times"
-            yield Finding(
-                large.shape.at,
-                f"link '{link.name}': the radius of the {large.at.tag}, {max(first, second):g} m, "
-                f"is {times} that of the {small.at.tag}, {min(first, second):g} m",
-                "write the radius in both" if factor == 2 else "correct the decimal point",
-                related=(Related(small.at.span, f"the {small.at.tag}"),),
-                severity=Severity.INFO if factor == 2 else None,
-            )
-
-
-def _diameter_of_mesh(pair: VisualCollisionPair) -> Findings:
-    """A cylinder with twice the radius of the mesh that it replaces, such as a wheel."""
-    if len(pair.link.collisions) != 1 or not (shape := pair.link.collisions[0].shape):
-        return
-    if not all(body.is_mesh for body in pair.link.visuals):
-        return
-    axis = rotate(pair.link.collisions[0].origin.rotation, Z_AXIS)
-    if shape.kind != "cylinder" or max(map(abs, axis)) < 1 - _PARALLEL:
-        return
-    along = max(range(3), key=lambda index: abs(axis[index]))
-    edges = zip(pair.collision.bounds.edges, pair.visual.bounds.edges, strict=True)
-    ratios = [a / b if b > 0 else 0.0 for a, b in edges]
-    low, high = sorted(ratios[:along] + ratios[along + 1 :])
-    is_double = low > 2 / _DIAMETER_TOLERANCE and high < 2 * _DIAMETER_TOLERANCE
-    if is_double and 1 / _MAX_WIDTH_RATIO < ratios[along] < _MAX_WIDTH_RATIO:
-        yield Finding(
-            shape.at,
-            f"link '{pair.link.name}': the radius of the collision, {shape.radius:g} m, is twice "
-            f"that of the visual mesh, {shape.radius and shape.radius / (low + high) * 2:.3g} m",
-            "write the radius instead of the diameter",
-            related=(Related(pair.link.visuals[0].at.span, "the visual"),),
-            severity=Severity.INFO,
-        )
-
-
-def _radius(body: Body, other: Body) -> float | None:
-    """The radius of a shape, if the other shape differs at most in the radius; else None."""
-    first, second = body.shape, other.shape
-    if first is None or second is None or body.origin != other.origin:
-        return None
-    return first.radius if (first.kind, first.length) == (second.kind, second.length) else None
 
 
 def _edges(box: BoundingBox) -> str:

@@ -88,7 +88,7 @@ def check(context: Context) -> Findings:
                 f"joint '{second.name}' differs from its counterpart '{first.name}': "
                 + ", ".join(differences),
                 "write the same value for both",
-                related=(Related(first.at.span, f"counterpart '{first.name}'"),),
+                related=_note(first),
                 group_key="counterparts",
             )
     for correct, misplaced_joint, reason in misplaced(context):
@@ -96,7 +96,7 @@ def check(context: Context) -> Findings:
             misplaced_joint.at.child_or_self("origin"),
             f"joint '{misplaced_joint.name}' {reason}",
             "mirror its origin in the plane between the two",
-            related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
+            related=_note(correct),
         )
     for correct, wrong, parent, reason in (*on_the_other_side(context), *on_one_side(context)):
         yield Finding(
@@ -104,7 +104,7 @@ def check(context: Context) -> Findings:
             f"joint '{wrong.name}' has the same parent '{wrong.parent_name}' as its counterpart "
             f"'{correct.name}', {reason}",
             f"name '{parent}' as its parent",
-            related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
+            related=_note(correct),
         )
     for correct, wrong, parent in on_another_branch(context):
         yield Finding(
@@ -112,7 +112,7 @@ def check(context: Context) -> Findings:
             f"joint '{wrong.name}' has the parent '{wrong.parent_name}', its counterpart "
             f"'{correct.name}' has '{correct.parent_name}'",
             f"name '{parent}' as its parent",
-            related=(Related(correct.at.span, f"counterpart '{correct.name}'"),),
+            related=_note(correct),
         )
     yield from _axes(context)
     yield from _ranges(context)
@@ -125,6 +125,10 @@ def check(context: Context) -> Findings:
             odd.help,
             related=(Related(odd.other.at.span, f"joint '{odd.other.name}'"),),
         )
+
+
+def _note(counterpart: Joint) -> tuple[Related]:
+    return (Related(counterpart.at.span, f"counterpart '{counterpart.name}'"),)
 
 
 def _fixed(context: Context) -> Findings:
@@ -142,7 +146,7 @@ def _fixed(context: Context) -> Findings:
             fixed.at,
             f"joint '{fixed.name}' is fixed, but its counterpart '{moving.name}' is {moving.kind}",
             f'write type="{moving.kind}", or remove the <limit>',
-            related=(Related(moving.at.span, f"counterpart '{moving.name}'"),),
+            related=_note(moving),
         )
 
 

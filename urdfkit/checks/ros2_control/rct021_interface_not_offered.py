@@ -24,8 +24,11 @@ Sources:
     gripper_action_controller_impl.hpp: https://github.com/ros-controls/ros2_controllers/blob/humble/gripper_controllers/include/gripper_controllers/gripper_action_controller_impl.hpp
 """
 
+from __future__ import annotations
+
 from collections.abc import Collection
 
+from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.ros.catalog.ros_control import simulated_hardware, words
@@ -74,6 +77,15 @@ _USUAL = frozenset(("position", "velocity", "acceleration", "effort"))
 _Offered = dict[str, set[str]]
 
 
+class _Demand(Record):
+    """The interfaces that a controller requires of each of its joints."""
+
+    controller: Controller
+    file: ParameterFile
+    needed: list[str]
+    joints: list[Value]
+
+
 @rule(Severity.ERROR, reports_missing=True)
 def check(context: Context) -> Findings:
     yield from _without_command(context)
@@ -82,10 +94,8 @@ def check(context: Context) -> Findings:
     for file, controller in context.controllers:
         kind = controller.kind
         names = [name for name in kind.joints if name != "command_joints"] if kind else []
-        joints = controller.values(names)
-        yield from _missing(
-            context, controller, file, joints, _states(controller), states, free, "state"
-        )
+        demand = _Demand(controller, file, _states(controller), controller.values(names))
+        yield from _missing(context, demand, states, free, "state")
     yield from _without_state(context)
     yield from _claimed_by_name(context, free)
 
@@ -123,44 +133,45 @@ def _claimed_by_name(context: Context, free: Collection[str]) -> Findings:
 def _without_command(context: Context) -> Findings:
     by_ros = {1: _transmitted(context), 2: _offered(context, "command")}
     free = _may_offer_more(context)
-    claimed = [(file, user, *claim) for file, user in context.controllers for claim in claims(user)]
+    demands = [
+        _Demand(user, file, *claim) for file, user in context.controllers for claim in claims(user)
+    ]
     served = {  # another controller of the file has all of its interfaces of these joints
-        (file.path, value.text)
-        for file, user, needed, joints in claimed
-        for value in joints
-        if needed and by_ros[user.ros].get(value.text, set()).issuperset(needed)
+        (demand.file.path, value.text)
+        for demand in demands
+        for value in demand.joints
+        if demand.needed
+        and by_ros[demand.controller.ros].get(value.text, set()).issuperset(demand.needed)
     }
     joints_of_all = [
-        (file.path, {value.text for value in joints}) for file, _, _, joints in claimed
+        (demand.file.path, {value.text for value in demand.joints}) for demand in demands
     ]
-    for file, user, needed, all_joints in claimed:
-        own = {value.text for value in all_joints}
+    for demand in demands:
+        path, ros = demand.file.path, demand.controller.ros
+        own = {value.text for value in demand.joints}
         # Another controller of joints that the hardware offers is for the robot as it is.
         is_alternative = any(
-            path == file.path and names & own and names <= by_ros[2].keys()
-            for path, names in joints_of_all
+            other == path and names & own and names <= by_ros[2].keys()
+            for other, names in joints_of_all
         )
-        if user.ros == 2 and not is_alternative:
-            yield from _forgotten(context, user, file, all_joints, needed, by_ros[2])
-        joints = [value for value in all_joints if (file.path, value.text) not in served]
-        free_joints = free if user.ros == 2 else frozenset()
-        offered = by_ros[user.ros]
-        yield from _missing(context, user, file, joints, needed, offered, free_joints, "command")
+        if ros == 2 and not is_alternative:
+            yield from _forgotten(context, demand, by_ros[2])
+        left = [value for value in demand.joints if (path, value.text) not in served]
+        free_joints = free if ros == 2 else frozenset()
+        yield from _missing(
+            context, demand._replace(joints=left), by_ros[ros], free_joints, "command"
+        )
 
 
 def _missing(
-    context: Context,
-    controller: Controller,
-    file: ParameterFile,
-    joints: list[Value],
-    needed: list[str],
-    offered: _Offered,
-    free: Collection[str],
-    direction: str,
+    context: Context, demand: _Demand, offered: _Offered, free: Collection[str], direction: str
 ) -> Findings:
-    for value in joints:
+    controller = demand.controller
+    for value in demand.joints:
         available = offered.get(value.text)
-        missing = [name for name in needed if available is not None and name not in available]
+        missing = [
+            name for name in demand.needed if available is not None and name not in available
+        ]
         if missing and available is not None:
             joint = context.model.joints_by_name.get(value.text)
             help = f"add the <{direction}_interface> to the joint, or change the controller"
@@ -174,20 +185,14 @@ def _missing(
                 f"{', '.join(missing)} of joint '{value.text}', which offers: "
                 + (", ".join(sorted(available)) or "none"),
                 help,
-                related=(file.note,),
+                related=(demand.file.note,),
                 severity=_severity(missing, available) if value.text in free else None,
             )
 
 
-def _forgotten(
-    context: Context,
-    controller: Controller,
-    file: ParameterFile,
-    joints: list[Value],
-    needed: list[str],
-    offered: _Offered,
-) -> Findings:
+def _forgotten(context: Context, demand: _Demand, offered: _Offered) -> Findings:
     """The one joint of a controller that no ``<ros2_control>`` has, of hardware that is known."""
+    joints, needed = demand.joints, demand.needed
     missing = [value for value in joints if value.text not in offered]
     others = [offered[value.text] for value in joints if value.text in offered]
     is_served = bool(needed) and all(names.issuperset(needed) for names in others)
@@ -202,12 +207,12 @@ def _forgotten(
     if joint and (follows or (others and is_known)):
         yield Finding(
             missing[0].span,
-            f"{controller.title} requires command interface {', '.join(needed)} of "
+            f"{demand.controller.title} requires command interface {', '.join(needed)} of "
             f"joint '{missing[0].text}', which no <ros2_control> has",
             f"name '{leader}', which moves this joint, too"
             if follows
             else "add the joint to <ros2_control>, or remove it from the controller",
-            related=(file.note,),
+            related=(demand.file.note,),
             severity=None if is_known else Severity.WARNING,
         )
 
