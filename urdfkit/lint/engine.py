@@ -14,7 +14,7 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.context import Context
 from urdfkit.lint.findings import diagnose
 from urdfkit.lint.merging import Checked, merged_report
-from urdfkit.lint.options import Options, words
+from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job, Plan, planned
 from urdfkit.lint.report import Report
 from urdfkit.text.diagnostic import Diagnostic
@@ -71,9 +71,9 @@ def check(
     options = options.given(
         arguments=arguments,
         packages=packages,
-        select=words("select", select),
-        ignore=words("ignore", ignore),
-        targets=words("targets", targets),
+        select=select,
+        ignore=ignore,
+        targets=targets,
         trust=trust,
         config=config,
     )

@@ -17,7 +17,7 @@ from urdfkit.lint.config import Config
 from urdfkit.lint.engine import contexts
 from urdfkit.lint.fix_checker import Checker, real_path
 from urdfkit.lint.fix_session import Fixes, FixSession
-from urdfkit.lint.options import Options, choose, external_codes, words
+from urdfkit.lint.options import Options, choose, external_codes
 from urdfkit.workspace.ownership import OUTSIDE, Ownership
 
 if TYPE_CHECKING:
@@ -71,9 +71,9 @@ def fix(
     options = options.given(
         arguments=arguments,
         packages=packages,
-        select=words("select", select),
-        ignore=words("ignore", ignore),
-        targets=words("targets", targets),
+        select=select,
+        ignore=ignore,
+        targets=targets,
         trust=trust,
         config=config,
     )

@@ -68,7 +68,15 @@ class Options(Record):
     is_cancelled: Callable[[], bool] | None = None
 
     def given(self, **named: Any) -> Options:
-        """The options, overridden by the arguments that are not empty."""
+        """The options, overridden by the arguments that are not empty.
+
+        Raises:
+            TypeError: a list of words is a single string, an iterable of characters.
+        """
+        for name in ("select", "ignore", "targets"):
+            if isinstance(named[name], str):
+                raise TypeError(f"{name} must be a list of words, such as [{named[name]!r}]")
+            named[name] = tuple(named[name])
         return self._replace(**{name: value for name, value in named.items() if value})
 
     def with_config(self) -> Options:
@@ -115,17 +123,6 @@ class Options(Record):
     def previews(self, code: str) -> bool:
         """True if a preview rule runs; call it after ``resolved``."""
         return self.preview is True or (self.preview is not False and code in self.preview)
-
-
-def words(name: str, values: Iterable[str]) -> tuple[str, ...]:
-    """The words of an argument; rejects a single string, which is an iterable of characters.
-
-    Raises:
-        TypeError: the argument is a string.
-    """
-    if isinstance(values, str):
-        raise TypeError(f"{name} must be a list of words, such as [{values!r}]")
-    return tuple(values)
 
 
 def external_codes(options: Options) -> tuple[str, ...]:

@@ -115,14 +115,12 @@ def _clear(rows: list[list[float]], axes: list[list[float]], i: int, j: int) -> 
     t = (1 if half >= 0 else -1) / (abs(half) + hypot(half, 1.0))
     c = 1 / hypot(t, 1.0)
     s = t * c
-    for row in rows:
+    for row in (*rows, *axes):
         row[i], row[j] = c * row[i] - s * row[j], s * row[i] + c * row[j]
     rows[i], rows[j] = (
         [c * a - s * b for a, b in zip(rows[i], rows[j], strict=True)],
         [s * a + c * b for a, b in zip(rows[i], rows[j], strict=True)],
     )
-    for row in axes:
-        row[i], row[j] = c * row[i] - s * row[j], s * row[i] + c * row[j]
 
 
 def _positive(axis: list[float]) -> Vector:

@@ -139,6 +139,11 @@ class Diagnostic(Record):
         return self.message + variants
 
     @property
+    def text(self) -> str:
+        """The message with the variants, and the help below it."""
+        return "\n".join(filter(None, (self.message_with_variants, self.help)))
+
+    @property
     def element(self) -> str:
         """Path of the first element after expansion; empty if there is none."""
         return self.calls[0].element if self.calls else ""

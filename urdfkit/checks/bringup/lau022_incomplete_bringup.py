@@ -23,6 +23,7 @@ Sources:
 """
 
 import re
+from collections.abc import Iterable
 
 from urdfkit.checks.bringup.defined_controllers import defined_controllers
 from urdfkit.checks.bringup.gz_bridges import bridges_of_gz
@@ -106,8 +107,7 @@ def _missing_broadcaster(context: Context, programs: tuple[StartedProgram, ...])
     known = [controller for controller in named if controller and controller.ros == 2]
     if len(known) < len(named) or any(_publishes_joint_states(node, programs) for node in programs):
         return
-    bridged = (topic for node in programs for topic in bridged_topics(node, context.resolver))
-    is_bridged = any(topic.ros_type.endswith("/JointState") for topic in bridged)
+    is_bridged = _bridges_joint_states(context, programs)
     if broadcasters := [one for one in known if one.type.endswith("JointStateBroadcaster")]:
         if len(broadcasters) == 1 and not is_bridged:
             yield from _unlisted_joints(context, broadcasters[0], known)
@@ -177,6 +177,11 @@ def _is_rigid(context: Context) -> bool:
     return bool(models) and not any(can_move(joint) for model in models for joint in model.joints)
 
 
+def _bridges_joint_states(context: Context, programs: Iterable[StartedProgram]) -> bool:
+    bridged = (topic for node in programs for topic in bridged_topics(node, context.resolver))
+    return any(topic.ros_type.endswith("/JointState") for topic in bridged)
+
+
 def _unpublished_joint_states(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """A robot of gz-sim in RViz whose joints have no states, so that links have no transform."""
     publisher = next((node for node in programs if node.package == _PUBLISHER), None)
@@ -184,11 +189,8 @@ def _unpublished_joint_states(context: Context, programs: tuple[StartedProgram, 
     bridges = bridges_of_gz(programs)
     if publisher is None or "rviz2" not in packages or not bridges:
         return
-    bridged = (topic for node in bridges for topic in bridged_topics(node, context.resolver))
-    has_states = any(topic.ros_type.endswith("/JointState") for topic in bridged)
-    if has_states or not all(map(_STATELESS.fullmatch, packages)):
-        return
-    if is_included(context):
+    has_states = _bridges_joint_states(context, bridges)
+    if has_states or not all(map(_STATELESS.fullmatch, packages)) or is_included(context):
         return
     for description, robot in context.described_robots:
         systems = _systems(robot.model)

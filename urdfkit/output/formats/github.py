@@ -30,8 +30,9 @@ def _annotation(diagnostic: Diagnostic) -> str:
     if end_line == line:  # GitHub accepts columns only in a single line
         properties += f",col={column},endColumn={end_column}"
     title = _property(f"{diagnostic.code} {diagnostic.name}")
-    text = diagnostic.message_with_variants + (f"\n{diagnostic.help}" if diagnostic.help else "")
-    return f"::{_COMMANDS[diagnostic.severity]} {properties},title={title}::{_data(text)}"
+    return (
+        f"::{_COMMANDS[diagnostic.severity]} {properties},title={title}::{_data(diagnostic.text)}"
+    )
 
 
 def _data(text: str) -> str:

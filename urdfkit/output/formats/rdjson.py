@@ -24,9 +24,8 @@ def render(report: Report, *, color: bool = False, width: int = 80) -> str:
 
 def _diagnostic(diagnostic: Diagnostic) -> dict[str, Any]:
     span = diagnostic.span
-    text = diagnostic.message_with_variants + (f"\n{diagnostic.help}" if diagnostic.help else "")
     entry: dict[str, Any] = {
-        "message": text,
+        "message": diagnostic.text,
         "location": {"path": posix(span.source.path), "range": _range(span)},
         "severity": diagnostic.severity.value.upper(),
         "code": {"value": diagnostic.code},

@@ -92,9 +92,6 @@ def _invocation(report: Report) -> dict[str, Any]:
 
 
 def _result(diagnostic: Diagnostic, number: int, mark: str) -> dict[str, Any]:
-    text = diagnostic.message_with_variants
-    if diagnostic.help:
-        text += f"\n{diagnostic.help}"
     location: dict[str, Any] = _location(diagnostic.span)
     if diagnostic.element:
         location["logicalLocations"] = [
@@ -104,7 +101,7 @@ def _result(diagnostic: Diagnostic, number: int, mark: str) -> dict[str, Any]:
         "ruleId": diagnostic.code,
         "ruleIndex": number,
         "level": _LEVELS[diagnostic.severity],
-        "message": {"text": text},
+        "message": {"text": diagnostic.text},
         "locations": [location],
         "partialFingerprints": {"urdfkit/v1": mark},
         "properties": {"confidence": diagnostic.confidence.value},

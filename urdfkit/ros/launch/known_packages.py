@@ -224,18 +224,10 @@ def missing_arguments(included: IncludedFile) -> Iterator[Problem]:
         given = passed.get(other) if other else None
         is_off = given is None or (given.text or "true").lower() == "false"
         if other and word.text and is_off:
-            message = (
-                f"'{name}' up to Jazzy puts no node into the {argument} '{word.text}' without "
-            )
-            message += other
-            yield Problem(
-                "LAU005",
-                word.span,
-                message,
-                f"pass {other}: True",
-                frame=included.frame,
-                severity=Severity.WARNING,
-            )
+            into = f"the {argument} '{word.text}'"
+            message = f"'{name}' up to Jazzy puts no node into {into} without {other}"
+            help, severity = f"pass {other}: True", Severity.WARNING
+            yield Problem("LAU005", word.span, message, help, included.frame, severity=severity)
 
 
 def _passed(included: IncludedFile) -> Iterator[tuple[str, Word]]:
