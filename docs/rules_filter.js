@@ -1,7 +1,7 @@
 // A filter above the tables of all rules: words of their code, name or text, the severity, and the
 // target, for which a rule may have another severity or say nothing. The address holds the filter.
 document.addEventListener("DOMContentLoaded", () => {
-  const data = document.getElementById("targets");
+  const data = document.querySelector("script#targets");
   if (!data) return;
   const targets = JSON.parse(data.textContent);
   const tables = [...document.querySelectorAll("table")];

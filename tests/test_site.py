@@ -139,6 +139,16 @@ def choose(page: Page, **values: str) -> dict[str, str]:
 
 
 @needs_browser
+def test_the_filter_ignores_pages_with_a_heading_of_that_name(rules_page: Page) -> None:
+    """Each page has the script, and that of the targets an element with the id of its data."""
+    address = rules_page.driver.current_url
+    rules_page.errors.clear()
+    rules_page.driver.get(address.replace("/rules/", "/targets/"))
+    assert [error for error in rules_page.errors if "versions.json" not in error] == []
+    rules_page.driver.get(address)
+
+
+@needs_browser
 def test_all_rules_are_listed_without_a_filter(rules_page: Page) -> None:
     rules = {rule.code: rule.severity.value for rule in rule_index.all_rules()}
     assert choose(rules_page) == rules

@@ -19,8 +19,8 @@ PAGE = ROOT / "docs" / "targets.md"
 BEGIN, END = "<!-- table -->\n", "<!-- end of the table -->\n"
 
 HEAD = (
-    "| `--target` | compared with | models | rejected | with its cause reported | taken "
-    "| with an error | mass differs |"
+    "| `--target`: program | robots | rejected | cause reported | loaded with an error "
+    "| mass differs |"
 )
 
 #: Of each program its version, and what was said of each robot.
@@ -41,19 +41,17 @@ def asked(name: str) -> dict[str, dict[str, str]]:
 
 def table(verdicts: Verdicts) -> str:
     """The verdicts as a table in Markdown, a row for each program."""
-    lines = [HEAD, "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |"]
+    lines = [HEAD, "| --- | ---: | ---: | ---: | ---: | ---: |"]
     for name in sorted(verdicts):
         ((package, number),) = verdicts[name]["versions"].items()
         said = list(verdicts[name]["robots"].values())
         rejected = [one for one in said if one.startswith("refused")]
         taken = [one for one in said if one.startswith("taken")]
         cells = (
-            f"`{name}`",
-            f"{package} {number}",
+            f"`{name}`: {package} {number}",
             len(said),
             len(rejected),
             sum("not told" not in one for one in rejected),
-            len(taken),
             sum("error" in one for one in taken),
             sum("mass" in one for one in taken),
         )

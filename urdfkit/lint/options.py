@@ -73,7 +73,7 @@ class Options(Record):
         Raises:
             TypeError: a list of words is a single string, an iterable of characters.
         """
-        for name in ("select", "ignore", "targets"):
+        for name in named.keys() & {"select", "ignore", "targets"}:
             if isinstance(named[name], str):
                 raise TypeError(f"{name} must be a list of words, such as [{named[name]!r}]")
             named[name] = tuple(named[name])
