@@ -18,6 +18,7 @@ from urdfkit.lint.rule_examples import diagnose_example
 from urdfkit.lint.rule_index import FAMILIES, all_rules
 from urdfkit.lint.rules import Rule
 from urdfkit.ros.targets import TARGETS, facts_of
+from urdfkit.text.terminal import wrap
 
 DIRECTORY = Path(__file__).resolve().parent / "rules"
 
@@ -76,7 +77,7 @@ def page(rule: Rule) -> str:
         parts.append(f"What to do: {escape(rule.help, quote=False)}.")
     if bad := rule.example("BAD"):
         said = [
-            _SCRATCH.sub(DIRECTORY_OF_EXAMPLES, found.message)
+            wrap(_SCRATCH.sub(DIRECTORY_OF_EXAMPLES, found.message), 80, indent=2)
             for found in diagnose_example(rule, bad, simulate=simulate)
         ]
         parts += ["## Reported", block("xml", bad), block("text", "\n".join(said))]
