@@ -1,5 +1,7 @@
 """A part whose include is commented out is no robot of its own."""
 
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -113,6 +115,30 @@ def test_a_file_that_the_build_expands(tmp_path: Path, command: str, severity: S
     add_file(tmp_path / "urdf" / "arm.urdf.xacro", _whole(b""))
     include = b'<xacro:include filename="../urdf/arm.urdf"/>'
     robot = add_file(tmp_path / "config" / "arm.urdf.xacro", _whole(include))
+    (found,) = engine.check(robot, select=["XAC001"]).diagnostics
+    assert found.severity == severity
+
+
+@pytest.mark.parametrize(
+    ("pattern", "other", "severity"),
+    [
+        ("robot/urdf", "", Severity.WARNING),
+        ("robot/urdf", "robot/urdf/leg.xacro", Severity.ERROR),  # the script has run
+        ("robot/meshes", "", Severity.ERROR),
+    ],
+)
+def test_a_file_that_a_script_creates(
+    tmp_path: Path, pattern: str, other: str, severity: Severity
+) -> None:
+    """Aero: setup.sh copies the xacros of a type to a directory that git ignores."""
+    if shutil.which("git") is None:
+        pytest.skip("git is not installed")
+    subprocess.run(["git", "init", "-q", str(tmp_path)], check=True)
+    (tmp_path / ".gitignore").write_text(f"{pattern}\n")
+    if other:
+        add_file(tmp_path / other, HEAD + b"</robot>")
+    include = b'<xacro:include filename="../urdf/arm.xacro"/>'
+    robot = add_file(tmp_path / "robot" / "types" / "a.urdf.xacro", _whole(include))
     (found,) = engine.check(robot, select=["XAC001"]).diagnostics
     assert found.severity == severity
 

@@ -7,10 +7,11 @@ from itertools import pairwise
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest_file_name
 from urdfkit.text.source import shown
+from urdfkit.workspace.gitignore import GitIgnored
 from urdfkit.workspace.install_rules import is_built, is_expanded
 from urdfkit.workspace.manifest import nearest_manifest
 from urdfkit.workspace.package_directories import package_name
-from urdfkit.xacro.errors import NOT_BUILT, ONLY_XACRODOC, MessageText
+from urdfkit.xacro.errors import NOT_BUILT, NOT_CREATED, ONLY_XACRODOC, MessageText
 
 #: Most directories or files in a help text.
 _MAX_NAMED = 10
@@ -36,12 +37,21 @@ def missing_file(path: str) -> MessageText:
         return MessageText(message, "build the workspace, or include the xacro itself")
     if is_built(path):
         return MessageText(f"{NOT_BUILT}: {shown(path)}", "build the workspace")
+    if _is_created_by_script(path):
+        return MessageText(f"{NOT_CREATED}: {shown(path)}", "run the script that creates it")
     if found := _from_parent(path):
         directory, relative = found
         message = f"{ONLY_XACRODOC}: {shown(path)}; only xacrodoc finds it, in {shown(directory)}"
         return MessageText(message, f"write {relative}")
     help = _below_package(os.path.abspath(path)) or _nearest_file(path)
     return MessageText(f"file not found: {shown(path)}", help)
+
+
+def _is_created_by_script(path: str) -> bool:
+    """True if git ignores a missing file, and its directory has no file of its kind."""
+    kind = os.path.splitext(path)[1]
+    names = disk.names_or_empty(os.path.dirname(path))
+    return not any(name.endswith(kind) for name in names) and path in GitIgnored()
 
 
 def relative_to_caller(cause: BaseException, own: str) -> MessageText | None:

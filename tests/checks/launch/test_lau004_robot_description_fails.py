@@ -76,6 +76,15 @@ def test_a_description_without_a_type_is_read_as_yaml(
             yaml.safe_load(expanded)
 
 
+@pytest.mark.parametrize(("program", "count"), [("xacro ", 0), ("cat ", 1)])
+def test_xacro_replaces_the_tabs_of_a_urdf(tmp_path: Path, program: str, count: int) -> None:
+    """Orcahand: tabs indent the elements, and launch runs xacro on the URDF."""
+    urdf = '<robot name="r">\n\t<link name="base"/>\n</robot>'
+    text = COMMAND.format(f"Command(['{program}', '{tmp_path / 'r.urdf'}'])")
+    found = reported(tmp_path, "LAU004", "a.launch.py", text, {"r.urdf": urdf})
+    assert len([one for one in found if one.severity is Severity.ERROR]) == count
+
+
 @pytest.mark.parametrize(("passed", "count"), [("", 1), (" side:=left", 0)])
 def test_an_argument_above_its_default(tmp_path: Path, passed: str, count: int) -> None:
     argument = '<xacro:arg name="side" default="left"/>'

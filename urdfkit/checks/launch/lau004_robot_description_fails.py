@@ -51,7 +51,7 @@ def check(context: Context) -> Findings:
             yield Finding(place, message, "name the file that calls its macros")
         elif is_read and description.is_yaml:
             place = Location(description.frame.call.span, description.frame.outer)
-            reason = _yaml_error(robot)
+            reason = _yaml_error(robot, description.is_expanded)
             message = f"launch reads the robot description as YAML, {reason or _NOT_YET}"
             is_xml = description.frame.call.span.source.path.endswith(".xml")
             help = (
@@ -68,22 +68,33 @@ def _is_empty(robot: Context) -> bool:
     return xacro is not None and xacro.is_library and not robot.document.root.children
 
 
-def _yaml_error(robot: Context) -> str:
-    """Why an expanded robot is not a YAML string; empty if it is, or if the robot has problems."""
+def _yaml_error(robot: Context, is_expanded: bool) -> str:
+    """Why a robot is not a YAML string; empty if it is, or if the robot has problems.
+
+    Args:
+        is_expanded: True if launch reads the output of xacro, also of a plain URDF, which xacro
+            indents with spaces.
+    """
     if robot.reading.document is None or robot.reading.problems:
         return ""
     import yaml  # 15 ms, and most descriptions have a type
 
     from urdfkit.text.located_yaml import loader_as_in_python
 
+    text = robot.text
+    if is_expanded and robot.reading.xacro is None:
+        from urdfkit.xacro import expand
+
+        expanded = expand(robot.source, robot.resolver)
+        text = expanded.text().encode() if expanded.document is not None else text
     try:
-        for event in yaml.parse(robot.text, loader_as_in_python(robot.text)):
+        for event in yaml.parse(text, loader_as_in_python(text)):
             if isinstance(event, (yaml.MappingStartEvent, yaml.SequenceStartEvent)):
                 mark: Any = event.start_mark
                 return f"which finds a mapping or list, not text, in line {mark.line + 1}"
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
-        lines = robot.text.decode("utf-8", "replace").split("\n")[mark.line :]
+        lines = text.decode("utf-8", "replace").split("\n")[mark.line :]
         shown = lines[0].strip()[:_MAX_CHARACTERS] if lines else ""
         return f"which fails in line {mark.line + 1}, '{shown}': {error.problem}"
     except yaml.YAMLError as error:

@@ -10,7 +10,8 @@ A name that is defined in a condition is a warning if an argument has its defaul
 for other values.
 
 An included file that only xacrodoc finds, from the directory where it is run, is a warning, and so
-are a file that the build creates and an environment variable that is not set.
+are a file that the build creates, one that git ignores, as a script creates it, and an environment
+variable that is not set.
 
 A file that another file includes, and that uses macros, properties or arguments of that file, is
 not a complete robot: an info. Check the top file; findings in included files are reported at their
@@ -37,13 +38,13 @@ from urdfkit.lint.rules import (
     rule,
 )
 from urdfkit.robot.samples import xacro_xml
-from urdfkit.xacro.errors import IN_CONDITION, NOT_BUILT, ONLY_XACRODOC, VARIABLE
+from urdfkit.xacro.errors import IN_CONDITION, NOT_BUILT, NOT_CREATED, ONLY_XACRODOC, VARIABLE
 
 BAD = xacro_xml('<link name="${prefix}base"/>')
 GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="${prefix}base"/>')
 
 #: Starts of messages about what another place of work may have.
-_OF_ENVIRONMENT = (NOT_BUILT, ONLY_XACRODOC, VARIABLE)
+_OF_ENVIRONMENT = (NOT_BUILT, NOT_CREATED, ONLY_XACRODOC, VARIABLE)
 
 #: All uses of a name lack one definition, and all properties without prefix the prefix.
 _UNDEFINED = r"name '\w+' is not defined(: xacro ignores .*)?"
