@@ -270,3 +270,23 @@ def test_links_of_a_gripper_that_this_robot_lacks(tmp_path: Path, link: str, cou
     (tmp_path / "r.srdf").write_text(f'<robot name="r">{pair}</robot>')
     found = check(tmp_path / "r.urdf.xacro", select=["SRD001"]).diagnostics
     assert len(found) == count
+
+
+@pytest.mark.parametrize(
+    ("call", "help"),
+    [
+        ("", "call the macro, or generate the SRDF for this robot"),
+        (
+            '<xacro:if value="false"><xacro:hand/></xacro:if>',
+            "write a .srdf.xacro with the same argument, or pass it to the robot",
+        ),
+        ('<xacro:call macro="hand"/>', None),
+    ],
+)
+def test_a_link_in_a_macro_that_is_not_called(tmp_path: Path, call: str, help: str | None) -> None:
+    """An arm of Aubo, reset to the xacro without the gripper."""
+    macro = '<link name="tool"/><xacro:macro name="hand"><link name="tip"/></xacro:macro>'
+    (tmp_path / "r.urdf.xacro").write_text(xacro(macro + call))
+    (tmp_path / "r.srdf").write_text(SRDF.replace("NAME", "tip"))
+    found = check(tmp_path / "r.urdf.xacro", select=["SRD001"]).diagnostics
+    assert [one.help for one in found] == ([help] if help else [])

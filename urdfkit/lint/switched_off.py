@@ -20,6 +20,15 @@ _DEFINITION = (
     rb"""\bname\s*=\s*["'](?:\$[({][^)}"'<>]*[)}])*([^"'<>$]+)["']"""
 )
 
+#: A macro with its name and body.
+_MACRO = re.compile(
+    rb"""<xacro:macro\b[^<>]*?\bname\s*=\s*["'](?:xacro:)?([^"'<>]+)["'][^<>]*>"""
+    rb"""(.*?)</xacro:macro>""",
+    re.DOTALL,
+)
+#: A call with the name of its macro, or one whose macro an expression names.
+_CALL = re.compile(rb"<xacro:(?:[\w-]+\.)?([\w-]+)")
+
 
 def is_switched_off(context: Context, name: str) -> bool:
     """True if a file of the robot defines a link or joint inside a false condition.
@@ -32,6 +41,11 @@ def is_switched_off(context: Context, name: str) -> bool:
     if expanded is None or name in model.links_by_name or name in model.joints_by_name:
         return False
     return name in _defined(all_sources(context))
+
+
+def uncalled_macro(context: Context, name: str) -> str:
+    """The macro that defines a link or joint, and that the robot does not call; empty if none."""
+    return _in_uncalled_macros(all_sources(context)).get(name, "")
 
 
 def all_sources(context: Context) -> tuple[Source, ...]:
@@ -70,3 +84,25 @@ def _defined(sources: tuple[Source, ...]) -> frozenset[str]:
     """The names of the links and joints in some files, without expressions at their beginning."""
     found = (re.findall(_DEFINITION, blank_comments(source.data)) for source in sources)
     return frozenset(name.decode("utf-8", "replace") for names in found for name in names)
+
+
+@lru_cache(maxsize=1)
+def _in_uncalled_macros(sources: tuple[Source, ...]) -> dict[str, str]:
+    """The links and joints that only uncalled macros define, with the macro of each."""
+    texts = [blank_comments(source.data) for source in sources]
+    called = {name for text in texts for name in _CALL.findall(text)}
+    if b"call" in called:  # of a macro that an expression names
+        return {}
+    found: dict[bytes, bytes] = {}
+    elsewhere = set[bytes]()
+    for text in texts:
+        for macro in _MACRO.finditer(text):
+            if macro[1] not in called:
+                found.update(dict.fromkeys(re.findall(_DEFINITION, macro[2]), macro[1]))
+                text = text.replace(macro[0], b"")
+        elsewhere.update(re.findall(_DEFINITION, text))
+    return {
+        name.decode("utf-8", "replace"): macro.decode("utf-8", "replace")
+        for name, macro in found.items()
+        if name not in elsewhere
+    }

@@ -21,7 +21,7 @@ from collections.abc import Collection, Iterable
 
 from urdfkit.core.suggest import Suggester
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
-from urdfkit.lint.switched_off import is_switched_off
+from urdfkit.lint.switched_off import is_switched_off, uncalled_macro
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.extensions import copied, extensions
@@ -115,7 +115,9 @@ def _unknown(
     message = f"unknown link or joint '{reference.value}': Gazebo ignores {_listed(tags)}"
     help = f"did you mean '{suggested}'?" if suggested else ""
     fix = severity = None
-    if is_switched_off(context, reference.value):
+    if macro := uncalled_macro(context, reference.value):
+        help, severity = f"call macro '{macro}', which defines it", Severity.WARNING
+    elif is_switched_off(context, reference.value):
         help, severity = "put the <gazebo> behind the condition of the link", Severity.WARNING
     elif other := _robot_with(context, reference):
         help = f"add '{reference.value}', which {other} has, or include the file only there"

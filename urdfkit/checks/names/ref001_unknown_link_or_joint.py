@@ -19,7 +19,7 @@ Sources:
 
 from urdfkit.core.suggest import Suggester, hint_for
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
-from urdfkit.lint.switched_off import is_switched_off
+from urdfkit.lint.switched_off import is_switched_off, uncalled_macro
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Link
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -76,6 +76,8 @@ def _links(context: Context) -> Findings:
 def _help(context: Context, name: str, is_awaited: bool) -> str:
     if not is_awaited:
         return "correct the name, or add the link"
+    if macro := uncalled_macro(context, name):
+        return f"call macro '{macro}', which defines the link"
     if is_switched_off(context, name):
         return "pass the argument that adds the link"
     return _INCLUDE

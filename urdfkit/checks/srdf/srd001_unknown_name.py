@@ -23,7 +23,7 @@ from urdfkit.checks.srdf.namesakes import has_incomplete_namesake, names_in_name
 from urdfkit.core.suggest import SIMILAR, Suggester
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
-from urdfkit.lint.switched_off import all_sources, is_switched_off
+from urdfkit.lint.switched_off import all_sources, is_switched_off, uncalled_macro
 from urdfkit.robot.samples import link_xml
 from urdfkit.ros.moveit.samples import named_xml, srdf_files
 from urdfkit.ros.moveit.srdf import Srdf, is_free_flyer
@@ -85,6 +85,13 @@ def _of_other_arguments(
     context: Context, kind: str, attribute: Attribute, finding: Finding, has_groups: bool
 ) -> Finding:
     """The finding, as a warning if it is for Pinocchio, or of the robot with other arguments."""
+    if kind != "group" and (macro := uncalled_macro(context, attribute.value)):
+        return finding._replace(
+            message=f"{kind} '{attribute.value}' is in macro '{macro}', which the robot does not call",
+            help="call the macro, or generate the SRDF for this robot",
+            fix=None,
+            group_key=macro,
+        )
     if kind != "group" and is_switched_off(context, attribute.value):
         return finding._replace(
             message=f"{kind} '{attribute.value}' is inside a false condition of the robot",

@@ -32,6 +32,7 @@ from urdfkit.checks.srdf.namesakes import has_incomplete_namesake
 from urdfkit.core.suggest import CLOSE_TYPO, TYPO, Suggester, did_you_mean, nearest
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.lint.switched_off import uncalled_macro
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.samples import SHOULDER
 from urdfkit.ros.launch.rviz import displays
@@ -216,7 +217,9 @@ def _joints(context: Context, srdf: Srdf) -> Findings:
     suggester = Suggester(known)
     for who, joint in unknown:
         message = f"{who}: unknown joint '{joint.text}'{suggester.hint(joint.text)}"
-        yield Finding(joint.span, message, "fix the name")
+        macro = uncalled_macro(context, joint.text)
+        help = f"call macro '{macro}', which defines the joint" if macro else "fix the name"
+        yield Finding(joint.span, message, help)
 
 
 def _rviz_groups(context: Context, srdf: Srdf) -> Findings:
