@@ -11,18 +11,18 @@ from urdfkit.text.diagnostic import Severity
 BAD = [
     (
         (
-            '<group name="a"><link name="arm"/><link name="hand"/></group><group name="h">'
-            '<link name="hand"/></group>'
-            '<end_effector name="e" group="h" parent_link="arm" parent_group="a"/>'
+            '<group name="a"><link name="base"/><link name="arm"/></group><group name="h">'
+            '<link name="arm"/></group>'
+            '<end_effector name="e" group="h" parent_link="base" parent_group="a"/>'
         ),
-        naming("e", "a", "hand"),
+        naming("e", "a", "arm"),
     ),
     (
         (
-            '<group name="h"><link name="hand"/></group>'
-            '<end_effector name="e" group="h" parent_link="hand"/>'
+            '<group name="h"><link name="arm"/></group>'
+            '<end_effector name="e" group="h" parent_link="arm"/>'
         ),
-        naming("e", "hand", "own"),
+        naming("e", "arm", "own"),
     ),
 ]
 GOOD = [
@@ -30,6 +30,11 @@ GOOD = [
         '<group name="a"><chain base_link="base" tip_link="arm"/></group>'
         '<group name="h"><link name="hand"/></group>'
         '<end_effector name="e" group="h" parent_link="arm" parent_group="a"/>'
+    ),
+    (  # KUKA's iiwa: a group of the tip for moveit_visual_tools
+        '<group name="a"><chain base_link="base" tip_link="hand"/></group>'
+        '<group name="h"><link name="hand"/></group>'
+        '<end_effector name="e" group="h" parent_link="hand" parent_group="a"/>'
     ),
 ]
 

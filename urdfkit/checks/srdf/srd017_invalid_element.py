@@ -13,7 +13,8 @@
   fixed: planning works, but the robot cannot be placed or driven (warning).
 - The links of an end effector's group must not be in its parent group, and its parent link must be.
   MoveIt loads the robot, but handles the hand as a part of the arm, or attaches it to another group
-  with the parent link, or to none (warning).
+  with the parent link, or to none (warning). Not for a group without a moving joint, which only
+  names the tip of the arm.
 
 Sources:
     SRDF: https://wiki.ros.org/srdf
@@ -118,9 +119,12 @@ def _virtual_joints(context: Context, srdf: Srdf) -> Findings:
 
 def _end_effectors(srdf: Srdf) -> Findings:
     help = "use groups without common links, and a parent link in the parent group"
+    moving = [joint for joint in srdf.tree.model.joints if joint.kind != "fixed"]
     for effector in srdf.end_effectors:
         name, parent = effector.get("name"), effector.get("parent_group")
         hand = srdf.links_of(effector.get("group") or "")
+        if not any(joint.child_name in hand for joint in moving):
+            continue  # the group names only the tip of the arm, as moveit_visual_tools needs it
         arm = srdf.links_of(parent) if parent else set()
         if shared := sorted(hand & arm):
             links = ", ".join(f"'{link}'" for link in shared)
