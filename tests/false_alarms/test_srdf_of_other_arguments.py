@@ -26,7 +26,7 @@ PARAM = '<param name="robot_description" command="xacro $(find arm)/r.urdf.xacro
 
 @pytest.mark.parametrize(
     ("model", "name", "count"),
-    [("long", "tip", 0), ("long", "tipp", 2), ("short", "tip", 2)],
+    [("long", "tip", 0), ("long", "tipp", 2), ("short", "tip", 1)],
 )
 def test_a_launch_file_starts_the_robot_with_the_link(
     tmp_path: Path, model: str, name: str, count: int

@@ -99,8 +99,8 @@ def _in_uncalled_macros(sources: tuple[Source, ...]) -> dict[str, str]:
         for macro in _MACRO.finditer(text):
             if macro[1] not in called:
                 found.update(dict.fromkeys(re.findall(_DEFINITION, macro[2]), macro[1]))
-                text = text.replace(macro[0], b"")
-        elsewhere.update(re.findall(_DEFINITION, text))
+        rest = _MACRO.sub(lambda macro: macro[0] if macro[1] in called else b"", text)
+        elsewhere.update(re.findall(_DEFINITION, rest))
     return {
         name.decode("utf-8", "replace"): macro.decode("utf-8", "replace")
         for name, macro in found.items()

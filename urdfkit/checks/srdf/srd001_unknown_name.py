@@ -86,8 +86,9 @@ def _of_other_arguments(
 ) -> Finding:
     """The finding, as a warning if it is for Pinocchio, or of the robot with other arguments."""
     if kind != "group" and (macro := uncalled_macro(context, attribute.value)):
+        who = f"{kind} '{attribute.value}'"
         return finding._replace(
-            message=f"{kind} '{attribute.value}' is in macro '{macro}', which the robot does not call",
+            message=f"{who} is in macro '{macro}', which the robot does not call",
             help="call the macro, or generate the SRDF for this robot",
             fix=None,
             group_key=macro,
