@@ -78,7 +78,7 @@ def test_a_record_of_which_a_program_makes_a_controller() -> None:
     """jsk_aerial_robot's servo bridge adds the joint, whose name stands beside."""
     settings = "{pid: {p: 5.0}, type: effort_controllers/JointPositionController}"
     text = f"servo:\n  controller1:\n    name: gimbal1\n    simulation: {settings}\n"
-    assert read(Source("servo.yaml", text.encode())) == []
+    assert read(Source("servo.yaml", text.encode())) == ()
     space = text.replace("name: gimbal1", "rate: 50").encode()
     assert [one.name for one in read(Source("servo.yaml", space))] == ["simulation"]
 

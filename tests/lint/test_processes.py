@@ -1,5 +1,8 @@
 """Checks in several processes."""
 
+import subprocess
+import sys
+
 import pytest
 
 from urdfkit.lint import processes
@@ -23,3 +26,24 @@ def test_the_batches_of_a_check_share_a_resolver(monkeypatch: pytest.MonkeyPatch
     first, second, third = used
     assert first is second
     assert first is not third
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="forks")
+def test_no_process_outlives_a_main_one_that_is_killed() -> None:
+    """An editor kills its language server, a build job its check."""
+    code = (
+        "import os, time\n"
+        "from urdfkit.lint import processes\n"
+        "from urdfkit.lint.options import Options\n"
+        "pool = processes.Workers().pool(2, ({}, Options(), False, ()))\n"
+        "for _ in range(2):\n"
+        "    pool.submit(time.sleep, 60)\n"
+        "pool.submit(os.getpid)\n"
+        "print('started', flush=True)\n"
+        "time.sleep(60)\n"
+    )
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == b"started\n"
+        process.kill()
+        assert process.stdout.read() == b"", "ends when no process has the pipe any more"

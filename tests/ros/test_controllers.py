@@ -26,7 +26,7 @@ drive:
 """
 
 
-def of(text: str | bytes) -> list[Controller]:
+def of(text: str | bytes) -> tuple[Controller, ...]:
     return read(Source("c.yaml", text.encode() if isinstance(text, str) else text))
 
 
@@ -107,7 +107,7 @@ def test_namespaces_are_kept_apart() -> None:
     ],
 )
 def test_what_holds_no_controller(text: str | bytes) -> None:
-    assert of(text) == []
+    assert of(text) == ()
 
 
 def test_an_alias_is_no_value() -> None:

@@ -147,7 +147,9 @@ def _begin(
 ) -> None:
     """Initialise a process of a pool."""
     import signal
+    from threading import Thread
 
+    Thread(target=_end_with_parent, daemon=True).start()
     # Ctrl-C reaches every process of the terminal; the main process handles it, and ends this one.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)  # a main process with limits handles it, too
@@ -158,6 +160,17 @@ def _begin(
     expansion_limits.allow(options.config.limits)
     for path in admitted:
         _own.admit(path, trust=options.trust)
+
+
+def _end_with_parent() -> None:
+    """End this process when the main one is gone, which SIGKILL does not let it announce."""
+    import os
+    from multiprocessing import parent_process
+
+    parent = parent_process()
+    assert parent is not None
+    parent.join()
+    os._exit(1)
 
 
 def _check_batch(jobs: list[Job], options: Options, check: int) -> Batch:

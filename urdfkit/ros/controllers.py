@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from itertools import groupby
 from operator import itemgetter
 
@@ -202,11 +203,12 @@ def readable_files(description: RosDescription) -> Iterator[tuple[ParameterFile,
             yield file, source
 
 
-def read(source: Source, *, is_of_ros1: bool = False) -> list[Controller]:
+@lru_cache(maxsize=256)  # for each launch file of a workspace, all its files of parameters are read
+def read(source: Source, *, is_of_ros1: bool = False) -> tuple[Controller, ...]:
     """The controllers of a file; empty if it is not a YAML file of parameters."""
     sections = {} if is_of_ros1 else _sections(source)
     if not sections:
-        return list(_of_ros1(load(source)))
+        return tuple(_of_ros1(load(source)))
     types: dict[tuple[str, ...], Value] = {}
     # The controller manager reads the type from its own parameters.
     for path, section in sorted(sections.items(), key=lambda item: item[0][-1] == MANAGER):
@@ -214,10 +216,10 @@ def read(source: Source, *, is_of_ros1: bool = False) -> list[Controller]:
             node = (*path[:-1], owner) if path[-1] == MANAGER else path
             if bool(owner) is (path[-1] == MANAGER):
                 types[node] = kind
-    return [
+    return tuple(
         Controller(path[-1], kind.text, kind.span, 2, sections.get(path, Section({}, {}, None)))
         for path, kind in types.items()
-    ]
+    )
 
 
 def managers(description: RosDescription) -> Iterator[tuple[ParameterFile, Section]]:

@@ -52,6 +52,8 @@ class Packages:
         self.ros1_paths = path_list(environment, "ROS_PACKAGE_PATH")
         self._scan: Callable[[ScannedDirectory], PackageScan] = lru_cache(LIMIT)(self._new_scan)
         self._searched: Memo[str, tuple[str, ...]] = Memo()
+        #: The packages by the directory of a file: each program of a launch file is looked up.
+        self._known: Callable[[str], dict[str, str]] = lru_cache(LIMIT)(self._find_known)
         #: The absolute directory of a file; cached, as a robot may refer to a hundred meshes.
         self.directory_of: Callable[[str], str] = lru_cache(LIMIT)(_directory_of)
 
@@ -97,10 +99,13 @@ class Packages:
     def known(self, near: str) -> dict[str, str]:
         """The directories of the packages in the workspace of a file, by name; nearest first.
 
-        Of packages around the file with the same name, the outermost.
+        Of packages around the file with the same name, the outermost. Shared, not to be changed.
         """
-        packages = dict(self._roots.enclosing_packages(self.directory_of(near)))
-        for level in self.levels(near):
+        return self._known(self.directory_of(near))
+
+    def _find_known(self, start: str) -> dict[str, str]:
+        packages = dict(self._roots.enclosing_packages(start))
+        for level in self._roots.levels(start):
             for name, directory in self._scan(level).all().items():
                 packages.setdefault(name, directory)
         return packages

@@ -219,7 +219,13 @@ def _is_in_tests(relative: str) -> bool:
 def _references(path: str, name: bytes, package: bytes, resolver: Resolver) -> bool:
     """True if a launch file contains a file name, or computes a path with this end."""
     source = resolver.readable(path)
-    data = source.data if source else b""
-    text = _PROSE.sub(b"", data) if path.endswith(".py") else without_comments(data)
-    is_named = name in text or any(map(name.endswith, _COMPUTED.findall(text)))
-    return is_named and package in text
+    text, ends = _code(source) if source else (b"", ())
+    return package in text and (name in text or any(map(name.endswith, ends)))
+
+
+@lru_cache(maxsize=256)  # each launch file of a workspace is looked for in all others
+def _code(source: Source) -> tuple[bytes, tuple[bytes, ...]]:
+    """A launch file without comments, and the ends of the names of launch files in it."""
+    is_python = source.path.endswith(".py")
+    text = _PROSE.sub(b"", source.data) if is_python else without_comments(source.data)
+    return text, tuple(_COMPUTED.findall(text))

@@ -6,14 +6,14 @@ Sources: words of the command line, or a YAML file.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cache
+from functools import cache, lru_cache
 
 from urdfkit.core.record import Record
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawned_controllers import resolve_name
-from urdfkit.text.located_yaml import Value, load, mapping
-from urdfkit.text.source import Span
+from urdfkit.text.located_yaml import CACHE_SIZE, Node, Value, load, mapping
+from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
 #: The keys of an entry of the file.
@@ -130,8 +130,9 @@ def _topics(program: StartedProgram, resolver: Resolver) -> Iterator[BridgedTopi
     for word in program.words:
         if topic := _of_word(word):
             yield topic
-    if path:
-        yield from _in_file(path, resolver)
+    source = resolver.readable(path) if path else None
+    if source:
+        yield from _in_file(source)
 
 
 def _images(program: StartedProgram) -> Iterator[BridgedTopic]:
@@ -160,25 +161,28 @@ def _of_word(word: Word) -> BridgedTopic | None:
     )
 
 
-def _in_file(path: str, resolver: Resolver) -> Iterator[BridgedTopic]:
-    source = resolver.readable(path)
-    entries = load(source) if source else None
-    for entry in entries if isinstance(entries, list) else ():
-        items = mapping(entry).items()
-        values = {str(key): value for key, value in items if isinstance(value, Value)}
-        texts = {key: value.text for key, value in values.items()}
-        if not values or "service_name" in texts:
-            continue
-        topic = next((texts[key] for key in ("gz_topic_name", "topic_name") if key in texts), "")
-        unknown = tuple((key, value.span) for key, value in values.items() if key not in KEYS)
-        places = {key: value.span for key, value in values.items()}
-        yield BridgedTopic(
-            next(iter(places.values())),
-            topic or texts.get("ros_topic_name", ""),
-            texts.get("ros_topic_name") or texts.get("topic_name") or topic,
-            texts.get("ros_type_name", ""),
-            texts.get("gz_type_name", ""),
-            texts.get("direction", BOTH),
-            unknown,
-            places,
-        )
+@lru_cache(CACHE_SIZE)  # each launch file of a workspace looks at the bridges of all of them
+def _in_file(source: Source) -> tuple[BridgedTopic, ...]:
+    entries = load(source)
+    topics = map(_of_entry, entries if isinstance(entries, list) else ())
+    return tuple(topic for topic in topics if topic)
+
+
+def _of_entry(entry: Node) -> BridgedTopic | None:
+    """The topic of an entry of the file; None for a service, or without a value."""
+    values = {str(key): value for key, value in mapping(entry).items() if isinstance(value, Value)}
+    texts = {key: value.text for key, value in values.items()}
+    if not values or "service_name" in texts:
+        return None
+    places = {key: value.span for key, value in values.items()}
+    topic = next((texts[key] for key in ("gz_topic_name", "topic_name") if key in texts), "")
+    return BridgedTopic(
+        next(iter(places.values())),
+        topic or texts.get("ros_topic_name", ""),
+        texts.get("ros_topic_name") or texts.get("topic_name") or topic,
+        texts.get("ros_type_name", ""),
+        texts.get("gz_type_name", ""),
+        texts.get("direction", BOTH),
+        tuple((key, place) for key, place in places.items() if key not in KEYS),
+        places,
+    )
