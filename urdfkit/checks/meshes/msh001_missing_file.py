@@ -144,7 +144,9 @@ def _without_package(
     if disk.is_file(os.path.join(os.path.dirname(context.files.top), path)):
         message += "; only PyBullet and Pinocchio find it, next to the URDF"
         help, fix = f"write {path}, or {right}", _fix(mesh, path, f"refer to {path}")
-        return Finding(mesh.at, message, help, fix, group_key="beside", severity=Severity.WARNING)
+        return Finding(
+            mesh.at, message, help, fix, group_key="next to the URDF", severity=Severity.WARNING
+        )
     reference = f"{scheme}://{path}"
     if context.resolver.locate(reference, context.files.top).path is not None:
         fix = _fix(mesh, reference, "remove the third slash")
