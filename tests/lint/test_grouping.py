@@ -33,6 +33,32 @@ def test_many_that_are_alike_are_reported_as_the_first() -> None:
     ]
 
 
+def test_messages_that_differ_in_names_and_numbers_are_alike() -> None:
+    """Also those of a rule that says nothing about it."""
+    alike = [
+        "joint 'a' moves by 3 mm",
+        "joint 'b' moves by -2.5e-3 mm",
+        "joint 'c d' moves by 4 mm",
+    ]
+    other = "joint 'e' moves by 5 m"
+    found = reported("URD001", links(4))
+    told = [
+        one._replace(message=text, group_key="")
+        for one, text in zip(found, (*alike, other), strict=True)
+    ]
+    first, second = grouped(told, brief=True)
+    assert first.message == f"{alike[0]} (and 2 more like this)"
+    assert [note.message for note in first.related] == ["joint 'b'", "joint 'c d'"]
+    assert second.message == other
+
+
+def test_what_is_fixed_in_another_way_is_not_alike() -> None:
+    found = reported("URD001", links(4))
+    told = [one._replace(message="alike", fix=None, group_key="") for one in found[:3]]
+    last = found[3]._replace(message="alike", group_key="")
+    assert len(grouped([*told, last])) == 2
+
+
 def test_a_missing_file_of_visual_and_collision_is_one_finding() -> None:
     mesh = '<geometry><mesh filename="package://arm/meshes/arm.stl"/></geometry>'
     bodies = f"<visual>{mesh}</visual>\n<collision>{mesh}</collision>"

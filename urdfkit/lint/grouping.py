@@ -16,8 +16,12 @@ MAX_SINGLE = 2
 MAX_NOTES = 20
 #: Rules whose findings in several files have one cause: a missing package.
 _ACROSS_FILES = frozenset(("XAC011",))
+#: A name or a number in a message.
+_VALUE = re.compile(r"'[^']*'|[-+]?\b\d[\w.]*(?:[eE][-+]?\d+)?")
 #: What a message is about, such as ``link 'arm'``.
-_SUBJECT = r"[a-z][\w -]* '[^']+'(?=: )"
+_SUBJECT = r"[a-z][\w -]* '[^']+'(?=: |[^']*$)"
+#: A word of a message that corrects a name.
+_SUGGESTION = "did you mean"
 
 
 def grouped(diagnostics: Sequence[Diagnostic], *, brief: bool = False) -> tuple[Diagnostic, ...]:
@@ -35,14 +39,20 @@ def groups(diagnostics: Sequence[Diagnostic]) -> Iterator[list[Diagnostic]]:
     """The findings that are shown as one, in the order of the first finding of each group."""
     by_key: dict[object, list[Diagnostic]] = {}
     for number, finding in enumerate(diagnostics):
-        key: object = number
-        if finding.group_key:
-            path = "" if finding.code in _ACROSS_FILES else finding.span.source.path
-            key = (finding.code, finding.severity, finding.group_key, path, finding.variants)
+        path = "" if finding.code in _ACROSS_FILES else finding.span.source.path
+        alike = finding.group_key or _without_values(finding) or number
+        key = (finding.code, finding.severity, alike, path, finding.variants)
         by_key.setdefault(key, []).append(finding)
     for group in by_key.values():
         is_one = len(group) > MAX_SINGLE or group[0].code in _ACROSS_FILES or _is_repeated(group)
         yield from [group] if is_one else ([finding] for finding in group)
+
+
+def _without_values(finding: Diagnostic) -> object:
+    """What findings share that differ in names and numbers alone; None for a misspelt name."""
+    if _SUGGESTION in finding.message:
+        return None
+    return _VALUE.sub("", finding.message), finding.fix and finding.fix.safe
 
 
 def _is_repeated(group: list[Diagnostic]) -> bool:
@@ -66,7 +76,8 @@ def _note(other: Diagnostic, first: Diagnostic, *, brief: bool) -> Related:
     if other.code in _ACROSS_FILES:
         message, help = without_search(message), ""
     elif brief and (subject := re.match(_SUBJECT, message)):
-        message = subject[0]
+        is_alone = other.group_key or "'" not in message[subject.end() :]
+        message = subject[0] if is_alone else message
     return Related(other.span, f"{message}: {help}" if help else message)
 
 

@@ -60,7 +60,8 @@ class Finding(Record):
     related: tuple[Related, ...] = ()  # other places that explain it
     confidence: Confidence | None = None  # that of the rule if None
     weight: float = 0.0  # larger is worse; orders the calls of one macro
-    #: Equal for findings with the same cause; more than a few of them are shown as one.
+    #: Equal for findings with the same cause; more than a few of them are shown as one. If empty,
+    #: those whose messages differ in names and numbers alone are.
     group_key: str = ""
     severity: Severity | None = None  # overrides the severity of the rule, for all targets
     #: Targets for which the finding has this severity; empty if it does not depend on them.

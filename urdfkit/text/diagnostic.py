@@ -113,7 +113,8 @@ class Diagnostic(Record):
         related: other locations that explain it.
         help: how to fix it.
         targets: the consumers that the severity applies to; empty for all.
-        group_key: equal for findings of one rule that are shown as one if there are many.
+        group_key: equal for findings of one rule that are shown as one if there are many; if empty,
+            those that differ in names and numbers alone are.
         variants: names of the affected variants of the robot, or its assumed arguments; empty if
             all are affected.
     """

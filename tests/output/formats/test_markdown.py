@@ -140,7 +140,10 @@ def test_control_characters_and_line_ends_stay_in_their_cell() -> None:
 
 def test_it_fits_a_summary() -> None:
     """GitHub takes 1 MiB; names in a robot may be as long as a file."""
-    findings = [diagnostic(span(PLAIN, "arm"), message="|" * 5000, help="<" * 5000)] * 300
+    findings = [
+        diagnostic(span(PLAIN, "arm"), message="|" * 5000 + "!" * number, help="<" * 5000)
+        for number in range(300)
+    ]
     reported = rows(report(*findings))
     assert len(reported) == MAX_ROWS + 1
     assert reported[-1] == ["", "", "and 100 more"]

@@ -125,7 +125,6 @@ def _kept_joints(context: Context) -> Findings:
                 f"<{tag.tag}> makes joint '{joint.name}' a revolute joint in Gazebo",
                 "write <preserveFixedJoint>",
                 Fix.of("write <preserveFixedJoint>", edits),
-                group_key="lumping",
                 severity=Severity.INFO,
             )
 
@@ -195,7 +194,6 @@ def _merged_force_sensors(context: Context) -> Findings:
                 f"{who} is on fixed joint '{name}', which Gazebo merges: nothing is measured",
                 f"add {_KEEP} to the <gazebo reference> of the joint",
                 Fix("keep the joint in Gazebo", insert_before(at, (_KEEP,))),
-                group_key="merged",
                 severity=Severity.ERROR if _is_read(context, name, at) else None,
             )
 

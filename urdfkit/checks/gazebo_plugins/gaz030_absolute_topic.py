@@ -35,5 +35,4 @@ def check(context: Context) -> Findings:
                     item.at,
                     f"{use.title}: topic '{topic}' is absolute and ignores the robot namespace",
                     f"write '{topic.lstrip('/')}' if the robot may get a namespace",
-                    group_key="absolute",
                 )

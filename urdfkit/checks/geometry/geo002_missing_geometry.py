@@ -73,7 +73,6 @@ def _without_collision(context: Context) -> Findings:
             f"link '{link.name}' has a visual and no collision"
             + ("; without it the robot does not stand" if supports else ""),
             help="add a <collision> with the shape that touches the ground" if supports else "",
-            group_key="no support" if supports else "no collision",
             severity=Severity.WARNING if supports else None,
         )
 
@@ -83,9 +82,7 @@ def _without_visual(context: Context) -> Findings:
         if link.collisions and not link.visuals:
             message = f"link '{link.name}' has a collision and no visual"
             help = "add a <visual> if the link should be visible"
-            yield Finding(
-                link.collisions[0].at, message, help, group_key="no visual", severity=Severity.INFO
-            )
+            yield Finding(link.collisions[0].at, message, help, severity=Severity.INFO)
 
 
 def _without_both(context: Context) -> Findings:

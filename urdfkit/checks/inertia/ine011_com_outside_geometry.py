@@ -61,5 +61,4 @@ def check(context: Context) -> Findings:
                 f"link '{inertia.link.name}': the centre of mass is that of the solid "
                 f"{inertia.solid}, but for the sign of {axis}",
                 f"write {value:.4g} for {axis}",
-                group_key="other sign",
             )

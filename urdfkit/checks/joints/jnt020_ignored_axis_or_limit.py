@@ -50,15 +50,12 @@ def _fixed(joint: Joint) -> Findings:
         # With limits it is needed again as soon as the joint gets the right type.
         fix = None if is_limited else Fix("remove the axis", remove_element(axis), safe=True)
         help = 'write type="revolute" or "prismatic", or remove the axis'
-        yield Finding(
-            axis, message, help if is_limited else "remove the axis", fix, group_key="axis"
-        )
+        yield Finding(axis, message, help if is_limited else "remove the axis", fix)
     if limit is not None and is_limited:
         yield Finding(
             limit.at,
             f"joint '{joint.name}' is fixed; its limits [{lower:g}, {upper:g}] have no effect",
             'write type="revolute" or "prismatic", or remove the <limit>',
-            group_key="limits",
         )
 
 
@@ -77,6 +74,5 @@ def _continuous(joint: Joint, limit: Limit, *, is_obeyed: bool) -> Findings:
         f"joint '{joint.name}' is continuous and has {values}, which only Drake obeys",
         "remove lower and upper, or make the joint revolute",
         Fix.of("remove lower and upper", edits),
-        group_key="continuous",
         severity=Severity.WARNING if narrows or is_obeyed else None,
     )

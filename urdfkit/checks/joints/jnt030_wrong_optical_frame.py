@@ -116,7 +116,7 @@ def _gazebo_cameras(context: Context) -> Findings:
             if _looks_aside(context, link) and not _is_rotated(sensor.find("pose")):
                 message = f"{sensor.who} looks along x of '{link}', to the robot's right"
                 help = "refer to the camera's link, and name the optical frame in the plugin"
-                yield Finding(sensor.at, message, help, group_key="optical")
+                yield Finding(sensor.at, message, help)
             continue
         parents = (sensor.at, *sensor.plugins)
         for frame in (at for parent in parents for tag in _FRAME_IDS for at in parent.all(tag)):
@@ -126,7 +126,6 @@ def _gazebo_cameras(context: Context) -> Findings:
                     f"{sensor.who}: images are published with frame_id '{link}', which is "
                     "x-forward",
                     "name an optical frame: a child link with rpy -1.5708 0 -1.5708",
-                    group_key="not optical",
                     severity=Severity.INFO,
                 )
 

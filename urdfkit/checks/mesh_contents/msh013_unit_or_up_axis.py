@@ -66,7 +66,6 @@ def check(context: Context) -> Findings:
                 mesh.at,
                 f"{mesh.who} has the unit {facts.unit:g} m: RViz and Gazebo multiply by it, "
                 "MoveIt, Pinocchio and coal do not",
-                group_key=f"{facts.unit:g}",
                 severity=Severity.INFO if is_only_visual else None,
             )
     yield from _once(

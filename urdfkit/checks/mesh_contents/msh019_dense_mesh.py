@@ -55,7 +55,6 @@ def check(context: Context) -> Findings:
                 "consider a simpler one",
                 "urdfkit mesh collision suggests a simple shape",
                 weight=number,
-                group_key="shared",
                 severity=Severity.INFO,
             )
     most = check.option(context, "visual-triangles")
@@ -67,7 +66,6 @@ def check(context: Context) -> Findings:
                 f"{use.who} has {number:,} triangles; more than {most:,} make rendering slow",
                 "urdfkit mesh simplify FILE",
                 weight=number,
-                group_key="visual",
                 severity=Severity.INFO,
             )
 
@@ -90,7 +88,6 @@ def _slow_collisions(context: Context, bound: float) -> Findings:
             f"{use.who} has {number:,} triangles; more than {bound:,} make collision "
             f"{', and '.join(['checking slow', *bounds])}",
             weight=number,
-            group_key="collision",
             severity=Severity.ERROR if fatal else None,
             targets=fatal,
         )

@@ -48,7 +48,6 @@ def check(context: Context) -> Findings:
             f"joint '{joint.name}' has the name of a link"
             + ("" if is_allowed else ", which Gazebo's SDF does not allow"),
             related=(Related(links[joint.name].at.span, "the link"),),
-            group_key="shared",
             severity=Severity.INFO if is_allowed else None,
         )
 

@@ -82,7 +82,6 @@ def _missing_directories(name: str, directory: str) -> Findings:
                 Span(source, *place.span()),
                 f"'{path}' is installed and does not exist: the build of '{name}' fails",
                 f"remove it, or create {path}; git keeps no empty directory",
-                group_key="not there",
             )
 
 

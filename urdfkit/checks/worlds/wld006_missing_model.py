@@ -83,14 +83,12 @@ def _missing_meshes(
                 uri,
                 f"{opened.title}: mesh '{text}' exists on one computer only",
                 "write model://, or a path relative to the world",
-                group_key="mesh of a user",
             )
         elif _is_missing(text, opened.path, models, context.resolver):
             yield Finding(
                 uri,
                 f"{opened.title}: mesh '{text}' is not found",
                 "fix the path, or add the file",
-                group_key="missing mesh",
             )
 
 
