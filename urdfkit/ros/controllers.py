@@ -18,9 +18,9 @@ from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros import RosDescription
-from urdfkit.ros.catalog.ros_control import ControllerType, controller_types, simulated_hardware
+from urdfkit.ros.catalog.ros_control import ControllerType, controller_types
 from urdfkit.ros.node_parameters import PARAMETERS, node_parameters
-from urdfkit.ros.ros_control import components, control_plugins
+from urdfkit.ros.ros_control import control_plugins, has_no_simulated_hardware
 from urdfkit.text.diagnostic import Related
 from urdfkit.text.document import Element
 from urdfkit.text.grammar import is_expression
@@ -169,9 +169,7 @@ def _runs_on_hardware(description: RosDescription) -> bool:
     Gazebo then does not run the control plugin of the description, and its controllers may
     belong to another variant of the robot.
     """
-    hardware = [component.hardware for component in components(description.model)]
-    is_real = bool(hardware) and simulated_hardware().keys().isdisjoint(hardware)
-    return bool(description.parameters) and is_real
+    return bool(description.parameters) and has_no_simulated_hardware(description.model)
 
 
 def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, Controller]]:

@@ -6,13 +6,14 @@ Source: the parsers of ros_control (noetic) and ros2_control (humble to rolling)
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core.record import Record
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.values import number
 from urdfkit.ros import RosDescription
-from urdfkit.ros.catalog.ros_control import control_plugin
+from urdfkit.ros.catalog.ros_control import control_plugin, simulated_hardware
 from urdfkit.ros.targets import Targets
 from urdfkit.text.document import Element
 
@@ -21,6 +22,8 @@ ROS2 = ("ros2", "classic-ros2", "gz-fortress", "gz-harmonic", "gz-jetty")
 
 #: Hardware that gazebo_ros_control simulates unless ``<robotSimType>`` names another class.
 DEFAULT_SIM = "gazebo_ros_control/DefaultRobotHWSim"
+#: In the names of a class of one's own for a simulator.
+_SIMULATED = re.compile(r"(?i)gazebo|gz|ign|sim").search
 #: Children of ``<ros2_control>`` that have interfaces.
 _PARTS = ("joint", "sensor", "gpio")
 
@@ -99,6 +102,13 @@ class ControlPlugin(Record):
 
 def components(model: RobotModel) -> list[Component]:
     return [_component(element) for element in model.ros2_controls]
+
+
+def has_no_simulated_hardware(model: RobotModel) -> bool:
+    """True for a robot whose ``<ros2_control>`` names hardware, but none of a simulator."""
+    hardware = [name for component in components(model) if (name := component.hardware)]
+    known = simulated_hardware()
+    return bool(hardware) and not any(name in known or _SIMULATED(name) for name in hardware)
 
 
 def control_plugins(model: RobotModel) -> list[ControlPlugin]:

@@ -19,6 +19,8 @@ _COMMAND = "pluginlib_export_plugin_description_file"
 _MAX_NAMED = 4
 #: The package with the base class, and the file.
 _EXPORT = re.compile(rf"(?i)\b{_COMMAND}\s*\(\s*\"?([^\s\")]+)\"?\s+\"?([^\s\")]+)")
+#: What a package of ROS 1 exports, in its package.xml.
+_EXPORT_OF_ROS_1 = re.compile(rb"\bplugin\s*=\s*[\"']\$\{prefix\}/([^\"']+)")
 #: Commands of CMake that may export classes elsewhere.
 _UNCLEAR = re.compile(r"(?i)\b(add_subdirectory|include)\s*\(")
 _CLASS = re.compile(rb"<class\b([^<>]*)>")
@@ -54,6 +56,17 @@ def why_unknown(name: str, base: str, near: str, resolver: Resolver) -> tuple[st
     return message, f"write {written}, or add it to the plugin description"
 
 
+def is_described(name: str, near: str, resolver: Resolver) -> bool:
+    """True if a package of the workspace describes a class, which may begin with another package.
+
+    Args:
+        name: of the class, ``PACKAGE/CLASS``.
+        near: a path in the workspace.
+    """
+    directories = resolver.packages.known(near).values()
+    return any(name in known for one in directories for _, known in _described(one))
+
+
 def _exported(directory: str, package: str) -> dict[str, str] | None:
     """The classes that a package exports, with the package of their base; None if not clear."""
     text = cmake_text(os.path.join(directory, "CMakeLists.txt"))
@@ -70,10 +83,13 @@ def _exported(directory: str, package: str) -> dict[str, str] | None:
 
 
 def _described(directory: str) -> Iterator[tuple[str, list[str]]]:
-    """The plugin descriptions in the directory of a package, with their classes."""
-    for file in disk.names_or_empty(directory):
-        if file.endswith(".xml") and file != "package.xml":
-            yield file, _classes(read_head(os.path.join(directory, file)))
+    """The plugin descriptions of a package, with their classes."""
+    names = disk.names_or_empty(directory)
+    manifest = read_head(os.path.join(directory, "package.xml")) if "package.xml" in names else b""
+    exported = (found.decode("utf-8", "replace") for found in _EXPORT_OF_ROS_1.findall(manifest))
+    files = [name for name in names if name.endswith(".xml") and name != "package.xml"]
+    for file in dict.fromkeys([*files, *filter(is_inside, exported)]):
+        yield file, _classes(read_head(os.path.join(directory, file)))
 
 
 def _classes(description: bytes) -> list[str]:

@@ -196,7 +196,9 @@ def _typed_by_themselves(
 def _is_whole(launch: Launch) -> bool:
     """True if all packages and files that may define controllers are available."""
     is_known = (
-        package.searched is None or package.is_only_started or comes_with_ros(package.name)
+        package.searched is None
+        or package.is_only_started
+        or (comes_with_ros(package.name) and not package.has_parameters)
         for package in launch.packages
     )
     return all(file.exists for file in launch.parameters) and all(is_known)

@@ -24,7 +24,7 @@ The controller manager does not load the controller, or the controller runs with
   Constraints or gains of a joint that it does not have are ignored (warning).
 
 Only classes of packages that urdfkit knows are checked, unless the package is in the workspace,
-where it may have other parameters.
+where it may have other parameters, or a package of the workspace describes the class.
 
 Sources:
     rclcpp, parameter types: https://docs.ros.org/en/rolling/Concepts/Basic/About-Parameters.html
@@ -67,7 +67,7 @@ from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.parameter_types import TYPES, correction, is_not_positive, number_of, type_of
 from urdfkit.text.located_yaml import TEMPLATE_MARKS, Node, Value, scalars
 from urdfkit.text.source import Span
-from urdfkit.workspace.plugin_descriptions import why_unknown
+from urdfkit.workspace.plugin_descriptions import is_described, why_unknown
 
 BAD = ARM + CONTROL
 GOOD = BAD.replace("bad.yaml", "good.yaml")
@@ -95,7 +95,8 @@ _Problem = tuple[Span, str, str]
 @rule(Severity.ERROR)
 def check(context: Context) -> Findings:
     for file, section in managers(context):
-        for at, message, help in _invalid_values(of_manager(), section):
+        for span, message, help in _invalid_values(of_manager(), section):
+            at = span
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
     sections = named_sections(context)
     for file, controllers in by_file(context.controllers):
@@ -105,9 +106,13 @@ def check(context: Context) -> Findings:
             if _is_of_workspace(context, controller):
                 yield from _not_exported(context, controller, file)
                 continue
+            if _is_own_class(context, controller):
+                continue
             own = sections.get(controller.name, controller.section)
-            later = _of_later_versions(controller, own, context)
-            for severity, (at, message, help) in (*_problems(controller, own, others), *later):
+            for severity, (span, message, help) in _problems(controller, own, others):
+                at, text = span, f"{controller.title}: {message}"
+                yield Finding(at, text, help, related=(file.note,), severity=severity)
+            for severity, (at, message, help) in _of_later_versions(controller, own, context):
                 text = f"{controller.title}: {message}"
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
 
@@ -162,6 +167,12 @@ def _is_of_workspace(context: Context, controller: Controller) -> bool:
     directory = context.resolver.packages.known(context.source.path).get(package)
     find = context.resolver.directories.find
     return directory is not None and find(directory, "CMakeLists.txt") is not None
+
+
+def _is_own_class(context: Context, controller: Controller) -> bool:
+    """True if a package of the workspace adds the class to the names of another package."""
+    is_known = controller.type in classes(controller.ros)
+    return not is_known and is_described(controller.type, context.source.path, context.resolver)
 
 
 def _not_exported(context: Context, controller: Controller, file: ParameterFile) -> Findings:

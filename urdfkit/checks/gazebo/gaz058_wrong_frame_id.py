@@ -10,11 +10,14 @@ reported (GAZ001).
 A sensor of gz-sim without a frame publishes a name of Gazebo's own, such as
 `robot/base_link/lidar`, which TF does not have. Write the link in `<gz_frame_id>`, which all
 versions read. Only Fortress reads `<ignition_frame_id>`, too, and only Gazebo from Ionic on (Jetty)
-reads `<frame_id>`. Without ROS there is no TF, and a missing frame is an info.
+reads `<frame_id>`. Images of a camera have the frame in the `<optical_frame_id>` of `<camera>`,
+except in Jetty, which no longer reads it. Without ROS there is no TF, and a missing frame is an
+info.
 
 Sources:
     REP 105, frames: https://www.ros.org/reps/rep-0105.html
     gz-sensors, Sensor.cc: https://github.com/gazebosim/gz-sensors/blob/main/src/Sensor.cc
+    gz-sensors, CameraSensor.cc: https://github.com/gazebosim/gz-sensors/blob/gz-sensors8/src/CameraSensor.cc
     gazebosim/gz-sensors#306: https://github.com/gazebosim/gz-sensors/issues/306
     measured: 13 of 676 public models name a frame that does not exist
 """
@@ -45,10 +48,12 @@ FIXED = GOOD = BAD.replace("camra", "camera")
 #: Tags of a sensor of gz-sim, and those that each version reads.
 _TAGS = ("gz_frame_id", "frame_id", "ign_frame_id", "ignition_frame_id")
 _READ = {
-    "gz-fortress": ("gz_frame_id", "ignition_frame_id"),
-    "gz-harmonic": ("gz_frame_id",),
+    "gz-fortress": ("gz_frame_id", "ignition_frame_id", "optical_frame_id"),
+    "gz-harmonic": ("gz_frame_id", "optical_frame_id"),
     "gz-jetty": ("gz_frame_id", "frame_id"),
 }
+#: Types of sensors whose images have the frame in the ``<optical_frame_id>`` of ``<camera>``.
+_OPTICAL = ("camera", "depth", "depth_camera", "rgbd", "rgbd_camera")
 #: Parts of the names of frames and parameters that are not links of the robot.
 _ELSEWHERE = ("odom", "map", "world", "earth", "utm")
 
@@ -91,7 +96,7 @@ def _frames(context: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
             )
     for sensor in sensors(context.model):
         if not _is_dropped(sensor.at, context.model):
-            for element in chain.from_iterable(map(sensor.at.all, _TAGS)):
+            for element in (*chain.from_iterable(map(sensor.at.all, _TAGS)), *_optical(sensor)):
                 yield sensor.who, element, element.text.strip()
 
 
@@ -172,7 +177,15 @@ def _has_no_frame(sensor: Sensor, readers: list[tuple[str, ...]]) -> bool:
 def _given(sensor: Sensor) -> list[str]:
     """The tags of a frame that it has."""
     known = dict.fromkeys(tag for tags in _READ.values() for tag in tags)
-    return [tag for tag in known if sensor.at.child(tag) is not None]
+    given = {tag for tag in known if sensor.at.child(tag) is not None}
+    given.update(element.tag for element in _optical(sensor))
+    return [tag for tag in known if tag in given]
+
+
+def _optical(sensor: Sensor) -> list[Element]:
+    """The frame of a camera's images."""
+    camera = sensor.at.child("camera") if sensor.type in _OPTICAL else None
+    return camera.all("optical_frame_id") if camera is not None else []
 
 
 def _is_of_the_world(name: str) -> bool:

@@ -25,12 +25,13 @@ from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, rotate, vector
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.fingers import odd_one, series
-from urdfkit.robot.inertia import rotated
+from urdfkit.robot.inertia import principal_moments, rotated
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses, unlike
 from urdfkit.robot.inertials.tensor_text import format_moments
 from urdfkit.robot.link import Tensor
 from urdfkit.robot.samples import hand_xml, inertial_xml
+from urdfkit.robot.shapes import LinkSolid
 from urdfkit.robot.symmetry import are_copies
 from urdfkit.text.document import Element
 
@@ -48,6 +49,8 @@ _TOLERANCE, _LEAST_PRODUCT = 0.02, 0.04
 _PRODUCT_TOLERANCE = 0.1
 #: The same for a coordinate of a centre of mass, in m.
 _MAX_DISTANCE, _LEAST_COORDINATE = 2e-3, 5e-3
+#: Parts of the size and of the largest moment by which two copies of a mesh differ at most.
+_SAME = 1e-3
 
 #: Ratio of the mass of a link to that of the same link of all other fingers.
 _MAX_RATIO = 5.0
@@ -148,10 +151,10 @@ def _wrong_signs(masses: Masses) -> Iterator[_WrongSign]:
         for left, right in mirrored:
             frames = masses.tree.frames[left.name], masses.tree.frames[right.name]
             result = find(left, right, *frames)
-            if isinstance(result, _WrongSign):
-                found.append(result)
-            else:
+            if not isinstance(result, _WrongSign):
                 consistent.append(result)
+            elif not _have_same_meshes(left, right):
+                found.append(result)
         places = {element.at.tag_at for element in found}
         # Where nothing is turned over, tensors and centres are copies, not mirror images.
         kind = _TURNED if found and found[0].what in _TURNED else _ALL
@@ -167,6 +170,27 @@ def _are_mirrored(masses: Masses, left: LinkInertia, right: LinkInertia) -> bool
         return False
     (x, y, z), (a, b, c) = one.position, other.position
     return max(abs(x - a), abs(y + b), abs(z - c)) <= _MAX_OFFSET
+
+
+def _have_same_meshes(one: LinkInertia, other: LinkInertia) -> bool:
+    """True for meshes that are alike in the frames of both links, though their files differ."""
+    if not (one.link.visuals and all(body.file for body in one.link.visuals)):
+        return False
+    if not one.solids or len(one.solids) != len(other.solids):
+        return False
+    return all(map(_are_alike, one.solids, other.solids))
+
+
+def _are_alike(one: LinkSolid, other: LinkSolid) -> bool:
+    """True for two solids of the same size, place and distribution of mass."""
+    a, b = one.properties(1.0), other.properties(1.0)
+    allowed = _SAME * max(one.bounds.edges)
+    return (
+        _is_near(one.bounds.low, other.bounds.low, allowed)
+        and _is_near(one.bounds.high, other.bounds.high, allowed)
+        and _is_near(a.center, b.center, allowed)
+        and _is_near(a.tensor, b.tensor, _SAME * principal_moments(a.tensor)[2])
+    )
 
 
 def _product(

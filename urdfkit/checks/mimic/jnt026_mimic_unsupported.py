@@ -4,7 +4,8 @@ RViz, MoveIt, Drake and MuJoCo 4 couple the joints. Gazebo Classic and Fortress 
 the followers swing freely. From Harmonic on, only the physics engine bullet-featherstone couples
 them; the default engine warns once and does not couple them. The control plugin moves a follower
 that is listed in `<ros2_control>`, and for Classic there are mimic plugins. A follower is not
-reported if a plugin of your own names it and the joint that it mimics. KDL treats a follower
+reported if a plugin of your own names it and the joint that it mimics, or if `<ros2_control>` is
+that of the real robot. KDL treats a follower
 as an independent joint, and so does Pinocchio unless mimic joints are enabled.
 
 Sources:
@@ -19,6 +20,7 @@ from urdfkit.robot.joint_limits import related, several
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import hand_xml, inertial_xml, robot_xml
 from urdfkit.ros.catalog.plugins import find
+from urdfkit.ros.ros_control import has_no_simulated_hardware
 from urdfkit.ros.targets import CLASSIC, GAZEBO
 
 _LIMIT = '<limit lower="0" upper="0.04" effort="20" velocity="0.2"/>'
@@ -43,7 +45,7 @@ GOOD = BAD.replace("</gazebo>", f"{_PLUGIN}</gazebo>")
 )
 def check(context: Context) -> Findings:
     """One finding for all joints: a hand has a dozen mimic joints."""
-    if not context.targets.any_of(GAZEBO):
+    if not context.targets.any_of(GAZEBO) or has_no_simulated_hardware(context.model):
         return
     coupled = _coupled(context.model)
     joints = [

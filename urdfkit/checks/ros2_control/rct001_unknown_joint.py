@@ -7,7 +7,8 @@
 - A controller in a parameter file: it cannot be activated ("not in the list of available
   interfaces"). A controller without any joint of the robot is assumed to belong to another variant
   if other controllers fit, or if the names differ only in a prefix. A file of many joints, none of
-  which the robot has, is one finding: it is for another robot. A joint that an argument of the
+  which the robot has, is one finding: it is for another robot. So is the file of a robot that
+  launch files start, if they do not start this one (a warning). A joint that an argument of the
   robot disables is not reported: nothing may start the controller. A warning in ROS 1, where
   hardware may use other names, unless the hardware is a Gazebo plugin and the controller has other
   joints of the robot or a misspelt one.
@@ -24,11 +25,14 @@ Sources:
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 
+from urdfkit.checks.ros2_control.started_robots import started_robot_of
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, hint_for, nearest
+from urdfkit.core.words import listed
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
@@ -54,6 +58,8 @@ from urdfkit.text.located_yaml import Value
 _SWITCH = ("true", "false")
 #: Joints of a file, all unknown, from which it is for another robot.
 _MANY = 4
+#: Most unknown joints that the message about a file names.
+_MOST_NAMED = 4
 _BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 
 BAD = robot_xml(SHOULDER, control_xml("mock_components/GenericSystem", driven_xml("sholder")))
@@ -179,15 +185,31 @@ def _controller_joints(context: Context) -> Findings:
         if other:
             yield other
             continue
-        used = {joint.text for use in of_file for joint in use.joints}
-        free = known - used
+        free = known - {joint.text for use in of_file for joint in use.joints}
+        unknown: list[str] = []
+        found: list[Finding] = []
         for use in of_file:
             is_of_robot = use.fits or _is_broadcaster_of_robot(use, uses)
             for joint in _unknown_to_robot(use, known, context, is_of_robot=is_of_robot):
                 hint = _hint(joint.text, use, suggester, free)
                 is_likely = is_of_robot or bool(hint)
                 if is_likely or not is_fitting:
-                    yield _unknown_joint(use, joint, hint, context, is_likely=is_likely)
+                    unknown.append(joint.text)
+                    found.append(_unknown_joint(use, joint, hint, context, is_likely=is_likely))
+        robot = started_robot_of(path, set(unknown), context) if found else ""
+        yield from [_of_started_robot(of_file[0].file, unknown, robot)] if robot else found
+
+
+def _of_started_robot(file: ParameterFile, unknown: list[str], robot: str) -> Finding:
+    """The finding about a file for another robot, of which the checked one may be an old copy."""
+    names = listed([f"'{name}'" for name in dict.fromkeys(unknown)], _MOST_NAMED)
+    return Finding(
+        file.span,
+        f"{os.path.basename(file.path)} is for {os.path.basename(robot)}, which launch files start:"
+        f" this robot has no joint {names}",
+        "name a parameter file with the joints of this robot",
+        severity=Severity.WARNING,
+    )
 
 
 def _hint(name: str, use: _Use, suggester: Suggester, free: set[str]) -> str:

@@ -89,8 +89,7 @@ class FileUse(Record):
     @property
     def is_of_ros1(self) -> bool:
         """True for a ``<rosparam>``: in ROS 1 ``ros__parameters`` is a name like others."""
-        before = self.span.source.data[: self.span.start]
-        return before[before.rfind(b"<") :].startswith(b"<rosparam")
+        return _is_in_rosparam(self.span)
 
 
 class PackageUse(Record):
@@ -100,6 +99,16 @@ class PackageUse(Record):
     span: Span
     searched: tuple[str, ...] | None
     is_only_started: bool = False  # True if the launch file starts its programs, and uses no file
+
+    @property
+    def has_parameters(self) -> bool:
+        """True if a ``<rosparam>`` of ROS 1 loads a file of it."""
+        return _is_in_rosparam(self.span)
+
+
+def _is_in_rosparam(span: Span) -> bool:
+    before = span.source.data[: span.start]
+    return before[before.rfind(b"<") :].startswith(b"<rosparam")
 
 
 class Word(Record):

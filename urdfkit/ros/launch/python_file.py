@@ -2,7 +2,7 @@
 
 import ast
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from functools import cached_property
 
 from urdfkit.core import disk
@@ -15,6 +15,8 @@ from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag
 
+#: Actions that start a node.
+NODES = ("LifecycleNode", "Node")
 #: Starts of paths that do not depend on the working directory, or only on the usual one.
 _KNOWN_STARTS = ("~", "$", "package://", "file://", "src/")
 
@@ -160,6 +162,15 @@ class PythonLaunchFile:
         name = self.values.text(argument(choice, 0, "variable_name"))
         return name in self.fixed and self._holds(condition) is False
 
+    def only_of_never(self) -> set[ast.Call]:
+        """The calls whose values only nodes get that never run, as `is_never` says."""
+        never = [call for call in self.calls if called(call) in NODES and self.is_never(call)]
+        if not never:
+            return set()
+        inner = set(self._within(never)).union(never)
+        outer = [child for call in self.calls if call not in inner for child in _children(call)]
+        return inner.difference(self._calls_in(outer, set(never)))
+
     @cached_property
     def _decided(self) -> frozenset[ast.Call]:
         return decided_calls(self.tree)
@@ -189,11 +200,13 @@ class PythonLaunchFile:
 
     def _within(self, calls: Iterable[ast.Call]) -> Iterator[ast.Call]:
         """The calls in other calls, also by the names in them."""
-        return self._calls_in([child for call in calls for child in ast.iter_child_nodes(call)])
+        return self._calls_in([child for call in calls for child in _children(call)])
 
-    def _calls_in(self, stack: list[ast.AST]) -> Iterator[ast.Call]:
-        """The calls in nodes, also by the names in them."""
-        seen: set[ast.AST] = set()
+    def _calls_in(
+        self, stack: list[ast.AST], passed: Collection[ast.AST] = ()
+    ) -> Iterator[ast.Call]:
+        """The calls in nodes, also by the names in them, but not in those that are passed over."""
+        seen = set(passed)
         while stack:
             node = stack.pop()
             if node in seen:
@@ -204,6 +217,10 @@ class PythonLaunchFile:
             if isinstance(node, ast.Name) and (value := self.values.resolved(node)):
                 stack.append(value)
             stack += ast.iter_child_nodes(node)
+
+
+def _children(call: ast.Call) -> list[ast.AST]:
+    return list(ast.iter_child_nodes(call))
 
 
 def _is_group(call: ast.Call) -> bool:

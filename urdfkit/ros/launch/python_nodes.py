@@ -33,21 +33,32 @@ _GROWS = r"\s*(?:\.(?:append|extend|insert|setdefault|update)\(|\[[^\]\n]*\]\s*=
 
 def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
     """Read a ``Node(...)``."""
+    package = _package(file, call)
     words = argument(call, None, "arguments")
-    ros_arguments = argument(call, None, "ros_arguments")
-    program = _program(file, call, is_whole=ros_arguments is None)
-    if not program.package or "rviz" in program.package:
+    if package is None or "rviz" in package:
         _record_rviz_configuration(file, words)
+    parameters = argument(call, None, "parameters")
+    # The file that includes this one chooses other nodes: the parameters are for another robot.
+    if not (file.frame and file.is_off(call)):
+        _record_parameter_files(file, parameters)
     executable = argument(call, None, "executable") or argument(call, None, "node_executable")
     command = file.values.words(words)
+    ros_arguments = argument(call, None, "ros_arguments")
     options = [word.text for word in (*command, *file.values.words(ros_arguments))]
     if ros_arguments is not None:
         options.insert(len(command), "--ros-args")
-    program = program._replace(
-        executable=file.values.text(executable) or "",
-        words=command,
+    remappings = _remappings(file, argument(call, None, "remappings"))
+    program = StartedProgram(
+        package or "",
+        file.values.text(executable) or "",
+        command,
+        file.values.span(call),
+        file.frame,
         is_sure=file.is_sure(call),
-        remappings=with_words(program.remappings, options, is_ros_2=True),
+        remappings=with_words(remappings, options, is_ros_2=True),
+        parameters=_parameters(file, parameters, ros_arguments, package or ""),
+        namespace=_namespace(file, call),
+        name=file.values.text(argument(call, None, "name")) or "",
     )
     file.collector.start(program)
     if program.executable == "move_group":
@@ -67,47 +78,40 @@ def start_components(file: PythonLaunchFile, container: ast.Call) -> None:
     for item in file.values.items(descriptions) if descriptions else ():
         call = file.values.resolved(item)
         if isinstance(call, ast.Call) and called(call) == _COMPONENT:
-            program = _program(file, call)._replace(
-                executable=executable_of(file.values.text(argument(call, None, "plugin"))),
-                is_sure=is_sure and file.is_sure(call),
-                is_component=True,
-            )
+            _start_component(file, call, is_sure=is_sure and file.is_sure(call))
         else:
-            program = StartedProgram("", "", (), file.values.span(container), file.frame, False)
-        file.collector.start(program)
+            unknown = StartedProgram("", "", (), file.values.span(container), file.frame, False)
+            file.collector.start(unknown)
 
 
-def _program(file: PythonLaunchFile, call: ast.Call, *, is_whole: bool = True) -> StartedProgram:
-    """What nodes and composable nodes have in common; the files among it are recorded.
-
-    Args:
-        is_whole: False if the node gets further parameters.
-    """
+def _start_component(file: PythonLaunchFile, call: ast.Call, *, is_sure: bool) -> None:
     package = _package(file, call)
     parameters = argument(call, None, "parameters")
-    # The file that includes this one chooses other nodes: the parameters are for another robot.
     if not (file.frame and file.is_off(call)):
         _record_parameter_files(file, parameters)
-    return StartedProgram(
-        package,
-        "",
+    program = StartedProgram(
+        package or "",
+        executable_of(file.values.text(argument(call, None, "plugin"))),
         (),
         file.values.span(call),
         file.frame,
+        is_sure,
         remappings=_remappings(file, argument(call, None, "remappings")),
-        parameters=_parameters(file, parameters, package, is_whole=is_whole),
+        parameters=_parameters(file, parameters, None, package or ""),
         namespace=_namespace(file, call),
         name=file.values.text(argument(call, None, "name")) or "",
+        is_component=True,
     )
+    file.collector.start(program)
 
 
-def _package(file: PythonLaunchFile, call: ast.Call) -> str:
-    """The package of a node, which is recorded; empty if it is known only at run time."""
+def _package(file: PythonLaunchFile, call: ast.Call) -> str | None:
+    """The package of a node, which is recorded; None if it is known only at run time."""
     node = argument(call, None, "package")
     name = file.values.text(node)
     if name and node is not None:
         file.collector.started_package(name, file.source, file.values.span(node))
-    return name or ""
+    return name
 
 
 def _record_rviz_configuration(file: PythonLaunchFile, words: ast.expr | None) -> None:
@@ -141,14 +145,14 @@ def _namespace(file: PythonLaunchFile, call: ast.Call) -> str | None:
 
 
 def _parameters(
-    file: PythonLaunchFile, node: ast.expr | None, package: str, *, is_whole: bool
+    file: PythonLaunchFile, node: ast.expr | None, ros_arguments: ast.expr | None, package: str
 ) -> GivenParameters:
     """The parameters of a program of a package, in a list of dictionaries and files."""
     values: dict[str, str | None] = {}
     files: list[str] = []
     lists: dict[str, tuple[str | None, ...]] = {}
     at: dict[str, Span] = {}
-    is_whole = is_of_moveit = is_whole and not _grows(file, node)
+    is_whole = is_of_moveit = ros_arguments is None and not _grows(file, node)
     for item in file.values.items(node) if node else ():
         if isinstance(file.values.resolved(item), ast.Dict):
             is_whole = is_whole and not _grows(file, item)
