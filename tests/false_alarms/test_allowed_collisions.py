@@ -102,8 +102,11 @@ def test_a_pair_that_is_disabled_for_another_reason_as_well(tmp_path: Path) -> N
     assert check(tmp_path / "r.urdf", select=["SRD009"]).diagnostics == ()
 
 
+@pytest.mark.parametrize("names", [("r",), ("long", "short")])  # of a robot, of its variants
 @pytest.mark.parametrize(("disabled", "count"), [("base", 0), ("upper", 1)])
-def test_an_overlap_that_the_srdf_allows(tmp_path: Path, disabled: str, count: int) -> None:
+def test_an_overlap_that_the_srdf_allows(
+    tmp_path: Path, disabled: str, count: int, names: tuple[str, ...]
+) -> None:
     """Fetch's bellows are inside its base and inside one another."""
     robot = link("base", sphere(0.2)) + link("upper", f"{sphere(0.05)}@0 0 0.5")
     robot += link("hand", f"{sphere(0.1)}@0 0 -0.6")
@@ -111,7 +114,8 @@ def test_an_overlap_that_the_srdf_allows(tmp_path: Path, disabled: str, count: i
     robot += joint("upper", "hand", "revolute", "0 0 0.7", TURN)
     (tmp_path / "r.urdf").write_text(whole_robot(robot))
     pair = f'<disable_collisions link1="{disabled}" link2="hand" reason="Default"/>'
-    (tmp_path / "r.srdf").write_text(f'<robot name="example">{pair}</robot>')
+    for name in names:
+        (tmp_path / f"{name}.srdf").write_text(f'<robot name="example">{pair}</robot>')
     found = check(tmp_path / "r.urdf", select=["COL001"], options=Options(cache=False))
     assert len(found.diagnostics) == count
 

@@ -273,6 +273,15 @@ class Context(DescriptionFile):
 
         return find(self)
 
+    @cached_property
+    def possible_srdfs(self) -> list[Srdf]:
+        """The SRDFs that may be for the robot, of which ``srdf`` is the only one."""
+        if self.srdf is not None or self.is_part:
+            return [self.srdf] if self.srdf else []
+        from urdfkit.ros.moveit.srdf_reader import candidates
+
+        return candidates(self)
+
     @property
     def read_srdf(self) -> str:
         """Path of the SRDF, if a rule asked for it and it was found; otherwise empty."""

@@ -96,9 +96,9 @@ def _radius_by_ends(points: Floats, place: int) -> Callable[[Floats], float]:
         length = max(float(along @ along), _TINY)
         ahead = centered @ along - begin @ along
         shares = np.minimum(np.maximum(ahead / length, 0.0), 1.0)
-        beside = squares - centered @ (2 * begin) + shares * (shares * length - 2 * ahead)
-        beside.partition(place)
-        return sqrt(max(float(beside[place] + begin @ begin), 0.0))
+        from_axis = squares - centered @ (2 * begin) + shares * (shares * length - 2 * ahead)
+        from_axis.partition(place)
+        return sqrt(max(float(from_axis[place] + begin @ begin), 0.0))
 
     return radius
 

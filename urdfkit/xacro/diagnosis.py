@@ -3,7 +3,7 @@
 import math
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from types import FrameType
 
 from urdfkit.core import disk
@@ -178,8 +178,15 @@ def argument_of_missing_file(
     return Problem("XAC010", at, message, _pass(defined, argument.name), argument=argument.name)
 
 
-def _placeholder(optional: Iterable[Definition], file: str) -> Definition | None:
-    """The argument whose default is the name of a missing directory in the path of a file."""
+def _placeholder(optional: Collection[Definition], file: str) -> Definition | None:
+    """The argument whose default is the name of a missing directory in the path of a file.
+
+    Or an absolute path, such as ``/tmp``, with which the path of the file begins.
+    """
+    absolute = [item for item in optional if item.attributes.get("default", "").startswith("/")]
+    for argument in absolute:
+        if file.startswith(argument.attributes["default"].rstrip("/") + "/"):
+            return argument
     parts = os.path.dirname(os.path.abspath(file)).split(os.sep)
     for argument in optional:
         default = argument.attributes.get("default", "")

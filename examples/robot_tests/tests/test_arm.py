@@ -28,7 +28,7 @@ def test_the_sides_mirror_each_other(urdf):
     assert at_left == (at_right[0], -at_right[1], at_right[2])
 
 
-def test_a_forgotten_property_is_told_at_its_place(urdf, tmp_path):
+def test_a_forgotten_property_is_reported_at_its_line(urdf, tmp_path):
     broken = tmp_path / "broken.urdf.xacro"
     broken.write_text(
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'

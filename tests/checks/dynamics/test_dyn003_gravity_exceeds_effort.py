@@ -7,6 +7,7 @@ from tests.conftest import ARM
 from tests.massive import inertial, link
 from tests.reported import messages, places, reported
 from tests.robot.test_joint_loads import pendulum, swinging
+from urdfkit import Severity
 from urdfkit.lint import engine
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.physics import gravity, overloads
@@ -34,6 +35,22 @@ def test_enough_effort_and_none_at_all(effort: str) -> None:
 def test_limits_keep_it_from_the_worst_pose() -> None:
     short = pendulum("8").replace('lower="-3" upper="3"', 'lower="-0.5" upper="0.5"')
     assert messages("DYN003", short) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "severity"),
+    [
+        ("left_bogie_joint", "continuous", Severity.INFO),
+        ("left_bogie_joint", "fixed", Severity.WARNING),
+        ("bob_joint", "continuous", Severity.WARNING),
+    ],
+)
+def test_a_suspension_stands_on_its_wheels(name: str, kind: str, severity: Severity) -> None:
+    """The rover of Robocol, whose rockers have transmissions."""
+    wheel = link("wheel") + f'<joint name="w" type="{kind}">'
+    wheel += '<parent link="bob"/><child link="wheel"/></joint>'
+    robot = pendulum("13.7").replace("bob_joint", name) + wheel
+    assert [one.severity for one in reported("DYN003", robot)] == [severity]
 
 
 def test_a_joint_that_cannot_move_is_held_by_its_stops() -> None:

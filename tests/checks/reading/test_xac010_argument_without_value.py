@@ -66,6 +66,18 @@ def test_a_default_that_only_stands_in(tmp_path: Path) -> None:
         assert told_of("XAC001", tmp_path / "robot.xacro", **arguments) == []
 
 
+def test_an_absolute_default_that_only_stands_in(tmp_path: Path) -> None:
+    """Pioneer of TU Wien: models_dir is /tmp, which exists, unless the launch file passes it."""
+    write(
+        tmp_path,
+        robot=f'<xacro:arg name="models" default="{tmp_path}"/>\n'
+        '<xacro:arg name="kind" default="rover"/>\n'
+        '<xacro:include filename="$(arg models)/$(arg kind)/body.xacro"/><link name="a"/>',
+    )
+    (found,) = told_of("XAC010", tmp_path / "robot.xacro")
+    assert (found.span.line, found.span.text) == (2, str(tmp_path))
+
+
 def test_a_path_that_is_empty_unless_given(tmp_path: Path) -> None:
     """Motoman's ``es165`` reads velocities from the file that a launch file chooses."""
     write(

@@ -39,6 +39,14 @@ def test_below_a_missing_link_hangs_no_root() -> None:
     assert len(reported("REF001", robot)) == 1
 
 
+def test_a_misspelt_child_is_no_root() -> None:
+    """RoboMaster's engineer: the joint's child is mimiclink2_1, the link is mimic_link2_1."""
+    robot = links("base", "mimic_link2_1") + JOINT.format("base", "mimiclink2_1")
+    assert messages("TRE002", robot) == []
+    assert messages("REF001", robot) != []
+    assert messages("TRE002", robot.replace("mimiclink2_1", "lamp")) != []
+
+
 def test_drake_takes_several_and_joints_of_its_own() -> None:
     (found,) = reported("TRE002", links("base", "arm"), targets=("drake",))
     assert found.severity is Severity.WARNING

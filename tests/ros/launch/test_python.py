@@ -35,6 +35,22 @@ path = get_package_share_directory('arm') + '/urdf/arm.xacro'
 description = Command(['xacro ', path, ' side:=left'])
 """,
         """
+DeclareLaunchArgument('robot', default_value='arm')
+def describe(context):
+    robot = context.launch_configurations['robot']
+    path = os.path.join(get_package_share_directory('arm'), 'urdf', robot + '.xacro')
+    xacro.process_file(path, mappings={'side': context.launch_configurations.get('side')})
+DeclareLaunchArgument('side', default_value='left')
+""",
+        """
+DeclareLaunchArgument('file', default_value='arm')
+def describe(context):
+    path = get_package_share_directory('arm') + '/urdf/'
+    return SetLaunchConfiguration('file', path + context.launch_configurations['file'] + '.xacro')
+OpaqueFunction(function=describe)
+description = Command(['xacro ', LaunchConfiguration('file'), ' side:=left'])
+""",
+        """
 name = 'arm'
 description = Command(f"xacro {get_package_share_directory(name)}/urdf/{name}.xacro side:=left")
 """,

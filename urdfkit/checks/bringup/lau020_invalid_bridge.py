@@ -53,6 +53,7 @@ from urdfkit.ros.launch.bridges import (
 )
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.text.located_yaml import Value, items, load, syntax_error
+from urdfkit.text.source import Source
 
 NAME = "robot.launch.py"
 BAD = """\
@@ -108,10 +109,14 @@ def _without_topics(program: StartedProgram) -> Findings:
         yield Finding(at, message, help, severity=Severity.WARNING)
 
 
+def _file_of(program: StartedProgram, context: Context) -> Source | None:
+    path = config_path(program) if is_bridge(program) else None
+    return context.resolver.readable(path) if path else None
+
+
 def _not_a_list(program: StartedProgram, context: Context) -> Findings:
     """A file of topics that is not YAML, or a mapping, as of a single topic without its dash."""
-    path = config_path(program) if is_bridge(program) else None
-    source = context.resolver.readable(path) if path else None
+    source = _file_of(program, context)
     if source and (error := syntax_error(source)):
         at, reason = error
         message = f"the bridge has no topics: invalid YAML: {reason}"
@@ -129,8 +134,7 @@ def _not_a_list(program: StartedProgram, context: Context) -> Findings:
 
 def _joined(program: StartedProgram, context: Context) -> Findings:
     """An entry that repeats a key, as two do without the dash of the second."""
-    path = config_path(program) if is_bridge(program) else None
-    source = context.resolver.readable(path) if path else None
+    source = _file_of(program, context)
     entries = load(source) if source else None
     for entry in entries if isinstance(entries, list) else ():
         for (key, value), (after, _) in pairwise(items(entry)):
@@ -155,24 +159,21 @@ def _merged(context: Context) -> Findings:
         is_comparable = is_named and program.is_sure and not program.is_remapped
         key = (topic.ros_topic.strip("/"), topic.ros_type, None if is_comparable else id(program))
         other = first.setdefault(key, topic)
-        if other is not topic and other.topic.strip("/") == topic.topic.strip("/"):
-            yield Finding(
-                Location(topic.span, program.frame),
-                f"'{topic.topic}' is bridged twice: each message arrives twice on "
-                f"'{topic.ros_topic}'",
-                "remove one of the two",
-                related=(Related(other.span, "the other one"),),
-                severity=Severity.WARNING,
-            )
-        elif other.topic.strip("/") != topic.topic.strip("/"):
-            yield Finding(
-                Location(topic.at("ros_topic_name", "topic_name"), program.frame),
-                f"'{topic.topic}' and '{other.topic}' of Gazebo are both published on "
-                f"'{topic.ros_topic}'",
-                "give one of them another ros_topic_name",
-                related=(Related(other.span, "the other one"),),
-                severity=Severity.WARNING,
-            )
+        if other is topic:
+            continue
+        at, help = topic.span, "remove one of the two"
+        message = f"'{topic.topic}' is bridged twice: each message arrives twice on "
+        if other.topic.strip("/") != topic.topic.strip("/"):
+            at = topic.at("ros_topic_name", "topic_name")
+            help = "give one of them another ros_topic_name"
+            message = f"'{topic.topic}' and '{other.topic}' of Gazebo are both published on "
+        yield Finding(
+            Location(at, program.frame),
+            f"{message}'{topic.ros_topic}'",
+            help,
+            related=(Related(other.span, "the other one"),),
+            severity=Severity.WARNING,
+        )
 
 
 def _published(context: Context) -> Iterator[tuple[StartedProgram, BridgedTopic]]:

@@ -71,7 +71,7 @@ def _unknown_pipeline(program: StartedProgram) -> Findings:
 
 
 def _second_scene(context: Context) -> Findings:
-    """A Servo that provides a planning scene of its own beside that of move_group."""
+    """A Servo that provides a planning scene of its own next to that of move_group."""
     started = {node.package: node for node in context.launch.started if node.is_sure}
     if _MOVE_GROUP not in started or _SERVO not in started:
         return

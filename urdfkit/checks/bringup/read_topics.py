@@ -49,7 +49,7 @@ class ReadTopic(Record):
     message: str  # without its package
     who: str
     others: tuple[str, ...] = ()  # further topics of the same message; one of them is enough
-    remedy: str = "write "  # the start of the help, before another topic
+    instruction: str = "write "  # the start of the help, before another topic
     is_of_workspace: bool = False  # True if any launch file may start the publisher
     switch: str = ""  # the parameter without which the node does not read the topic
 
@@ -92,8 +92,8 @@ def _read_by_defaults(context: Context) -> Iterator[ReadTopic]:
         is_read = topic and is_own and program.namespace == ""
         if is_read and given_parameter(program, _SCAN_TOPIC, context.resolver) == "":
             who = program.executable
-            remedy = f"set {_SCAN_TOPIC}: "
-            yield ReadTopic(topic, program.span, "LaserScan", who, remedy=remedy)
+            instruction = f"set {_SCAN_TOPIC}: "
+            yield ReadTopic(topic, program.span, "LaserScan", who, instruction=instruction)
 
 
 def _read_by_programs(context: Context) -> Iterator[ReadTopic]:
@@ -107,14 +107,18 @@ def _read_by_programs(context: Context) -> Iterator[ReadTopic]:
             name = topic_name(topic, program)
             if name and all(_holds(condition, program, context) for condition in conditions):
                 switch = next((text.partition("=")[0] for text in conditions if "=" in text), "")
-                remedy = f"remap {topic} to "
+                instruction = f"remap {topic} to "
                 at = program.at
-                yield ReadTopic(name, at, message, program.title, remedy=remedy, switch=switch)
+                yield ReadTopic(
+                    name, at, message, program.title, instruction=instruction, switch=switch
+                )
         if program.executable == FILTER_SERVER:
             mask = topic_parameter(program, _MASK_TOPIC, context)
-            remedy = f"set {_MASK_TOPIC}: "
+            instruction = f"set {_MASK_TOPIC}: "
             if mask:
-                read_mask = ReadTopic(mask, program.at, GRID, program.title, remedy=remedy)
+                read_mask = ReadTopic(
+                    mask, program.at, GRID, program.title, instruction=instruction
+                )
                 yield read_mask._replace(is_of_workspace=True)
 
 
@@ -124,10 +128,12 @@ def _read_by_cartographer(context: Context) -> Iterator[ReadTopic]:
         program = configuration.program
         for topic, message in configuration.inputs if program.is_sure else ():
             if name := topic_name(topic, program):
-                remedy = f"remap {topic} to "
+                instruction = f"remap {topic} to "
                 if topic[-1].isdigit() and topic != "points2":
-                    remedy = f"set the number of inputs in {configuration.name.text}, or {remedy}"
-                yield ReadTopic(name, program.at, message, program.title, remedy=remedy)
+                    instruction = (
+                        f"set the number of inputs in {configuration.name.text}, or {instruction}"
+                    )
+                yield ReadTopic(name, program.at, message, program.title, instruction=instruction)
 
 
 def _read_by_move_group(context: Context) -> Iterator[ReadTopic]:

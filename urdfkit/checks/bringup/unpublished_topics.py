@@ -93,7 +93,7 @@ def unpublished_inputs(context: Context) -> Findings:
             waiting += [] if may_be_filtered else [(read, published)]
     types = _bridged_types(context, of_workspace) if waiting else {}
     sensors = sensors_of_workspace(context, of_workspace) if waiting else []
-    beside = dict(served)
+    directories = dict(served)
     reported: set[str] = set()
     for read, published in waiting:
         name = _absolute(read.topic)
@@ -105,8 +105,8 @@ def unpublished_inputs(context: Context) -> Findings:
             if name in types and len(_names(read)) == 1:
                 yield from _other_type(read, *types[name])
             else:
-                other = _other_topic(read, published, beside.get(read.who))
-                beside.setdefault(read.who, dirname(other))
+                other = _other_topic(read, published, directories.get(read.who))
+                directories.setdefault(read.who, dirname(other))
                 yield _on_other(read, other, published[other])
         elif read.switch and read.who in served and not sensor:
             yield Finding(
@@ -159,7 +159,7 @@ def _on_other(read: ReadTopic, other: str, publisher: StartedProgram) -> Finding
         read.at,
         f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "
         f"are on '{other}'",
-        f"{_STARTED.get(name.strip('/'), '')}{read.remedy}{other}",
+        f"{_STARTED.get(name.strip('/'), '')}{read.instruction}{other}",
         related=(Related(publisher.span, "the publisher is started here"),),
     )
 

@@ -137,8 +137,9 @@ def _are_opposite_wheels(context: Context, names: tuple[str, str]) -> bool:
 
 
 def _is_disabled(context: Context, names: tuple[str, str]) -> bool:
-    """True if the SRDF of the robot states that two links may overlap."""
-    return context.srdf is not None and context.srdf.disables(frozenset(names))
+    """True if the SRDF of the robot, or of a variant, states that two links may overlap."""
+    pair = frozenset(names)
+    return any(srdf.disables(pair) for srdf in context.possible_srdfs)
 
 
 def _self_colliding(context: Context) -> set[str]:

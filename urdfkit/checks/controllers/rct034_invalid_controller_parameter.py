@@ -95,8 +95,7 @@ _Problem = tuple[Span, str, str]
 @rule(Severity.ERROR)
 def check(context: Context) -> Findings:
     for file, section in managers(context):
-        for span, message, help in _invalid_values(of_manager(), section):
-            at = span
+        for at, message, help in _invalid_values(of_manager(), section):
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
     sections = named_sections(context)
     for file, controllers in by_file(context.controllers):
@@ -109,10 +108,8 @@ def check(context: Context) -> Findings:
             if _is_own_class(context, controller):
                 continue
             own = sections.get(controller.name, controller.section)
-            for severity, (span, message, help) in _problems(controller, own, others):
-                at, text = span, f"{controller.title}: {message}"
-                yield Finding(at, text, help, related=(file.note,), severity=severity)
-            for severity, (at, message, help) in _of_later_versions(controller, own, context):
+            later = _of_later_versions(controller, own, context)
+            for severity, (at, message, help) in (*_problems(controller, own, others), *later):
                 text = f"{controller.title}: {message}"
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
 

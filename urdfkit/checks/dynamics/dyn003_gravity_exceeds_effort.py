@@ -7,7 +7,9 @@ counterweights are not part of URDF: if the real robot has them, ignore this fin
 gravity is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual substitute for counterweights,
 are ignored, and so are robots that launch files start only in worlds of Gazebo without gravity.
 Robots that several rotors or thrusters carry are not searched: their root is not fixed. An info for
-a joint that swings freely: transmissions or `<ros2_control>` drive others, but not this one.
+a joint that swings freely: transmissions or `<ros2_control>` drive others, but not this one, or it
+is the rocker or bogie of a suspension, whose wheels stand on the ground.
+
 `urdfkit statics` prints the torques of all joints, and accepts payloads.
 
 Sources:
@@ -15,6 +17,8 @@ Sources:
 """
 
 from __future__ import annotations
+
+import re
 
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.words import listed
@@ -44,6 +48,9 @@ GOOD = BAD.replace('effort="10"', 'effort="30"')
 _MAX_NAMED = 3
 _DISPLACED = "correct centres of mass first: they are outside the shapes of {} (INE011)"
 _PASSIVE = "nothing drives it: raise the effort if it has a motor"
+#: Words in the names of joints between the body and its wheels.
+_SUSPENSION = r"(?i)suspension|rocker|bogie|boogie|shock"
+_STANDS = "the ground carries the wheels: raise the effort if it has a motor"
 
 
 @rule(
@@ -71,6 +78,8 @@ def check(context: Context) -> Findings:
             finding = finding._replace(help=_DISPLACED.format(displaced))
         if motors and load.joint not in motors:
             finding = finding._replace(severity=Severity.INFO, help=_PASSIVE)
+        elif _is_suspension(context, joint):
+            finding = finding._replace(severity=Severity.INFO, help=_STANDS)
         yield finding
     if not is_searched(len(overloadable)):
         raise Unavailable(
@@ -91,6 +100,14 @@ def _displaced(context: Context, joint: Joint, load: Load, moments: dict[str, fl
     if joint.is_prismatic or 2 * explained < load.worst - (load.effort or 0.0):
         return ""
     return listed([f"'{link}'" for link in links], _MAX_NAMED) if links else ""
+
+
+def _is_suspension(context: Context, joint: Joint) -> bool:
+    links = {joint.child_name, *context.tree.below(joint.child_name)}
+    has_wheel = any(
+        other.kind == "continuous" and other.parent_name in links for other in context.model.joints
+    )
+    return has_wheel and re.search(_SUSPENSION, joint.name) is not None
 
 
 def _finding(joint: Joint, load: Load) -> Finding:

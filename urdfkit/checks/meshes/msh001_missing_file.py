@@ -48,7 +48,7 @@ from urdfkit.core.suggest import nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Need, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.robot.assets.mesh_files import MeshReference
-from urdfkit.robot.assets.mesh_suggestions import MeshSuggestions
+from urdfkit.robot.assets.mesh_suggestions import MeshSuggestions, Suggestion
 from urdfkit.robot.samples import mesh_xml
 from urdfkit.text.editing.edits import replace_value
 from urdfkit.text.file_kinds import is_xacro
@@ -123,10 +123,7 @@ def _of_windows(context: Context, mesh: MeshReference, suggestions: MeshSuggesti
     is_sought = located.path is None and located.tried
     suggested = suggestions.nearest(mesh._replace(located=located)) if is_sought else None
     if suggested:
-        new, fix = suggested.reference, None
-        if suggested.sure:
-            fix = _fix(mesh, new, f"refer to {new}")
-        return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key=what)
+        return _with_suggestion(mesh, message, suggested, what)
     if drive:
         return Finding(mesh.at, message, "write package://PACKAGE/...", group_key=what)
     fix = _fix(mesh, path, "write / instead of backslashes")
@@ -144,16 +141,16 @@ def _without_package(
     if disk.is_file(os.path.join(os.path.dirname(context.files.top), path)):
         message += "; only PyBullet and Pinocchio find it, next to the URDF"
         help, fix = f"write {path}, or {right}", _fix(mesh, path, f"refer to {path}")
-        return Finding(mesh.at, message, help, fix, group_key="beside", severity=Severity.WARNING)
+        return Finding(
+            mesh.at, message, help, fix, group_key="next to the URDF", severity=Severity.WARNING
+        )
     reference = f"{scheme}://{path}"
     if context.resolver.locate(reference, context.files.top).path is not None:
         fix = _fix(mesh, reference, "remove the third slash")
         return Finding(mesh.at, message, f"write {right}", fix, group_key=scheme)
     relative = context.resolver.locate(path, context.files.top)
     if suggested := suggestions.nearest(mesh._replace(located=relative)):
-        new = suggested.reference
-        fix = _fix(mesh, new, f"refer to {new}") if suggested.sure else None
-        return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key="suggested")
+        return _with_suggestion(mesh, message, suggested, "suggested")
     help = f"write the path relative to the URDF, or {right}"
     return Finding(mesh.at, message, help, group_key=scheme)
 
@@ -249,9 +246,16 @@ def _missing(context: Context, mesh: MeshReference, suggestions: MeshSuggestions
         if not installed and located.scheme == "absolute" and not is_found:
             help = "add the file, and write package://PACKAGE/..., which all computers find"
         return Finding(mesh.at, message, help, group_key=_missing_directory(located))
+    finding = _with_suggestion(mesh, message, suggested, "")
+    group_key = f"{'fixed' if finding.fix else 'suggested'} {_missing_directory(located)}"
+    return finding._replace(group_key=group_key)
+
+
+def _with_suggestion(
+    mesh: MeshReference, message: str, suggested: Suggestion, group_key: str
+) -> Finding:
     new = suggested.reference
     fix = _fix(mesh, new, f"refer to {new}") if suggested.sure else None
-    group_key = f"{'fixed' if fix else 'suggested'} {_missing_directory(located)}"
     return Finding(mesh.at, message, f"did you mean '{new}'?", fix, group_key=group_key)
 
 

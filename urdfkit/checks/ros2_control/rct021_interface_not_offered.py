@@ -101,7 +101,7 @@ def check(context: Context) -> Findings:
 
 
 def _claimed_by_name(context: Context, free: Collection[str]) -> Findings:
-    """Command interfaces that a gripper controller claims beside the position of its joint."""
+    """Command interfaces that a gripper controller claims besides the position of its joint."""
     offered = _offered(context, "command")
     for file, controller in context.controllers:
         own = [value.text for value in controller.values(["joint"])]

@@ -10,6 +10,9 @@ Sources:
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
 """
 
+from collections.abc import Iterator
+
+from urdfkit.core.suggest import Suggester
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.link import Link
@@ -30,8 +33,9 @@ MAX_NAMED = 8
     depends_on_arguments=True,
 )
 def check(context: Context) -> Findings:
-    # The child of a missing link is not a root: REF001 reports the reference.
+    # REF001 reports a child of a missing link, which is not a root, and a misspelt child.
     children = {joint.child_name for joint in context.model.joints}
+    children |= set(_intended_children(context))
     joints = [*context.document.root.all("drake:joint")]
     if joints and context.targets.all_are("reads_drake_joints"):
         children |= {child.get("link") or "" for joint in joints for child in joint.all("child")}
@@ -49,6 +53,17 @@ def check(context: Context) -> Findings:
             for root in (main, *others[1:MAX_NAMED])
         ),
     )
+
+
+def _intended_children(context: Context) -> Iterator[str]:
+    """The links whose names the joints misspell."""
+    links = context.model.links_by_name
+    suggester = Suggester(links)
+    for joint in context.model.joints:
+        if joint.child_name and joint.child_name not in links:
+            intended = suggester.suggested(joint.child_name)
+            if intended != joint.parent_name:
+                yield intended
 
 
 def _largest(tree: KinematicTree, roots: list[Link]) -> Link:

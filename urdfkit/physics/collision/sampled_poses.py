@@ -1,6 +1,6 @@
 """Collisions of a robot in sampled poses, without worker processes, fast enough for a check."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -71,26 +71,29 @@ class SampledPoses:
             for pair, result in zip(bound, results, strict=True)
             if result.hits
         }
-        if not poses:
-            return [None] * len(numbers)
-        links = self._collision_model.links
-        checked = [
-            pair
-            for pair in self.kinematics.pairs(links)
-            if is_checked(frozenset(self._names(pair)))
-        ]
-        all_poses = np.concatenate(list(poses.values()))
-        is_free = np.ones(len(all_poses), dtype=bool)
-        for result in self._collision_model.query(checked, 0.0).at(all_poses, count=True):
-            is_free[result.hits] = False
         collisions: dict[Pair, Collision] = {}
+        for pair, free in self._reached(poses, is_checked):
+            (nearest,) = self._collision_model.query([pair], 0.0).at(free, count=True)
+            pose = self.kinematics.pose(free[nearest.row], *pair)
+            collisions[pair] = Collision(-nearest.distance, pose)
+        return [collisions.get(pair) for pair in numbers]
+
+    def _reached(
+        self, poses: Mapping[Pair, Floats], is_checked: Callable[[frozenset[str]], bool]
+    ) -> Iterator[tuple[Pair, Floats]]:
+        """The pairs with their poses in which no links whose collisions are avoided overlap."""
+        if not poses:
+            return
+        pairs = self.kinematics.pairs(self._collision_model.links)
+        checked = [pair for pair in pairs if is_checked(frozenset(self._names(pair)))]
+        every = np.concatenate(list(poses.values()))
+        is_free = np.ones(len(every), dtype=bool)
+        for result in self._collision_model.query(checked, 0.0).at(every, count=True):
+            is_free[result.hits] = False
         ends = np.cumsum([len(rows) for rows in poses.values()])[:-1]
         for (pair, rows), free in zip(poses.items(), np.split(is_free, ends), strict=True):
             if free.any():
-                (nearest,) = self._collision_model.query([pair], 0.0).at(rows[free], count=True)
-                pose = self.kinematics.pose(rows[free][nearest.row], *pair)
-                collisions[pair] = Collision(-nearest.distance, pose)
-        return [collisions.get(pair) for pair in numbers]
+                yield pair, rows[free]
 
     def _poses(self, pair: Pair, rows: Floats) -> Floats:
         """Configurations, also with defaults for all joints that do not move the pair."""

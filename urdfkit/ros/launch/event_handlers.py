@@ -28,29 +28,30 @@ _LASTING = frozenset(
 
 def wrong_handlers(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
     """Event handlers whose action never starts, or starts twice."""
-    yield from _never_reached(calls, values)
+    for call in calls:
+        if called(call) == "OnProcessExit":
+            yield from _after_exit(call, values)
     yield from _endless(calls, values)
     yield from _started_twice(calls, values)
     yield from _without_process(calls, values)
-    yield from _waits_for_itself(calls, values)
 
 
-def _never_reached(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
-    """Actions that wait for the exit of a node that does not exit."""
-    for call in calls:
-        target = values.resolved(argument(call, None, "target_action"))
-        if called(call) != "OnProcessExit" or not isinstance(target, ast.Call):
-            continue
-        package, name = (
-            values.text(argument(target, None, key)) for key in ("package", "executable")
-        )
-        waiting = argument(call, None, "on_exit")
-        if waiting is None or f"{package}/{name}" not in _LASTING:
-            continue
-        if any(_is_action(item, values) for item in _listed(waiting, values)):
-            message = f"started when {name} exits, but it runs until shutdown"
-            help = "use the preceding spawner as target_action, or use OnProcessStart"
-            yield values.problem("LAU037", waiting, message, help, Severity.WARNING)
+def _after_exit(handler: ast.Call, values: Values) -> Iterator[Problem]:
+    """Actions that wait for the exit of a node that does not exit, or of themselves."""
+    target, waiting = (argument(handler, None, key) for key in ("target_action", "on_exit"))
+    action = values.resolved(target)
+    if target is None or waiting is None or not isinstance(action, ast.Call):
+        return
+    started = [item for item in _listed(waiting, values) if _is_action(item, values)]
+    names = [values.text(argument(action, None, key)) for key in ("package", "executable")]
+    if started and "/".join(map(str, names)) in _LASTING:
+        message = f"started when {names[1]} exits, but it runs until shutdown"
+        help = "use the preceding spawner as target_action, or use OnProcessStart"
+        yield values.problem("LAU037", waiting, message, help, Severity.WARNING)
+    if any(values.resolved(item) is action for item in started):
+        message = "starts when it has exited itself: launch starts an action only once"
+        help = "name the preceding action as target_action"
+        yield values.problem("LAU037", target, message, help, Severity.WARNING)
 
 
 def waits_for_unstarted(
@@ -71,21 +72,6 @@ def waits_for_unstarted(
             message = f"'{name.id}' is never started, and so nothing that waits for it"
             help = f"add {name.id} to the LaunchDescription"
             yield values.problem("LAU037", name, message, help, Severity.WARNING)
-
-
-def _waits_for_itself(calls: list[ast.Call], values: Values) -> Iterator[Problem]:
-    """Actions that a handler starts when they have exited themselves."""
-    for call in calls:
-        target = argument(call, None, "target_action")
-        waiting = argument(call, None, "on_exit")
-        if called(call) != "OnProcessExit" or target is None or waiting is None:
-            continue
-        action = values.resolved(target)
-        for item in _listed(waiting, values):
-            if _is_action(item, values) and values.resolved(item) is action:
-                message = "starts when it has exited itself: launch starts an action only once"
-                help = "name the preceding action as target_action"
-                yield values.problem("LAU037", target, message, help, Severity.WARNING)
 
 
 def _without_process(calls: list[ast.Call], values: Values) -> Iterator[Problem]:

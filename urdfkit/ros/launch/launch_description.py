@@ -14,6 +14,12 @@ from urdfkit.text.source import Source, Span
 _ENTRY = "generate_launch_description"
 #: Actions without effect unless they are in a launch description.
 ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
+#: Arguments with a list of actions, with their places, by action.
+HOLDERS = {
+    "GroupAction": (0, "actions"),
+    "LaunchDescription": (0, "initial_entities"),
+    "TimerAction": (None, "actions"),
+}
 #: Actions that start other actions later.
 TRIGGERS = ("RegisterEventHandler", "TimerAction")
 

@@ -83,19 +83,21 @@ class _PythonReader(PythonLaunchFile):
             if called(call) == "DeclareLaunchArgument" and self._may_run(call):
                 self._declare(call)
         untyped = set(untyped_commands(self))
-        handles: dict[str, Callable[[ast.Call], None]] = {
-            "Command": partial(run_command, self, untyped=untyped),
+        starts: dict[str, Callable[[ast.Call], None]] = {
+            "ComposableNodeContainer": partial(start_components, self),
             "ExecuteProcess": self._process,
             "IncludeLaunchDescription": self._include,
-            "ComposableNodeContainer": self._container,
-            "LoadComposableNodes": self._container,
+            "LoadComposableNodes": partial(start_components, self),
+            **dict.fromkeys(NODES, partial(start_node, self)),
+        }
+        handles: dict[str, Callable[[ast.Call], None]] = {
+            "Command": partial(run_command, self, untyped=untyped),
             "open": partial(open_file, self),
             "parse": partial(parse, self),
             "load_xacro": partial(process_file, self),
             "process_file": partial(process_file, self),
             "read_text": partial(read_text, self),
             "yaml": partial(record_parameters, self),
-            **dict.fromkeys(NODES, self._node),
             **dict.fromkeys(_LOOKING, self._look),
             **dict.fromkeys(_PROCESSES, partial(run_process, self)),
         }
@@ -103,13 +105,17 @@ class _PythonReader(PythonLaunchFile):
         handles = {**loading, **handles}
         never = self.only_of_never()
         for call in self.calls:
+            name = called(call)
             if call in never:
                 continue
-            if handle := handles.get(called(call)):
+            if start := starts.get(name):
+                if self._may_run(call):
+                    start(call)
+            elif handle := handles.get(name):
                 handle(call)
-            elif file_of_action(called(call)):
+            elif file_of_action(name):
                 self._action(call)
-            elif called(call) in _SCOPES:
+            elif name in _SCOPES:
                 self._scope(call)
             else:
                 record_files(call, self.values, self.collector)
@@ -164,10 +170,6 @@ class _PythonReader(PythonLaunchFile):
                 if path and os.path.isabs(path):
                     self.collector.mention(path, self.values.span(node))
 
-    def _node(self, call: ast.Call) -> None:
-        if self._may_run(call):
-            start_node(self, call)
-
     def _scope(self, call: ast.Call) -> None:
         name = called(call)
         first = self.values.text(argument(call, 0, "namespace" if name in _PUSHING else "name"))
@@ -175,10 +177,6 @@ class _PythonReader(PythonLaunchFile):
             return  # often the namespace of an argument that is empty by default
         is_parameter = name == "SetParameter" and first == SIM_TIME
         self.collector.scope(of_sim_time=is_parameter or name == "SetUseSimTime")
-
-    def _container(self, call: ast.Call) -> None:
-        if self._may_run(call):
-            start_components(self, call)
 
     def _action(self, call: ast.Call) -> None:
         """Read an action of ros_gz, which includes a launch file."""
@@ -196,8 +194,6 @@ class _PythonReader(PythonLaunchFile):
         self.collector.action(called(call), words, span, self.frame, is_sure=is_sure)
 
     def _process(self, call: ast.Call) -> None:
-        if not self._may_run(call):
-            return
         words = self.values.words(argument(call, 0, "cmd"))
         if argument(call, None, "shell") is not None and words:  # launch joins them
             line = " ".join(word.text or UNKNOWN_PART for word in words)
@@ -207,8 +203,6 @@ class _PythonReader(PythonLaunchFile):
         self.collector.start(started_process(words, span, self.frame, is_sure))
 
     def _include(self, call: ast.Call) -> None:
-        if not self._may_run(call):
-            return
         node = argument(call, 0, "launch_description_source")
         path = self.path(node) or ""
         exists = False

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch import is_python
-from urdfkit.ros.launch.launch_description import ACTIONS
+from urdfkit.ros.launch.launch_description import ACTIONS, HOLDERS
 from urdfkit.ros.launch.python_expressions import missing_slash
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
@@ -14,12 +14,6 @@ from urdfkit.text.python_source import string
 
 #: Arguments of a call that must be lists, with their expected type.
 _LISTS = {"arguments": "a list of words", "parameters": "a list", "remappings": "a list of pairs"}
-#: Arguments with a list of actions, by action.
-_HOLDERS = {
-    "GroupAction": (0, "actions"),
-    "LaunchDescription": (0, "initial_entities"),
-    "TimerAction": (None, "actions"),
-}
 _CONTAINERS = ("ComposableNodeContainer", "LoadComposableNodes")
 _CONDITIONS = ("IfCondition", "UnlessCondition")
 #: Suffixes of the files that each source of a launch description reads.
@@ -66,7 +60,7 @@ def _former(call: ast.Call, values: Values) -> Iterator[Problem]:
 
 
 def _action_list(call: ast.Call, values: Values) -> Iterator[Problem]:
-    position, name = _HOLDERS[called(call)]
+    position, name = HOLDERS[called(call)]
     node = argument(call, position, name)
     value = values.resolved(node)
     if node is not None and called(value) in ACTIONS:
@@ -269,7 +263,7 @@ def _condition(call: ast.Call, values: Values) -> Iterator[Problem]:
 #: What is checked of a call, by the name of the class or function.
 _CHECKS = {
     "Node": _node,
-    **dict.fromkeys(_HOLDERS, _action_list),
+    **dict.fromkeys(HOLDERS, _action_list),
     **dict.fromkeys(_CONTAINERS, _components),
     **dict.fromkeys(_SOURCES, _source),
     "ExecuteProcess": _process,

@@ -6,19 +6,14 @@ from collections.abc import Iterator
 from urdfkit.core.suggest import is_typo, nearest
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.components import wrong_component, wrong_container
+from urdfkit.ros.launch.launch_description import HOLDERS
 from urdfkit.ros.launch.python_names import modules_with
 from urdfkit.ros.launch.values import Values, argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import dotted_name, nodes, own_nodes, string
 
 #: Arguments with a list of actions, by class or method.
-_HOLDERS = {
-    "GroupAction": (0, "actions"),
-    "LaunchDescription": (0, "initial_entities"),
-    "TimerAction": (None, "actions"),
-    "add_action": (0, "action"),
-    "add_entity": (0, "entity"),
-}
+_HOLDERS = {**HOLDERS, "add_action": (0, "action"), "add_entity": (0, "entity")}
 #: The action that takes what is no action itself, by the modules of launch with such classes.
 _TAKEN_BY = {
     "launch.event_handlers": "RegisterEventHandler",

@@ -33,32 +33,21 @@ _GROWS = r"\s*(?:\.(?:append|extend|insert|setdefault|update)\(|\[[^\]\n]*\]\s*=
 
 def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
     """Read a ``Node(...)``."""
-    package = _package(file, call)
     words = argument(call, None, "arguments")
-    if package is None or "rviz" in package:
+    ros_arguments = argument(call, None, "ros_arguments")
+    program = _program(file, call, is_whole=ros_arguments is None)
+    if not program.package or "rviz" in program.package:
         _record_rviz_configuration(file, words)
-    parameters = argument(call, None, "parameters")
-    # The file that includes this one chooses other nodes: the parameters are for another robot.
-    if not (file.frame and file.is_off(call)):
-        _record_parameter_files(file, parameters)
     executable = argument(call, None, "executable") or argument(call, None, "node_executable")
     command = file.values.words(words)
-    ros_arguments = argument(call, None, "ros_arguments")
     options = [word.text for word in (*command, *file.values.words(ros_arguments))]
     if ros_arguments is not None:
         options.insert(len(command), "--ros-args")
-    remappings = _remappings(file, argument(call, None, "remappings"))
-    program = StartedProgram(
-        package or "",
-        file.values.text(executable) or "",
-        command,
-        file.values.span(call),
-        file.frame,
+    program = program._replace(
+        executable=file.values.text(executable) or "",
+        words=command,
         is_sure=file.is_sure(call),
-        remappings=with_words(remappings, options, is_ros_2=True),
-        parameters=_parameters(file, parameters, ros_arguments, package or ""),
-        namespace=_namespace(file, call),
-        name=file.values.text(argument(call, None, "name")) or "",
+        remappings=with_words(program.remappings, options, is_ros_2=True),
     )
     file.collector.start(program)
     if program.executable == "move_group":
@@ -78,40 +67,47 @@ def start_components(file: PythonLaunchFile, container: ast.Call) -> None:
     for item in file.values.items(descriptions) if descriptions else ():
         call = file.values.resolved(item)
         if isinstance(call, ast.Call) and called(call) == _COMPONENT:
-            _start_component(file, call, is_sure=is_sure and file.is_sure(call))
+            program = _program(file, call)._replace(
+                executable=executable_of(file.values.text(argument(call, None, "plugin"))),
+                is_sure=is_sure and file.is_sure(call),
+                is_component=True,
+            )
         else:
-            unknown = StartedProgram("", "", (), file.values.span(container), file.frame, False)
-            file.collector.start(unknown)
+            program = StartedProgram("", "", (), file.values.span(container), file.frame, False)
+        file.collector.start(program)
 
 
-def _start_component(file: PythonLaunchFile, call: ast.Call, *, is_sure: bool) -> None:
+def _program(file: PythonLaunchFile, call: ast.Call, *, is_whole: bool = True) -> StartedProgram:
+    """What nodes and composable nodes have in common; the files among it are recorded.
+
+    Args:
+        is_whole: False if the node gets further parameters.
+    """
     package = _package(file, call)
     parameters = argument(call, None, "parameters")
+    # The file that includes this one chooses other nodes: the parameters are for another robot.
     if not (file.frame and file.is_off(call)):
         _record_parameter_files(file, parameters)
-    program = StartedProgram(
-        package or "",
-        executable_of(file.values.text(argument(call, None, "plugin"))),
+    return StartedProgram(
+        package,
+        "",
         (),
         file.values.span(call),
         file.frame,
-        is_sure,
         remappings=_remappings(file, argument(call, None, "remappings")),
-        parameters=_parameters(file, parameters, None, package or ""),
+        parameters=_parameters(file, parameters, package, is_whole=is_whole),
         namespace=_namespace(file, call),
         name=file.values.text(argument(call, None, "name")) or "",
-        is_component=True,
     )
-    file.collector.start(program)
 
 
-def _package(file: PythonLaunchFile, call: ast.Call) -> str | None:
-    """The package of a node, which is recorded; None if it is known only at run time."""
+def _package(file: PythonLaunchFile, call: ast.Call) -> str:
+    """The package of a node, which is recorded; empty if it is known only at run time."""
     node = argument(call, None, "package")
     name = file.values.text(node)
     if name and node is not None:
         file.collector.started_package(name, file.source, file.values.span(node))
-    return name
+    return name or ""
 
 
 def _record_rviz_configuration(file: PythonLaunchFile, words: ast.expr | None) -> None:
@@ -145,14 +141,14 @@ def _namespace(file: PythonLaunchFile, call: ast.Call) -> str | None:
 
 
 def _parameters(
-    file: PythonLaunchFile, node: ast.expr | None, ros_arguments: ast.expr | None, package: str
+    file: PythonLaunchFile, node: ast.expr | None, package: str, *, is_whole: bool
 ) -> GivenParameters:
     """The parameters of a program of a package, in a list of dictionaries and files."""
     values: dict[str, str | None] = {}
     files: list[str] = []
     lists: dict[str, tuple[str | None, ...]] = {}
     at: dict[str, Span] = {}
-    is_whole = is_of_moveit = ros_arguments is None and not _grows(file, node)
+    is_whole = is_of_moveit = is_whole and not _grows(file, node)
     for item in file.values.items(node) if node else ():
         if isinstance(file.values.resolved(item), ast.Dict):
             is_whole = is_whole and not _grows(file, item)

@@ -74,7 +74,10 @@ class Values:
         self._scopes = scopes(tree)
         self._steps = 0
         self._opened: dict[str, list[ast.expr]] = {}
+        self._set: list[ast.Call] = []
         for node in python_source.nodes(tree):
+            if isinstance(node, ast.Call) and called(node) == "SetLaunchConfiguration":
+                self._set.append(node)
             for item in node.items if isinstance(node, ast.With) else ():
                 if isinstance(item.optional_vars, ast.Name):
                     self._opened.setdefault(item.optional_vars.id, []).append(item.context_expr)
@@ -118,6 +121,8 @@ class Values:
             and python_source.dotted_name(node.value) in _ENVIRONMENTS
         ):
             return _ASSUMED.get(self.text(node.slice, depth + 1) or "")
+        if isinstance(node, ast.Subscript) and _is_of_context(node.value):
+            return self.configuration(self.text(node.slice, depth + 1) or "", depth)
         return self._of_call(node, depth) if isinstance(node, ast.Call) else None
 
     def _holds(self, test: ast.expr, depth: int) -> bool | None:
@@ -216,6 +221,8 @@ class Values:
         if name == "dirname":
             return _directory(self.text(argument(call, 0, "p"), depth + 1))
         if name in _OF_ENVIRONMENT:
+            if isinstance(call.func, ast.Attribute) and _is_of_context(call.func.value):
+                return self.configuration(self.text(argument(call, 0, ""), depth + 1) or "", depth)
             if (
                 name == "get"
                 and python_source.dotted_name(call.func).removesuffix(".get") not in _ENVIRONMENTS
@@ -271,11 +278,25 @@ class Values:
 
     def _of_configuration(self, call: ast.Call, depth: int) -> str | None:
         name = self.text(argument(call, 0, "variable_name"), depth + 1)
+        if changes := self._changes(name or "", depth):
+            is_sure = len(changes) == 1 and argument(changes[0], 2, "condition") is None
+            value = argument(changes[0], 1, "value")
+            return self.text(value, depth + 1) if is_sure else None
         declared = self.arguments.get(name or "")
         is_own = isinstance(declared, ast.expr) and self.resolved(declared) is call
         if is_own or name not in self.arguments:
             return self.text(argument(call, None, "default"), depth + 1)
         return self.configuration(name, depth)
+
+    def _changes(self, name: str, depth: int) -> list[ast.Call]:
+        """The actions that give an argument another value."""
+        set_names = ((call, self.text(argument(call, 0, "name"), depth + 1)) for call in self._set)
+        return [call for call, set_name in set_names if set_name == name]
+
+
+def _is_of_context(node: ast.expr) -> bool:
+    """True for the values of the arguments in ``context.launch_configurations``."""
+    return isinstance(node, ast.Attribute) and node.attr == "launch_configurations"
 
 
 def called(node: ast.AST | None) -> str:

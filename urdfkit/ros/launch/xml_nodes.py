@@ -29,38 +29,35 @@ _DESCRIPTION = re.compile(r"(^|/)\w*robot_description$")
 
 def start_node(file: XmlLaunchFile, element: Element) -> None:
     """Read a ``<node>`` or ``<test>``, without its children."""
-    package, arguments = _package(file, element), element.attributes.get("args")
+    program, arguments = _program(file, element), element.attributes.get("args")
     words = file.substitutions.words(arguments)
-    if package is None or "rviz" in package:
+    if not program.package or "rviz" in program.package:
         for option, path in pairwise(word.text for word in words):
             if arguments and option in ("-d", "--display-config") and path:
                 full_path = path_from(file.source, path)
                 file.collector.file(full_path, arguments.span, RVIZ)
     executable = element.attributes.get("exec") or element.attributes.get("type")
-    program = StartedProgram(
-        package or "",
-        file.text(executable) or "",
-        words,
-        element.span,
-        file.frame,
-        is_sure=not file.unknown_conditions,
-        remappings=with_words(
-            _remappings(file, element),
-            [word.text for word in words],
-            is_ros_2="type" not in element.attributes,
-        ),
-        parameters=_parameters(file, element),
-        namespace=_namespace(file, element),
-        name=element.get("name") or "",
+    is_ros_2, texts = "type" not in element.attributes, [word.text for word in words]
+    program = program._replace(
+        executable=file.text(executable) or "",
+        words=words,
+        remappings=with_words(program.remappings, texts, is_ros_2=is_ros_2),
     )
     file.collector.start(program)
 
 
 def start_component(file: XmlLaunchFile, element: Element) -> None:
     """Read a ``<composable_node>``, without its children."""
-    program = StartedProgram(
-        _package(file, element) or "",
-        executable_of(file.text(element.attributes.get("plugin"))),
+    executable = executable_of(file.text(element.attributes.get("plugin")))
+    program = _program(file, element)._replace(executable=executable, is_component=True)
+    file.collector.start(program)
+
+
+def _program(file: XmlLaunchFile, element: Element) -> StartedProgram:
+    """What nodes and composable nodes have in common."""
+    return StartedProgram(
+        _package(file, element),
+        "",
         (),
         element.span,
         file.frame,
@@ -69,18 +66,16 @@ def start_component(file: XmlLaunchFile, element: Element) -> None:
         parameters=_parameters(file, element),
         namespace=_namespace(file, element),
         name=element.get("name") or "",
-        is_component=True,
     )
-    file.collector.start(program)
 
 
-def _package(file: XmlLaunchFile, element: Element) -> str | None:
-    """The package of a node, which is recorded; None if it is known only at run time."""
+def _package(file: XmlLaunchFile, element: Element) -> str:
+    """The package of a node, which is recorded; empty if it is known only at run time."""
     attribute = element.attributes.get("pkg")
     name = file.text(attribute)
     if attribute and name:
         file.collector.started_package(name, file.source, attribute.span)
-    return name
+    return name or ""
 
 
 def _remappings(file: XmlLaunchFile, node: Element) -> dict[str, str] | None:

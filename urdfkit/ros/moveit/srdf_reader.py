@@ -35,6 +35,12 @@ def find(robot: RosDescription) -> Srdf | None:
     the robot name of another file, if this robot lacks links or joints of it. Of very many SRDFs,
     such as for each combination of two hands, only those with the name of the robot are read.
     """
+    chosen = candidates(robot)
+    return chosen[0] if len(chosen) == 1 else None
+
+
+def candidates(robot: RosDescription) -> list[Srdf]:
+    """The SRDFs that may be for a robot, such as those of its variants."""
     path, name, resolver = robot.source.path, robot.model.name, robot.resolver
     files = [
         file for file in srdf_files(path, resolver) if not is_of_namesake(file, path, resolver)
@@ -48,17 +54,16 @@ def find(robot: RosDescription) -> Srdf | None:
         for srdf in readable
         if srdf.refers_to_robot and not (srdf.unknown and _is_of_neighbour(srdf, path, resolver))
     ]
-    if len(chosen) > 1:  # MoveIt's builder reads the SRDF with the file name of the robot
-        chosen = [srdf for srdf in chosen if _stem(srdf.path) == _stem(path)]
+    named = [srdf for srdf in chosen if _stem(srdf.path) == _stem(path)]
+    if len(chosen) > 1 and named:  # MoveIt's builder reads the SRDF with the file name of the robot
+        chosen = named
     if not readable:
         others = other_srdf_files(path, name, resolver)
         chosen = [srdf for srdf in _read_all(others, robot) if srdf.fits_robot]
-    if len(chosen) != 1:
-        return None
-    srdf = chosen[0]
-    if not with_name and _is_of_neighbour(srdf, path, resolver):
-        srdf.is_shared = True
-    return srdf
+    if not with_name:
+        for srdf in chosen:
+            srdf.is_shared = srdf.is_shared or _is_of_neighbour(srdf, path, resolver)
+    return chosen
 
 
 def _read_all(files: Iterable[str], robot: RosDescription) -> list[Srdf]:
