@@ -4,6 +4,7 @@ import ast
 import os
 from collections.abc import Callable
 from functools import partial
+from itertools import filterfalse
 
 from urdfkit.ros.launch.collect import SIM_TIME, Collector
 from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
@@ -103,11 +104,8 @@ class _PythonReader(PythonLaunchFile):
         }
         loading = dict.fromkeys(loading_functions(self.tree), partial(record_loaded, self))
         handles = {**loading, **handles}
-        never = self.only_of_never()
-        for call in self.calls:
+        for call in filterfalse(self.only_of_never().__contains__, self.calls):
             name = called(call)
-            if call in never:
-                continue
             if start := starts.get(name):
                 if self._may_run(call):
                     start(call)
