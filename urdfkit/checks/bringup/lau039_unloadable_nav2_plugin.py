@@ -124,12 +124,7 @@ def _without_parameters(node: NodeParameters) -> Findings:
             continue
         for plugin in scalars(node.values.get(key)):
             if plugin.text not in sections and f"{plugin.text}.plugin" not in node.values:
-                yield Finding(
-                    plugin.span,
-                    f"'{node.name}': no parameters for '{plugin.text}' of {key}"
-                    f"{did_you_mean(plugin.text, sections)}",
-                    f"add {plugin.text} with its plugin, or fix the name",
-                )
+                yield _without_section(node, plugin, key, sections, "its plugin")
 
 
 def _layers(node: NodeParameters) -> Findings:
@@ -152,12 +147,18 @@ def _names_without_section(node: NodeParameters) -> Findings:
                 parameter.startswith(f"{name.text}.") for parameter in node.values
             )
             if name.text and name.text != default and not is_given and "$" not in name.text:
-                yield Finding(
-                    name.span,
-                    f"'{node.name}': no parameters for '{name.text}' of {key}"
-                    f"{did_you_mean(name.text, sections)}",
-                    f"add {name.text} with its parameters, or fix the name",
-                )
+                yield _without_section(node, name, key, sections, "its parameters")
+
+
+def _without_section(
+    node: NodeParameters, name: Value, key: str, sections: set[str], content: str
+) -> Finding:
+    return Finding(
+        name.span,
+        f"'{node.name}': no parameters for '{name.text}' of {key}"
+        f"{did_you_mean(name.text, sections)}",
+        f"add {name.text} with {content}, or fix the name",
+    )
 
 
 def _incomplete(node: NodeParameters, name: Key, kind: str, section: dict[str, Node]) -> Findings:
