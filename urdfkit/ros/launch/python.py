@@ -83,6 +83,13 @@ class _PythonReader(PythonLaunchFile):
         for call in self.calls:
             if called(call) == "DeclareLaunchArgument" and self._may_run(call):
                 self._declare(call)
+        self._read_calls()
+        if self.frame is None:
+            self._report_problems()
+        self._mentions()
+        self.collector.problems += self.configurations.undeclared()
+
+    def _read_calls(self) -> None:
         untyped = set(untyped_commands(self))
         starts: dict[str, Callable[[ast.Call], None]] = {
             "ComposableNodeContainer": partial(start_components, self),
@@ -117,10 +124,6 @@ class _PythonReader(PythonLaunchFile):
                 self._scope(call)
             else:
                 record_files(call, self.values, self.collector)
-        if self.frame is None:
-            self._report_problems()
-        self._mentions()
-        self.collector.problems += self.configurations.undeclared()
 
     def _look(self, call: ast.Call) -> None:
         """A path whose file may be missing, since the program looks for it."""
