@@ -37,6 +37,7 @@ def impossible(moments: tuple[float, ...], *shapes: str) -> Diagnosis:
         ((0.2003, 0.001, 0, 0.1002, 0, 0.4611), 0.2604),  # twice those of the solid
         ((0.0501, 0.001, 0, 0.0253, 0, 0.1611), 0.0655),
         ((0.2003, 0.001, 0, 0.0102, 0, 0.4611), None),  # no multiple
+        ((200.3, 0.001, 0, 100.2, 0, 461.1), None),  # DARwIn: a neck of 24 g has that of a door
         ((0.2, 0, 0, 0.1, 0, 0.46), None),  # no digits of a CAD program
     ],
 )

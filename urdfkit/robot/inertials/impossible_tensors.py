@@ -17,8 +17,9 @@ if TYPE_CHECKING:
 
 #: Largest ratio of two multiples of the moments of a shape that are the same, as of a hollow part.
 _SAME_MULTIPLE = 1.5
-#: Least multiple of the moments of a shape: a part with less has other mistakes, too.
-_LEAST_MULTIPLE = 0.5
+#: Multiples of the moments of a shape beyond which a part has other mistakes, too: a rod with its
+#: mass at the ends has 3.
+_LEAST_MULTIPLE, _MOST_MULTIPLE = 0.5, 3.0
 #: Most digits of a number that is not computed.
 _MAX_DIGITS = 12
 
@@ -63,7 +64,7 @@ def _with_corrected_moment(link: LinkInertia) -> Tensor | None:
     found = []
     for key in keys:
         low, high = sorted(ratio for name, ratio in ratios.items() if name != key)
-        if low >= _LEAST_MULTIPLE and high <= _SAME_MULTIPLE * low:
+        if _LEAST_MULTIPLE <= low <= high <= min(_MOST_MULTIPLE, _SAME_MULTIPLE * low):
             value = getattr(expected, key) * (low * high) ** 0.5
             found.append(link.tensor._replace(**{key: float(f"{value:.6g}")}))
     possible = list(filter(is_possible, found))
