@@ -41,7 +41,7 @@ from urdfkit.ros.catalog.plugins import Parameter
 from urdfkit.ros.gazebo import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.plugins import PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, solid_xml
-from urdfkit.ros.gazebo.values import corrected, leading, quoted, text_of, value
+from urdfkit.ros.gazebo.values import corrected, is_placeholder, leading, quoted, text_of, value
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 
@@ -67,6 +67,8 @@ def check(context: Context) -> Findings:
     for block in context.model.gazebo:
         for child in block.children:
             text = text_of(child)
+            if is_placeholder(text):
+                continue
             if extension := handled.get(child.tag):
                 if extension.type != "bool" or _is_read(context.model, block, extension):
                     yield from _handled(child, extension, text)

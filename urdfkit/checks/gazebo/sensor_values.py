@@ -9,7 +9,7 @@ from urdfkit.robot.values import number
 from urdfkit.ros.catalog.sensors import Setting, settings
 from urdfkit.ros.gazebo import REJECTED_BY_GZ
 from urdfkit.ros.gazebo.sensors import Sensor, sensors, written
-from urdfkit.ros.gazebo.values import corrected, leading, quoted, value
+from urdfkit.ros.gazebo.values import corrected, is_placeholder, leading, quoted, value
 from urdfkit.ros.targets import CLASSIC, GZ
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import swap
@@ -57,6 +57,8 @@ def _settings(sensor: Sensor) -> Iterator[tuple[Element | Attribute, str, str, S
 
 def _problem(name: str, setting: Setting, text: str) -> tuple[str, str] | None:
     """The end of a message, and the help; None for a valid value."""
+    if is_placeholder(text):
+        return None
     if setting.type == "pose" and not text:
         return None  # its default
     if setting.words and text not in setting.words:

@@ -64,3 +64,8 @@ def corrected(text: str) -> str:
     """Replacement of a number with trailing text, as the end of a help."""
     right = text.replace(",", ".").removesuffix(".")
     return right if number(right) is not None else "only the number"
+
+
+def is_placeholder(text: str) -> bool:
+    """True for ``__name__``, ``@NAME@`` and ``{{ name }}``, which a program replaces."""
+    return re.fullmatch(r"__\w+__|@\w+@|\{\{[^{}]*\}\}", text) is not None
