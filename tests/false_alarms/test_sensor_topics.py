@@ -71,6 +71,27 @@ def test_a_bridge_for_the_lidars_of_all_arguments(tmp_path: Path, topic: str, co
     assert len(found) == count
 
 
+CAMERA = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="base"/>
+<gazebo reference="base"><sensor name="front" type="rgbd_camera"><topic>front</topic></sensor>
+</gazebo></robot>"""
+
+
+@pytest.mark.parametrize(
+    ("topic", "help"),
+    [
+        ("thermal", "add one to the robot, or remove the topic from the bridge"),
+        ("front/deph_image", "write /front/depth_image"),
+    ],
+)
+def test_an_image_that_no_camera_of_the_robot_has(tmp_path: Path, topic: str, help: str) -> None:
+    """A thermal camera of another arm: not the depth of the camera that is bridged."""
+    bridge = BRIDGE.replace("LaserScan", "Image")
+    both = f'{topic}@sensor_msgs/msg/Image[gz.msgs.Image", "/front/image'
+    files = {"urdf/r.urdf.xacro": CAMERA}
+    (found,) = reported(tmp_path / "arm", "LAU020", "a.launch.py", bridge % both, files)
+    assert found.help == help
+
+
 CALLED = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="base"/>
 <xacro:macro name="lidar" params="link topic"><gazebo reference="${link}">
 <sensor name="front" type="gpu_lidar">%s</sensor></gazebo></xacro:macro>

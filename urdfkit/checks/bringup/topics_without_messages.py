@@ -30,6 +30,7 @@ _OF_ROBOTS = (
 )  # fmt: skip
 #: The message of transforms, and the package whose filters publish that of odometry, too.
 _TRANSFORM, _ESTIMATOR = "Pose_V", "robot_localization"
+_ADD = "add one to the robot, or remove the topic from the bridge"
 #: The link in the default topic of a sensor.
 _LINK = re.compile(r"/link/([^/]+)/sensor/")
 #: A topic in a tag, such as ``<odom_topic>``, or in an argument of a macro.
@@ -68,6 +69,9 @@ def topics_without_messages(
         if waiting:
             other = _nearest(topic.topic, waiting, served)
             # A <topic> in this sensor names all its topics.
+            if other is None:
+                yield Finding(at, _nothing(topic.topic), _ADD, severity=Severity.WARNING)
+                continue
             if not other.is_unnamed or other.who not in unnamed:
                 message, help = _unknown_topic(topic.topic, other)
                 help = _unless_estimated(context, kind) + help
@@ -87,8 +91,7 @@ def _of_nothing(topic: BridgedTopic, kind: str, at: Location, *, is_known: bool)
         verb = "reads" if topic.direction == TO_GAZEBO else "publishes"
         message = f"nothing in Gazebo {verb} '{topic.topic}': the robot has no sensor and no "
         message += f"system with {topic.gz_type}"
-        help = "add one to the robot, or remove the topic from the bridge"
-        yield Finding(at, message, help, severity=Severity.WARNING)
+        yield Finding(at, message, _ADD, severity=Severity.WARNING)
 
 
 def _is_of_another_robot(context: Context, topic: BridgedTopic) -> bool:
@@ -161,17 +164,27 @@ def _is_bare(path: str, context: Context) -> bool:
     return world is not None and not is_foreign and len(plugins) == len(world.plugins)
 
 
-def _nearest(topic: str, waiting: list[GazeboTopic], served: set[str]) -> GazeboTopic:
-    """The most similar topic; a lidar whose scan is bridged also has points, which few bridge."""
+def _nearest(topic: str, waiting: list[GazeboTopic], served: set[str]) -> GazeboTopic | None:
+    """The most similar topic; a lidar whose scan is bridged also has points, which few bridge.
+
+    None if other topics of all these sensors are bridged, and none of them is similar.
+    """
     first = topic.strip("/").partition("/")[0]
     likely = [gz for gz in waiting if gz.who not in served or gz.name.startswith(f"{first}/")]
     known = {gz.name: gz for gz in likely or waiting}
-    return known[nearest(topic.strip("/"), known, 0) or next(iter(known))]
+    similar = nearest(topic.strip("/"), known)
+    if similar is None and not likely:
+        return None
+    return known[similar or nearest(topic.strip("/"), known, 0) or next(iter(known))]
+
+
+def _nothing(topic: str) -> str:
+    return f"no sensor or system of the robot has the topic '{topic}'"
 
 
 def _unknown_topic(topic: str, other: GazeboTopic) -> tuple[str, str]:
     """Message and help for a topic that the robot does not have; ``other`` is the nearest."""
-    nothing = f"no sensor or system of the robot has the topic '{topic}'"
+    nothing = _nothing(topic)
     if other.is_unnamed:
         place = "plugin" if other.is_system else "sensor"
         return (
