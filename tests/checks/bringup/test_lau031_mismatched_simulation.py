@@ -137,6 +137,38 @@ def test_hardware_in_gazebo(
     assert [f"not load {real}" in one.message for one in found] == [True] * count
 
 
+@pytest.mark.parametrize(
+    ("package", "executable", "words", "plugins", "count"),
+    [
+        ("ros_gz_sim", "create", "'-topic', 'robot_description'", ("gazebo_ros2_control",), 1),
+        ("ros_gz_sim", "create", "'-file', 'box.sdf'", ("gazebo_ros2_control",), 0),
+        (
+            "ros_gz_sim",
+            "create",
+            "'-topic', 'robot_description'",
+            ("gazebo_ros2_control", "gz_ros2_control-system"),
+            0,
+        ),
+        ("gazebo_ros", "spawn_entity.py", "'-topic', 'r'", ("gazebo_ros2_control",), 0),
+        ("gazebo_ros", "spawn_entity.py", "'-topic', 'r'", ("gz_ros2_control-system",), 1),
+    ],
+)
+def test_plugins_of_another_gazebo(
+    tmp_path: Path, package: str, executable: str, words: str, plugins: tuple[str, ...], count: int
+) -> None:
+    """Cengaver: a second launch file for Fortress, with the plugins of Gazebo Classic."""
+    tags = "".join(f'<plugin name="p" filename="lib{name}.so"/>' for name in plugins)
+    robot = f'<robot name="r"><link name="a"/><gazebo>{tags}</gazebo></robot>'
+    text = STATE.format(
+        f", parameters=[{{'robot_description': Command(['xacro {tmp_path}/r.urdf'])}}]"
+    )
+    text += NODE.format(package, executable, f"arguments=[{words}]")
+    found = reported(tmp_path, "LAU031", "a.launch.py", text, {"r.urdf": robot})
+    assert [one.message for one in found if "not load" in one.message] == [
+        naming("p", f"lib{plugins[0]}.so")
+    ] * count
+
+
 @pytest.mark.parametrize(("first", "count"), [("true", 0), ("false", 1)])
 def test_hardware_of_a_second_description(tmp_path: Path, first: str, count: int) -> None:
     """Elfin: the robot in Gazebo has its arguments; that for MoveIt has the defaults."""

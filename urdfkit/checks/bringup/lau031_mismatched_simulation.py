@@ -12,6 +12,7 @@
   plugin does not load, or that of the real robot, although its files also name that of Gazebo. Or
   `ros2_control_node` runs hardware of Gazebo, but no robot is spawned in Gazebo: "class
   gz_ros2_control/GazeboSimSystem does not exist".
+- The robot is spawned in gz-sim, but all its plugins are for Gazebo Classic, or the reverse.
 
 A launch file is not checked if it includes unavailable files that are not part of ROS.
 
@@ -32,6 +33,7 @@ from urdfkit.checks.bringup.unloaded_hardware import (
     SIMULATED,
     hardware_without_simulator,
     may_be_simulated,
+    plugins_of_another_gazebo,
     unloaded_hardware,
 )
 from urdfkit.checks.bringup.workspace_launches import is_included
@@ -83,6 +85,7 @@ def check(context: Context) -> Findings:
     yield from _paused(context, programs)
     yield from unloaded_hardware(context, programs)
     yield from hardware_without_simulator(context, programs)
+    yield from plugins_of_another_gazebo(context)
 
 
 def _paused(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:

@@ -1,12 +1,13 @@
-"""Hardware interfaces of ros2_control that the started programs do not load."""
+"""Hardware interfaces of ros2_control, and plugins, that the started programs do not load."""
 
 import re
 
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
 from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.launch.contents import StartedProgram
-from urdfkit.ros.launch.spawning import model_spawner
+from urdfkit.ros.launch.spawning import model_spawner, spawns_sdf
 from urdfkit.ros.ros_control import Component, components, control_plugins
+from urdfkit.ros.targets import CLASSIC, GZ, target_of_plugin
 from urdfkit.text.comments import blank_comments
 
 CONTROL_NODE = "ros2_control_node"
@@ -15,6 +16,9 @@ MOCK = ("mock_components/GenericSystem", "fake_components/GenericSystem")
 SIMULATED = re.compile(r"(?i)gazebo|gz|ign|sim|mujoco|webots|isaac|mock|fake|topic_based")
 #: Hardware that only Gazebo's plugin loads.
 _OF_GAZEBO = ("gazebo_ros2_control/", "gz_ros2_control/", "ign_ros2_control/")
+#: The package of the programs that spawn models in Gazebo Classic.
+_OF_CLASSIC = "gazebo_ros"
+_TITLES = {CLASSIC: "Gazebo Classic", GZ: "gz-sim"}
 
 
 def unloaded_hardware(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
@@ -77,3 +81,24 @@ def hardware_without_simulator(context: Context, programs: tuple[StartedProgram,
                     "file without a simulator",
                     related=(Related(managers[0].span, "the controller manager"),),
                 )
+
+
+def plugins_of_another_gazebo(context: Context) -> Findings:
+    """A robot whose plugins are all for Gazebo Classic, and that gz-sim spawns; or the reverse."""
+    spawners = [program for program in context.launch.programs if model_spawner(program)]
+    packages = {program.package == _OF_CLASSIC for program in spawners}
+    if len(packages) != 1 or any(map(spawns_sdf, spawners)):
+        return  # the robot in Gazebo may not be the described one
+    own, others = (CLASSIC, GZ) if packages.pop() else (GZ, CLASSIC)
+    name, other = (_TITLES[family] for family in (own, others))
+    for description, robot in context.described_robots:
+        targets = {use: target_of_plugin(use.filename, use.at) for use in robot.plugins}
+        if not description.is_whole or not targets or not set(targets.values()) <= {*others}:
+            continue
+        use = next((use for use in targets if "control" in use.filename), next(iter(targets)))
+        yield Finding(
+            Location(use.at.attributes["filename"].span, description.frame),
+            f"{name} does not load {use.title}, which is for {other}",
+            "choose the plugins by an argument, or start the other Gazebo",
+            related=(Related(spawners[0].span, f"spawned in {name}"),),
+        )
