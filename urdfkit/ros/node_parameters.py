@@ -32,6 +32,10 @@ class NodeParameters(Record):
         parts = f"{self.namespace}/{self.name}".split("/")
         return tuple(part for part in parts if part not in ("", "*", "**"))
 
+    def are_of(self, name: str) -> bool:
+        """True for the parameters of a node with this name, or of all nodes."""
+        return self.name in (name, "*", "**")
+
 
 def nodes_in_files(paths: Iterable[str], resolver: Resolver) -> Iterator[NodeParameters]:
     """The nodes of parameter files, each file once; of those that are readable."""

@@ -270,6 +270,21 @@ def test_a_filter_that_localizes(
     assert ["from map to odom" in one.message for one in found] == [True] * count
 
 
+@pytest.mark.parametrize(("second", "count"), [("one", 1), ("other", 0)])
+def test_filters_whose_parameters_are_of_all_nodes(tmp_path: Path, second: str, count: int) -> None:
+    """``/**`` in a file for each robot."""
+    node = "Node(package='robot_localization', executable='ekf_node', parameters=['{}/{}.yaml'])\n"
+    filters = "".join(node.format(tmp_path, name) for name in ("one", second))
+    files = {
+        f"{name}.yaml": FILTER.format("true")
+        .replace("ekf_filter_node", "/**")
+        .replace("odom,", f"{name}_odom,")
+        for name in ("one", "other")
+    }
+    found = reported(tmp_path, "LAU021", "a.launch.py", filters, files)
+    assert sum("'one_odom' is published twice" in one.message for one in found) == count
+
+
 @pytest.mark.parametrize(
     ("topic", "remapping", "count"),
     [

@@ -206,19 +206,23 @@ def test_simulation_time_in_a_file(tmp_path: Path, stated: str | None, count: in
 
 
 @pytest.mark.parametrize(
-    ("real", "given", "count"),
+    ("real", "given", "section", "count"),
     [
-        ("acme/Driver", "", 1),
-        ("mock_components/GenericSystem", "", 1),
-        ("acme/MujocoSystem", "", 0),
-        ("acme/Driver", ", {'use_sim_time': False}", 0),
+        ("acme/Driver", "", "controller_manager", 1),
+        ("acme/Driver", "", "/**", 1),
+        ("acme/Driver", "", "arm", 0),
+        ("mock_components/GenericSystem", "", "controller_manager", 1),
+        ("acme/MujocoSystem", "", "controller_manager", 0),
+        ("acme/Driver", ", {'use_sim_time': False}", "controller_manager", 0),
     ],
 )
-def test_simulation_time_of_a_robot(tmp_path: Path, real: str, given: str, count: int) -> None:
+def test_simulation_time_of_a_robot(
+    tmp_path: Path, real: str, given: str, section: str, count: int
+) -> None:
     robot = f"Command(['xacro {tmp_path}/r.xacro'])"
     text = STATE.format(f", parameters=[{{'robot_description': {robot}}}]")
     text += MANAGER.format(tmp_path, "").replace("c.yaml'", f"c.yaml'{given}")
-    stated = "controller_manager: {ros__parameters: {use_sim_time: true}}\n"
+    stated = f"{section}: {{ros__parameters: {{use_sim_time: true}}}}\n"
     files = {"r.xacro": SWITCHED.format(GZ, real), "c.yaml": stated}
     found = reported(tmp_path, "LAU031", "a.launch.py", text, files)
     assert sum("controllers wait with use_sim_time" in one.message for one in found) == count

@@ -146,8 +146,13 @@ def _stopped_controllers(context: Context, programs: tuple[StartedProgram, ...])
             source = context.resolver.readable(path)
             for section in node_parameters(source) if source else ():
                 value = section.values.get(_SIM_TIME)
-                is_own = section.path in ((node.name or "controller_manager",), ("**",))
-                if is_own and isinstance(value, Value) and value.boolean:
+                is_own = section.are_of(node.name or "controller_manager")
+                if (
+                    is_own
+                    and not section.namespace.strip("/")
+                    and isinstance(value, Value)
+                    and value.boolean
+                ):
                     yield Finding(
                         Location(value.span, node.frame),
                         f"controllers wait with {_SIM_TIME} for /clock, which nothing publishes",

@@ -93,7 +93,7 @@ def _frames_of_filter(program: StartedProgram, context: Context) -> dict[str, st
         if source is None:
             return {}
         for node in node_parameters(source):
-            if node.name == name:
+            if node.are_of(name):
                 values = ((key, node.values.get(key)) for key in _PARAMETERS)
                 frames |= {key: value.text for key, value in values if isinstance(value, Value)}
     for key, text in program.parameters.values.items():

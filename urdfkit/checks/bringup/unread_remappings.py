@@ -188,7 +188,7 @@ def read_own_output(context: Context) -> Findings:
         output = topic_name(written, node) if written else None
         files = node.parameters.files if output else ()
         for section in nodes_in_files(files, context.resolver):
-            for key, value in _inputs(section) if section.name in (node.name, "**") else ():
+            for key, value in _inputs(section) if section.are_of(node.name) else ():
                 if resolve_name(value.text, node.namespace) == output:
                     yield Finding(
                         value.span,
