@@ -41,6 +41,8 @@ def value(text: str) -> Value | list[Node]:
         ("", None),
         ("$(var rate)", None),
         ("<robot>/odom", None),
+        ("KEEPOUT_ZONE_ENABLED", None),
+        ("UNKNOWN", "string"),
         ("!!float 5", None),
     ],
 )

@@ -23,6 +23,8 @@ TYPES = {
 _BOOLS = frozenset(
     "y Y yes Yes YES n N no No NO true True TRUE false False FALSE on On ON off Off OFF".split()
 )
+#: A word that a launch file of Nav2 replaces (``value_rewrites``), such as KEEPOUT_ZONE_ENABLED.
+_REPLACED = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+$")
 _INT = re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)$")
 _DOUBLE = re.compile(
     r"[-+]?(([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|\.?(inf|nan|infinity))$", re.IGNORECASE
@@ -32,7 +34,7 @@ _DOUBLE = re.compile(
 def type_of(node: Value | list[Node]) -> str | None:
     """``bool``, ``int``, ``double``, ``string``, or an array of them; None if it is unknown.
 
-    Empty, tagged and substituted values, and lists of mixed types, are unknown.
+    Empty, tagged, substituted and replaced values, and lists of mixed types, are unknown.
     """
     if isinstance(node, Value):
         return _of_scalar(node)
@@ -42,7 +44,7 @@ def type_of(node: Value | list[Node]) -> str | None:
 
 
 def _of_scalar(value: Value) -> str | None:
-    if value.tag or not value.text or is_template(value.text):
+    if value.tag or not value.text or is_template(value.text) or _REPLACED.match(value.text):
         return None
     if value.span.text[:1] in ("'", '"', "|", ">"):
         return "string"

@@ -55,6 +55,10 @@ def test_signs_of_limits(tmp_path: Path, values: str, help: str, severity: str) 
     ("yaml", "words"),
     [
         (SERVER.format(f"{PLAIN_MPPI}, motion_model: Diff"), "unknown motion_model 'Diff'"),
+        (
+            SERVER.format(f"{PLAIN_MPPI}, motion_model: own, own: {{plugin: 'p::Own'}}"),
+            "",  # as Nav2 has it since Lyrical
+        ),
         (WATCH.format("near", "cirle"), "unknown type 'cirle'"),
         (AMCL.format("global_frame_id: odom"), "global_frame_id is 'odom'"),
         (AMCL.format("global_frame_id: map, odom_frame_id: odom"), ""),

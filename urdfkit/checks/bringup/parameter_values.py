@@ -32,8 +32,8 @@ def invalid_values(node: NodeParameters) -> Findings:
 def _unknown_choices(node: NodeParameters, given: GivenValue) -> Findings:
     name = f"{given.owner}.{given.at}"
     value, choices = given.value, data("node_parameters")["choices"].get(name, "").split()
-    if not isinstance(value, Value) or not choices or value.text in choices:
-        return
+    if not isinstance(value, Value) or not choices or value.text in (*choices, *given.siblings):
+        return  # a sibling of this name describes a plugin, as mppi::DiffDriveMotionModel
     if value.text[:1].isalpha() and not _is_of_workspace(value.text, choices):
         message = f"'{node.name}': unknown {given.at} '{value.text}'"
         message += did_you_mean(value.text, choices)
