@@ -39,6 +39,8 @@ class TestAttributes:
             ('<link name="a" type= />', "|", "attribute 'type' has no value"),
             ('<link name="a"type="b"/>', "|", "a space is missing before 'type'"),
             ('<link name="a", type="b"/>', ",", "',' does not belong in <link>"),
+            ('<link name="a" #todo\n b="c"/>', "#todo", "'#todo' does not belong in <link>"),
+            ('<link name="a" // b c />', "// b c ", "'// b c' does not belong in <link>"),
             ('<link name="a""/>', '"', "'\"' does not belong in <link>"),
             ('<parent link="a"//>', "/", "'/' does not belong in <parent>"),
             ('<link 1="a"/>', '1="a"', "'1=\"a\"' does not belong in <link>"),

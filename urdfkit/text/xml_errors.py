@@ -33,6 +33,8 @@ _NEXT_ATTRIBUTE = re.compile(rb"\s(%s)\s*=\s*$" % _NAME)
 _JUNK = re.compile(
     rb"""[\w.:-]+\s*=\s*(?:"[^"<>]*"|'[^'<>]*')|["']|[^\s/>"'<A-Za-z_:\x80-\xff]+|/"""
 )
+#: A comment of another language among the attributes of a tag.
+_FOREIGN_COMMENT = re.compile(rb"""(?:\#|//)[ \t]*[\w\x80-\xff][^<>/"'=\r\n]*""")
 _REFERENCE = re.compile(rb"&(?:#([0-9]+);|#x([0-9A-Fa-f]+);|(%s);)?" % _NAME)
 _DECLARATION = re.compile(
     rb"""<\?xml\s+version\s*=\s*(?:"[\w.:-]+"|'[\w.:-]+')"""
@@ -262,15 +264,22 @@ class _Scanner:
                 return position
             attribute = _ATTRIBUTE_NAME.match(data, position)
             if attribute is None:
-                junk = _JUNK.match(data, position)
-                end = junk.end() if junk else position + 1
-                text = data[position:end].decode("utf-8", "replace")
-                self._add(position, end, f"'{text[:20]}' does not belong in <{name}>")
-                position = end
+                position = self._not_an_attribute(position, name)
                 continue
             position = self._attribute(attribute, before, names)
             if len(self.mistakes) >= MAX_ERRORS:
                 return position
+
+    def _not_an_attribute(self, start: int, tag: str) -> int:
+        """Report what stands between the attributes of a tag; returns its end."""
+        comment = _FOREIGN_COMMENT.match(self.data, start)
+        found = comment or _JUNK.match(self.data, start)
+        end = found.end() if found else start + 1
+        text = self.data[start:end].decode("utf-8", "replace").rstrip()
+        message = f"'{text[:20]}' does not belong in <{tag}>"
+        help = "a comment is written <!-- ... -->, outside of tags" if comment else ""
+        self.mistakes.append(SyntaxMistake(start, end, message, help=help))
+        return end
 
     def _unfinished_tag(self, at: int, name: str) -> None:
         """Report a start tag without ``>``, unless an attribute cut off there is reported."""

@@ -77,7 +77,7 @@ def _expressions(root: Element) -> Findings:
 def _unexpanded(at: Attribute | Element, text: str) -> Finding:
     # If a launch file runs xacro, it replaces $(...) without a namespace declaration, too.
     severity = None if "${" in text else Severity.WARNING
-    return Finding(at, f"{text} is not expanded", severity=severity)
+    return Finding(at, f"{text} is not expanded", severity=severity, group_key="expression")
 
 
 def _is_of_xacro(text: str) -> bool:
