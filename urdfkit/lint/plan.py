@@ -23,8 +23,9 @@ if TYPE_CHECKING:
     from urdfkit.text.document import CallFrame
 
 
-#: Families of rules that compare a robot with the parameter files of its controllers.
-_READ_PARAMETERS = ("controllers", "drives", "ros2_control")
+#: Families of rules that compare a robot with the parameter files of its controllers, and the one
+#: whose findings explain some of theirs.
+_READ_PARAMETERS = ("controllers", "drives", "ros2_control", "xacro")
 
 
 class Job(Record):

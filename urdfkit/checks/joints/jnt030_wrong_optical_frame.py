@@ -37,6 +37,8 @@ BAD = robot_xml(
 )
 FIXED = GOOD = BAD.replace('"1.5707963 0 -1.5707963"', '"-1.5707963 0 -1.5707963"')
 
+#: The right rpy, and that for a camera's frame whose z points down.
+_RIGHT, _RIGHT_DOWN = "-1.5707963 0 -1.5707963", "1.5707963 0 1.5707963"
 #: Rotation from the frame of a camera to its optical frame; the columns are the optical axes.
 _OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
 #: The same rotation if z of the camera's frame points down.
@@ -79,14 +81,19 @@ def check(context: Context) -> Findings:
         if is_upside_down and _is_z_down(context, camera):
             continue
         where = "forward, but upside down," if is_upside_down else _forward(rotation)
-        yield Finding(
-            joint.at.child_or_self("origin"),
-            f"joint '{joint.name}': '{optical}' looks {where} from '{camera}'; an optical frame "
-            "looks forward, its x to the right",
-            'write rpy="-1.5707963 0 -1.5707963"',
-            None if _has_sensor(context, optical) else _fix(joint),
-            confidence=Confidence.INFERRED,
-        )
+        message = f"joint '{joint.name}': '{optical}' looks {where} from '{camera}'; an optical "
+        message += "frame looks forward, its x to the right"
+        help = f'write rpy="{_RIGHT}"'
+        fix: Fix | None = None
+        if _has_sensor(context, optical):
+            help = f"put the sensor, which looks along x, on a link with x forward and z up; {help}"
+            help += f" for '{optical}' as its child"
+        elif _has_z_down(context, camera):
+            help = f"write rpy=\"{_RIGHT_DOWN}\", as z of '{camera}' points down"
+        else:
+            fix = _fix(joint)
+        at = joint.at.child_or_self("origin")
+        yield Finding(at, message, help, fix, confidence=Confidence.INFERRED)
     if context.model.gazebo:
         yield from _gazebo_cameras(context)
 
@@ -143,11 +150,15 @@ def _is_rotated(pose: Element | None) -> bool:
 
 def _is_z_down(context: Context, camera: str) -> bool:
     """True if z of a camera's frame points down, or may do so as in all frames of the vehicle."""
-    frame = context.tree.frames.get(camera)
-    if frame is not None and frame.rotation[2][2] < 0:
+    if _has_z_down(context, camera):
         return True
     words = {word for name in context.model.links_by_name for word in name.lower().split("_")}
     return any(word.rstrip("0123456789") in _UNDER_WATER for word in words)
+
+
+def _has_z_down(context: Context, camera: str) -> bool:
+    frame = context.tree.frames.get(camera)
+    return frame is not None and frame.rotation[2][2] < 0
 
 
 def _has_sensor(context: Context, link: str) -> bool:
