@@ -20,6 +20,17 @@ def test_a_camera_of_gazebo_is_not_turned_away() -> None:
     camera = '<gazebo reference="camera_optical_frame"><sensor name="s" type="camera"/></gazebo>'
     (found,) = reported("JNT030", robot("0 0 0") + camera)
     assert found.fix is None
+    assert "sensor" in (found.help or "")
+    assert 'rpy="-1.5707963 0 -1.5707963"' in (found.help or "")
+
+
+def test_a_camera_whose_z_points_down() -> None:
+    """The camera of a hexapod, in the frame of its CAD part."""
+    mount = '<link name="base"/><joint name="m" type="fixed"><parent link="base"/>'
+    mount += '<child link="camera_link"/><origin rpy="3.14159 0 0"/></joint>'
+    (found,) = reported("JNT030", mount + robot("0 0 0"))
+    assert found.fix is None
+    assert found.help == naming('rpy="1.5707963 0 1.5707963"', "camera_link")
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,9 @@ from tests.naming import naming, values
 from tests.srdfs import TRAJECTORY_CONTROLLERS, WITHOUT_MANAGER, findings, findings_in
 from urdfkit import Severity
 
-MANAGER = "moveit_simple_controller_manager:\n  controller_names: [c]\n  c:\n    type: a\n"
+MANAGER = (
+    "moveit_simple_controller_manager:\n  controller_names: [c]\n  c:\n    type: GripperCommand\n"
+)
 PLUGIN = (
     "moveit_controller_manager: moveit_simple_controller_manager/MoveItSimpleControllerManager\n"
 )
@@ -68,6 +70,22 @@ def test_settings_without_effect(
 )
 def test_settings_that_are_read(tmp_path: Path, file: str, text: str) -> None:
     assert findings_in(tmp_path, file, text, "SRD028") == []
+
+
+@pytest.mark.parametrize(
+    ("kind", "help"),
+    [
+        ("JointGroupPositionController", "write FollowJointTrajectory, or GripperCommand"),
+        ("FollowJointTrajectoy", "write FollowJointTrajectory"),
+    ],
+)
+def test_a_type_that_moveit_does_not_have(tmp_path: Path, kind: str, help: str) -> None:
+    text = PLUGIN + MANAGER.replace("GripperCommand", kind) + "    joints: [shoulder]\n"
+    found_in = findings_in(tmp_path, "moveit_controllers.yaml", text, "SRD028")
+    ((line, severity, message, found),) = found_in
+    assert (line, severity, message) == (5, "ERROR", naming("c", kind, "MoveIt"))
+    assert found.startswith(help)
+    assert findings_in(tmp_path, "moveit_controllers.yaml", text, "SRD029") == []
 
 
 @pytest.mark.parametrize("package", [True, False])

@@ -1,8 +1,8 @@
 """MoveIt has no controller for a trajectory: its controllers are not loaded, listed or complete.
 
 - A name in `controller_names` has no settings, which are misspelt or one level too high, or a
-  controller has no joints: MoveIt ignores it, and fails with "Unable to identify any set of
-  controllers that can actuate the specified joints".
+  controller has no joints, or a type that MoveIt does not have: MoveIt ignores it, and fails with
+  "Unable to identify any set of controllers that can actuate the specified joints".
 - The name of the controller manager is misspelt, or its section has another name: "Exception while
   loading controller manager". Or nothing names it, so that move_group does not load it (warning).
 - A controller has settings, but is not in `controller_names`; or a setting of it is misspelt
@@ -17,7 +17,7 @@ Sources:
     MoveIt, trajectory_execution_manager.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/planning/trajectory_execution_manager/src/trajectory_execution_manager.cpp
 """
 
-from urdfkit.checks.srdf.trajectories import omitted_joints
+from urdfkit.checks.srdf.trajectories import TYPES, omitted_joints, unknown_type
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
@@ -95,6 +95,11 @@ def _manager(context: Context) -> Findings:
         if "type" in entry and "joints" not in entry:
             message = f"controller '{key}' has no joints, so MoveIt ignores it"
             yield Finding(key.span, message, "list the joints that it moves")
+        if kind := unknown_type(entry):
+            message = f"controller '{key}' has the unknown type '{kind.text}', so MoveIt ignores it"
+            match = nearest(kind.text, TYPES)
+            help = f"write {match or f'{TYPES[0]}, or {TYPES[1]} for a gripper'}"
+            yield Finding(kind.span, message, help)
 
 
 def _without_manager(context: Context, srdf: Srdf) -> Findings:

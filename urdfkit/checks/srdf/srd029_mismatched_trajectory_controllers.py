@@ -16,7 +16,11 @@ Sources:
 
 from itertools import chain
 
-from urdfkit.checks.srdf.trajectories import defined_controllers, omitted_joints
+from urdfkit.checks.srdf.trajectories import (
+    defined_controllers,
+    omitted_joints,
+    unknown_type,
+)
 from urdfkit.core.grouping import by_key
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
@@ -100,7 +104,8 @@ def _undefined(
     other = next(
         (controller for controller in controllers if joints & _commanded(controller)), None
     )
-    if other is not None and joints.isdisjoint(served):
+    # With an unknown type, MoveIt ignores it (SRD028).
+    if other is not None and joints.isdisjoint(served) and not unknown_type(entry):
         help = f"write {other.name}, or define '{key}'"
         if other.type in _WITHOUT_ACTION:
             help = f"define '{key}' as a {_TRAJECTORY}: {other.type} has no action"

@@ -1,15 +1,18 @@
 """Trajectories of MoveIt: the joints in them, and the controllers of ros2_control."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import islice
 
 from urdfkit.lint.rules import Context
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.controllers import Controller, read
 from urdfkit.ros.moveit.srdf import Srdf
+from urdfkit.text.located_yaml import Node, Value
 
 #: Most files of the workspace that are read, and directories that are searched.
 _MAX_FILES, _MAX_DIRECTORIES = 500, 1000
+#: The types of controllers in MoveIt 2.
+TYPES = ("FollowJointTrajectory", "GripperCommand", "ParallelGripperCommand")
 
 
 def omitted_joints(model: RobotModel, srdf: Srdf) -> set[str]:
@@ -19,6 +22,13 @@ def omitted_joints(model: RobotModel, srdf: Srdf) -> set[str]:
     }
     elements = (*srdf.root.all("virtual_joint"), *srdf.root.all("passive_joint"))
     return joints.union(element.get("name") or "" for element in elements)
+
+
+def unknown_type(entry: Mapping[str, Node]) -> Value | None:
+    """The type of a controller of MoveIt that MoveIt 2 does not have; None if it has it."""
+    kind = entry.get("type")
+    is_known = not isinstance(kind, Value) or kind.text in TYPES or "$" in kind.text
+    return None if is_known or not isinstance(kind, Value) else kind
 
 
 def defined_controllers(context: Context, srdf: Srdf) -> Iterator[Controller]:
