@@ -236,3 +236,25 @@ def test_thousands_of_programs_do_not_search_their_file_again() -> None:
 def test_the_ros_version_of_a_program(text: str, is_ros_2: bool) -> None:
     program = StartedProgram("a", "b", (), Span(Source("a.launch", text.encode()), 0, 0), None)
     assert program.is_ros_2 is is_ros_2
+
+
+OFF = """<arg name="x" default="false"/>
+<group if="$(arg x)"><include file="$(dirname)/gone.launch"/></group>
+<include file="$(dirname)/b.launch" if="$(arg x)"/>
+<node pkg="a" type="b" name="b" if="$(arg x)"><rosparam file="$(dirname)/gone.yaml"/></node>"""
+
+
+def test_what_is_switched_off_is_read_but_not_sure(package: Path) -> None:
+    """Other values of its arguments start it; what it includes may have others, too."""
+    (package / "launch" / "b.launch").write_text('<launch><node pkg="c" type="d"/></launch>')
+    launch = read(package, OFF)
+    found = [(Path(use.path).name, use.exists) for use in launch.files]
+    assert found == [("gone.launch", False), ("b.launch", True), ("gone.yaml", False)]
+    assert [(node.key, node.is_sure) for node in launch.programs] == [("a/b", False)]
+
+
+def test_what_an_including_file_switches_off_is_not_read(package: Path) -> None:
+    (package / "launch" / "c.launch").write_text(f"<launch>{OFF}</launch>")
+    launch = read(package, '<include file="$(dirname)/c.launch"/>')
+    assert [Path(use.path).name for use in launch.files] == ["c.launch"]
+    assert not launch.programs

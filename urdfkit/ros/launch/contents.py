@@ -26,6 +26,8 @@ BRIDGE = "bridge configuration"
 POSE_GRAPH = "pose graph"
 #: Name of a configuration of RViz in messages.
 RVIZ = "RViz configuration"
+#: Name of a launch file that another one includes, in messages.
+INCLUDED = "included launch file"
 #: Name of a path whose use is unknown, in messages.
 MENTIONED = "path"
 #: Parameters of nodes that name a file, and what the file is.

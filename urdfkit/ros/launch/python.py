@@ -9,7 +9,7 @@ from itertools import filterfalse
 from urdfkit.ros.launch.collect import SIM_TIME, Collector
 from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
 from urdfkit.ros.launch.configurations import Configurations
-from urdfkit.ros.launch.contents import IncludedFile, LaunchedFile, Word, started_process
+from urdfkit.ros.launch.contents import INCLUDED, IncludedFile, LaunchedFile, Word, started_process
 from urdfkit.ros.launch.event_handlers import waits_for_unstarted, wrong_handlers
 from urdfkit.ros.launch.forwarding import file_of_action
 from urdfkit.ros.launch.launch_description import entry_point, not_started
@@ -208,7 +208,7 @@ class _PythonReader(PythonLaunchFile):
         path = self.path(node) or ""
         exists = False
         if node is not None and path:
-            exists = self.collector.file(path, self.values.span(node), "included launch file")
+            exists = self.collector.file(path, self.values.span(node), INCLUDED)
         elif node is not None and "/" in (self.values.text(node) or ""):
             self.report_relative(node, "launch file")
         self.collector.problems += self.configurations.include(call, path)

@@ -13,7 +13,14 @@ from urdfkit.ros.launch.argument_checks import (
     unknown_to_included,
 )
 from urdfkit.ros.launch.collect import SIM_TIME, Collector, frame_at
-from urdfkit.ros.launch.contents import MAX_DEPTH, MAX_INCLUDED, IncludedFile, LaunchedFile, Word
+from urdfkit.ros.launch.contents import (
+    INCLUDED,
+    MAX_DEPTH,
+    MAX_INCLUDED,
+    IncludedFile,
+    LaunchedFile,
+    Word,
+)
 from urdfkit.ros.launch.markup import YAML, parsed
 from urdfkit.ros.launch.signature import Signature, arguments_in, signature
 from urdfkit.ros.launch.tags import SCOPES, dialect, without_effect, wrong_tags
@@ -145,8 +152,8 @@ class _XmlReader(XmlLaunchFile):
         for element in parent.children:
             self._arguments.use(element, ("if", "unless"))
             if self.is_off(element):
-                # Other values of the arguments may enable it.
                 self._arguments.declare(e.get("name") or "" for e in arguments_in(element))
+                self._switched_off(element)
                 continue
             self._check(element)
             if self._is_scope(element):
@@ -159,6 +166,24 @@ class _XmlReader(XmlLaunchFile):
                 handle(element)
                 self.unknown_conditions -= is_unknown
         self._level -= 1
+
+    def _switched_off(self, element: Element) -> None:
+        """Read what other values of the arguments start, unless an including file gives them."""
+        if self.frame:
+            return
+        self.unknown_conditions += 1
+        if element.tag in ("node", "test"):
+            self._node(element)
+        elif element.tag == "include":
+            attribute = element.attributes.get("file")
+            if attribute and (path := self.path(attribute)):
+                self.collector.file(path, attribute.span, INCLUDED)
+        elif element.tag == "group" and self._level < MAX_LEVELS:
+            self._level += 1
+            for child in element.children:
+                self._switched_off(child)
+            self._level -= 1
+        self.unknown_conditions -= 1
 
     def _is_scope(self, element: Element) -> bool:
         """True for what applies to several nodes; an empty namespace does not."""
@@ -226,13 +251,12 @@ class _XmlReader(XmlLaunchFile):
                 self._check(child)
         attribute = element.attributes.get("file")
         path = self.path(attribute) if attribute else None
-        purpose = "included launch file"
         visible = self._visible(element)
         if path:
             is_sure = not self.unknown_conditions
             included = IncludedFile(path, visible, element.span, self.frame, is_sure)
             self.collector.include(included)
-        if attribute and path and self.collector.file(path, attribute.span, purpose):
+        if attribute and path and self.collector.file(path, attribute.span, INCLUDED):
             self._included(element, path, {name: word.text for name, word in visible.items()})
             return
         self.collector.not_read(path or "")
