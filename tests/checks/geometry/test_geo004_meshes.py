@@ -8,6 +8,8 @@ import pytest
 from tests import meshed
 from tests.massive import joint, shape
 from tests.naming import naming
+from tests.xacros import xacro
+from urdfkit import check
 from urdfkit.mesh import samples
 
 
@@ -61,6 +63,20 @@ def test_the_mesh_of_another_link(tmp_path: Path) -> None:
     assert found.message == naming("lower", "collision", "visual", "7%", "34%", "visual", "upper")
     assert found.help == naming("lower")
     assert found.span.text.startswith("<visual>")
+
+
+@pytest.mark.parametrize("call", ['<xacro:arm side="r"/>', ""])
+def test_the_mesh_of_a_macro_is_of_both_arms(tmp_path: Path, call: str) -> None:
+    """Dynaarm: the base of a second arm has the same visual, which is turned in both."""
+    for name, low in (("a", 0.0), ("b", -0.3)):
+        wedge = samples.box((-0.04, -0.05, low), (0.04, 0.05, low + 0.3))
+        (tmp_path / f"{name}.stl").write_bytes(samples.stl(wedge))
+    body = meshed.link(meshed.mesh("a.stl", "visual"), meshed.mesh("b.stl"), name="${side}_b")
+    text = f'<xacro:macro name="arm" params="side">{body}</xacro:macro><xacro:arm side="l"/>{call}'
+    joints = joint("l_b", "r_b", "fixed") if call else ""
+    (tmp_path / "r.urdf.xacro").write_text(xacro(text + joints))
+    (found,) = check(tmp_path / "r.urdf.xacro", select=["GEO004"]).diagnostics
+    assert "the mesh of" not in found.message
 
 
 def test_the_collision_of_another_link(tmp_path: Path) -> None:

@@ -83,7 +83,7 @@ class VisualCollisionPairs:
         """The visual or the collision with the mesh of one other link, and the name of that link.
 
         Only if it is the only one of its link whose mesh has this name: a pair of links, such as
-        wheels, has the same mesh for both.
+        wheels, has the same mesh for both. Nor is the mesh of a macro that another one, too, calls.
         """
         if len(pair.link.visuals) > 1:
             return None
@@ -93,7 +93,8 @@ class VisualCollisionPairs:
         names = [_stem(body) for body in bodies]
         for body in bodies if len(bodies) == 2 else bodies[:1]:
             users = self._users.get(body.file.value if body.file else "", {})
-            others = [link for link in users.values() if link != pair.link.name]
+            own = body.shape.at.tag_at if body.shape else None
+            others = [link for at, link in users.items() if link != pair.link.name and at != own]
             if names.count(_stem(body)) == 1 and len(others) == 1 and len(users) <= 2:
                 return body, others[0]
         return None
