@@ -169,6 +169,31 @@ def test_the_arguments_that_the_setup_assistant_was_given(
     assert bool(found) is is_reported
 
 
+@pytest.mark.parametrize(
+    ("arguments", "name", "count"),
+    [("model:=long", "tip", 0), ("model:=long", "tipp", 2), ("", "tip", 1)],
+)
+def test_the_robot_of_the_setup_assistant(
+    tmp_path: Path, arguments: str, name: str, count: int
+) -> None:
+    """OpenArm: the MoveIt package is in another repository, and has no xacro of its own."""
+    known = '<passive_joint name="wrist"/><end_effector name="e" group="hand" parent_link="base"/>'
+    setup = "config:\n  urdf:\n    package: robots\n    relative_path: r.urdf.xacro\n"
+    files = {
+        ".setup_assistant": f"{setup}    xacro_args: {arguments}\n",
+        "config/r.srdf": SRDF.replace("NAME", name).replace("</robot>", known + "</robot>"),
+    }
+    (tmp_path / ".git").mkdir()
+    robots = tmp_path / "robots"
+    robots.mkdir()
+    (robots / "package.xml").write_text("<package><name>robots</name></package>")
+    (robots / "r.urdf.xacro").write_text(ROBOT)
+    stack = tmp_path / "stack" / "arm_moveit_config"
+    text = BUILDER.replace("METHOD", "")
+    reported(stack, "SRD001", "a.launch.py", text, files)
+    assert len(check(robots, select=["SRD001"]).diagnostics) == count
+
+
 NAMED = """\
 Node(package="robot_state_publisher", executable="robot_state_publisher", parameters=[{
     "robot_description": Command(["xacro ", FindPackageShare("arm"), "/r.urdf.xacro name:=r2"])}])

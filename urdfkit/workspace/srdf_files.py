@@ -166,20 +166,29 @@ def srdf_in(directories: Iterable[str], resolver: Resolver) -> Iterator[str]:
 
 
 def _moveit_packages(robot: str, resolver: Resolver) -> Iterator[str]:
-    """The MoveIt packages next to a robot's package, also inside a directory of such packages."""
+    """The MoveIt packages next to a robot's package, also inside a directory of such packages.
+
+    Elsewhere in the workspace, those whose assistant read this robot.
+    """
     package = resolver.packages.enclosing(robot)
     parent = os.path.dirname(package[1]) if package else ""
     if package is None or not resolver.packages.searches(parent, robot):
         return  # the parent is outside of the repository
+    near = [package[1]]
     for name in resolver.directories.entries(parent) or ():
         directory = os.path.join(parent, name)
         if "moveit" not in name or directory == package[1]:
             continue
         entries = resolver.directories.entries(directory) or {}
         if "package.xml" in entries:
+            near.append(directory)
+        else:
+            near += [os.path.join(directory, inner) for inner in entries if "moveit" in inner]
+    yield from near[1:]
+    for directory in resolver.packages.known(robot).values():
+        is_elsewhere = "moveit" in os.path.basename(directory) and directory not in near
+        if is_elsewhere and setup_assistant(directory).is_for(robot, package):
             yield directory
-            continue
-        yield from (os.path.join(directory, inner) for inner in entries if "moveit" in inner)
 
 
 class SetupAssistant(Record):

@@ -214,6 +214,10 @@ ARGUMENTS = "\n    xacro_args: side:=left"
         ("arm_moveit/srdf", "", '<group name="a"><link name="bsae"/></group>', True),
         ("arm_moveit/srdf", "", '<group name="a"><link name="x"/><link name="y"/></group>', False),
         ("arm_planning/srdf", "", "", False),
+        # in another repository of the workspace
+        ("stack/arm_moveit_config/config/r", SETUP.format(""), "", True),
+        ("stack/arm_moveit_config/config/r", SETUP.replace("arm", "leg").format(""), "", False),
+        ("stack/arm_moveit_config/config/r", "", "", False),
     ],
 )
 def test_srdf_of_the_packages_of_moveit(tmp_path, place, setup, srdf, is_found):

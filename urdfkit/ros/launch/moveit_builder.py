@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
-from urdfkit.errors import UnreadableFile
+from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.collect import UNKNOWN, Collector, frame_at
 from urdfkit.ros.launch.contents import MOVEIT, PARAMETERS, FileUse, LaunchedDescription
@@ -293,13 +293,13 @@ def _robot_and_controllers(
     """
     given = _methods(call).get("robot_description")
     assisted = setup_assistant(directory).arguments
-    config, default = os.path.join(directory, "config"), None
+    default = None
     if given is not None:
         built = _described(given, directory, values)
     else:
-        default = os.path.join(config, f"{robot}.urdf.xacro") if robot else ""
+        default = _default_robot(robot, directory, values, collector)
         built = _launched(default, call, values, dict(assisted))
-    controllers = os.path.join(config, "ros2_controllers.yaml")
+    controllers = os.path.join(directory, "config", "ros2_controllers.yaml")
     if built is None:
         return
     if _MANAGER in values.source.data:
@@ -309,6 +309,19 @@ def _robot_and_controllers(
         collector.built.append((built, file))
     elif default and assisted:
         collector.built.append((built, None))
+
+
+def _default_robot(robot: str | None, directory: str, values: Values, collector: Collector) -> str:
+    """The file of the robot that no method names: of the package, otherwise of the assistant."""
+    own = os.path.join(directory, "config", f"{robot}.urdf.xacro") if robot else ""
+    setup = setup_assistant(directory)
+    if disk.is_file(own) or not setup.urdf:
+        return own
+    try:
+        package = collector.resolver.package(setup.package, values.source.path)
+    except PackageNotFound:
+        return own
+    return os.path.normpath(os.path.join(package, setup.urdf))
 
 
 def _methods(call: ast.Call) -> dict[str, ast.Call]:
