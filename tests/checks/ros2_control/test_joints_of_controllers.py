@@ -1,5 +1,7 @@
 from pathlib import Path
 
+import pytest
+
 from tests.controls import (
     GZ,
     ROBOT,
@@ -116,3 +118,29 @@ def test_a_joint_with_one_word_more_or_less(tmp_path: Path) -> None:
         reported(tmp_path, arm + controller("l", joints="[swing_joint]")) == []
     )  # swing is driven
     assert reported(tmp_path, arm + controller("l", joints="[slidebar]")) == []
+
+
+@pytest.mark.parametrize(
+    ("driven", "joint", "count"),
+    [
+        ("abc", "elbow", 1),
+        ("ab", "elbow", 0),  # two joints have no controller
+        ("abc", "elbow, wrist", 0),
+        ("abcd", "elbow", 0),  # each has one
+    ],
+)
+def test_the_only_joint_without_a_controller(
+    tmp_path: Path, driven: str, joint: str, count: int
+) -> None:
+    """Of ROBOTIS OP3, each of the twenty joints has a controller of its own."""
+    links = "".join(f'<link name="{name}_link"/>' for name in "abcd")
+    joints = "".join(
+        f'<joint name="{name}" type="continuous"><parent link="base"/>'
+        f'<child link="{name}_link"/></joint>'
+        for name in "abcd"
+    )
+    arms = "".join(controller(f"{name}_controller", joints=f"[{name}]") for name in driven)
+    text = arms + controller("last", joints=f"[{joint}]")
+    robot = f'<link name="base"/>{links}{joints}'
+    found = reported_with_file("RCT001", tmp_path, text, "", robot)
+    assert [one.message for one in found] == [naming("last", "unknown", "elbow", "d")] * count

@@ -6,12 +6,13 @@
 - A transmission of ROS 1: the whole hardware of gazebo_ros_control fails, so that no joint moves.
 - A controller in a parameter file: it cannot be activated ("not in the list of available
   interfaces"). A controller without any joint of the robot is assumed to belong to another variant
-  if other controllers fit, or if the names differ only in a prefix. A file of many joints, none of
-  which the robot has, is one finding: it is for another robot. So is the file of a robot that
-  launch files start, if they do not start this one (a warning). A joint that an argument of the
-  robot disables is not reported: nothing may start the controller. A warning in ROS 1, where
-  hardware may use other names, unless the hardware is a Gazebo plugin and the controller has other
-  joints of the robot or a misspelt one.
+  if other controllers fit, or if the names differ only in a prefix; but not if the others drive
+  all joints of the robot except one. A file of many joints, none of which the robot has, is one
+  finding: it is for another robot. So is the file of a robot that launch files start, if they do
+  not start this one (a warning). A joint that an argument of the robot disables is not reported:
+  nothing may start the controller. A warning in ROS 1, where hardware may use other names, unless
+  the hardware is a Gazebo plugin and the controller has other joints of the robot or a misspelt
+  one.
 
 Correct the name.
 
@@ -37,6 +38,7 @@ from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.lint.switched_off import is_switched_off
 from urdfkit.robot.assets.file_names import is_mistyped
+from urdfkit.robot.joint_limits import can_move
 from urdfkit.robot.samples import robot_xml
 from urdfkit.robot.symmetry import pairs
 from urdfkit.ros.controllers import Controller, ParameterFile
@@ -185,13 +187,15 @@ def _controller_joints(context: Context) -> Findings:
         if other:
             yield other
             continue
-        free = known - {joint.text for use in of_file for joint in use.joints}
+        used = {joint.text for use in of_file for joint in use.joints}
+        free = known - used
+        rest = _only_free(context, used, known)
         unknown: list[str] = []
         found: list[Finding] = []
         for use in of_file:
             is_of_robot = use.fits or _is_broadcaster_of_robot(use, uses)
             for joint in _unknown_to_robot(use, known, context, is_of_robot=is_of_robot):
-                hint = _hint(joint.text, use, suggester, free)
+                hint = _hint(joint.text, use, suggester, free) or hint_for(rest)
                 is_likely = is_of_robot or bool(hint)
                 if is_likely or not is_fitting:
                     unknown.append(joint.text)
@@ -210,6 +214,14 @@ def _of_started_robot(file: ParameterFile, unknown: list[str], robot: str) -> Fi
         "name a parameter file with the joints of this robot",
         severity=Severity.WARNING,
     )
+
+
+def _only_free(context: Context, used: set[str], known: set[str]) -> str:
+    """The joint without a controller, if all others that move have one; for the unknown joint."""
+    joints = [joint for joint in context.model.joints if can_move(joint) and joint.mimic is None]
+    free = [joint.name for joint in joints if joint.name not in used]
+    is_whole = len(joints) >= _MANY and len(free) == len(used - known) == 1
+    return free[0] if is_whole else ""
 
 
 def _hint(name: str, use: _Use, suggester: Suggester, free: set[str]) -> str:
