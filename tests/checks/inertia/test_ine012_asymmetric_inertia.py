@@ -67,6 +67,41 @@ def test_names_alone_make_no_pairs() -> None:
     assert messages("INE012", robot) == []
 
 
+@pytest.mark.parametrize(
+    ("mass", "moments", "count", "expected"),
+    [
+        (0.93, MOMENTS, 4, naming("right_a", "0.93 kg", "left_a", "0.39 kg", "2.38")),
+        (0.36, MOMENTS, 4, naming("right_a", "0.36 kg", "left_a", "0.39 kg", "1.08", "all other")),
+        (
+            0.39,
+            (2.2e-6, 2e-6, 1e-6),
+            4,
+            naming(
+                "right_a",
+                "1e-06, 2e-06, 2.2e-06 kg·m²",
+                "left_a",
+                "1e-06, 2e-06, 2e-06 kg·m²",
+                "all other",
+            ),
+        ),
+        (0.36, MOMENTS, 3, ""),
+        (0.389, MOMENTS, 4, ""),
+    ],
+)
+def test_the_only_pair_that_differs(
+    mass: float, moments: tuple[float, ...], count: int, expected: str
+) -> None:
+    """A digit of one foot of ROBOTIS OP3, whose other nine pairs are equal."""
+    text = link("base")
+    for name in "abcde"[: count + 1]:
+        left, right = f"left_{name}", f"right_{name}"
+        own = inertial(mass, moments) if name == "a" else inertial(0.39, MOMENTS)
+        text += link(left, inertial(0.39, MOMENTS)) + link(right, own)
+        text += joint("base", left, "revolute", "0 0.1 0")
+        text += joint("base", right, "revolute", "0 -0.1 0")
+    assert messages("INE012", text) == [expected] * bool(expected)
+
+
 TENSOR = (0.01, 0.001, 0.0008, 0.01, 0.001, 0.008)
 #: ixy and iyz have the other sign.
 IMAGE = (0.01, -0.001, 0.0008, 0.01, -0.001, 0.008)
@@ -103,6 +138,22 @@ def test_one_wrong_sign(tensor: tuple[float, ...], center: str, wrong: str, valu
     found = messages("INE012", leg_pairs((IMAGE, CENTER), (IMAGE, CENTER), (tensor, center)))
     expected = [naming("right_leg_c", wrong, value, "left_leg_c")] if wrong else []
     assert found == expected
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_the_center_that_is_outside_of_its_shapes(side: str) -> None:
+    """A foot of ROBOTIS OP3: the counterpart that has its centre in its box is the right one."""
+    text = leg_pairs(*[(IMAGE, CENTER)] * 3)
+    sides = {"left": ("0.01 0.02 -0.1", "0.01 -0.02 -0.1"), "right": (CENTER, "0.01 0.02 -0.1")}
+    before, name, after = text.partition(f'<link name="{side}_leg_c">')
+    text = before + name + after.replace(*sides[side], 1)
+    shape = '<visual><origin xyz="0.01 {} -0.1"/>'
+    shape += '<geometry><box size="0.1 0.03 0.1"/></geometry></visual>'
+    for name, y in (("left", "0.02"), ("right", "-0.02")):
+        inside = f'<link name="{name}_leg_c">'
+        text = text.replace(inside, inside + shape.format(y))
+    (found,) = reported("INE012", text)
+    assert f"'{side}_leg_c': y of the" in found.message
 
 
 def test_copies_have_no_wrong_sign() -> None:

@@ -1,7 +1,8 @@
 """A link and its left/right counterpart differ in mass, inertia or centre of mass.
 
 Mirror images have the same mass and the same principal moments. If one side has clearly more, a
-decimal point is misplaced, or only one side was edited. The robot pulls to one side, and a
+decimal point is misplaced, or only one side was edited; also if one pair of five or more is the
+only one that differs, by 2 % or more. The robot pulls to one side, and a
 controller tuned for one hand oscillates with the other. Compare the two, and give both the right
 value.
 
@@ -10,7 +11,8 @@ all others, three or more.
 
 In the plane y = 0 of the root, the mirror image of a link has the y of its centre of mass, ixy and
 iyz with the other sign. One that would be the mirror image of its counterpart with another sign is
-reported if all other pairs are mirror images. Weights that balance the robot may differ.
+reported if all other pairs are mirror images: of two centres of mass, the one that is outside the
+shapes. Weights that balance the robot may differ.
 
 Sources:
     robotology/icub-models#269: https://github.com/robotology/icub-models/issues/269
@@ -26,6 +28,7 @@ from urdfkit.core.spatial import Transform, Vector, rotate, vector
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.fingers import odd_one, series
 from urdfkit.robot.inertia import principal_moments, rotated
+from urdfkit.robot.inertials.defects import distance_outside
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import Masses, unlike
 from urdfkit.robot.inertials.tensor_text import format_moments
@@ -44,7 +47,7 @@ _BALANCES = r"(?i)ballast|counter_?weight|trim"
 #: Tolerance of the positions of mirrored links, in m.
 _MAX_OFFSET = 1e-3
 #: Part of the largest moment that a product of inertia differs by at most, and must have to count.
-_TOLERANCE, _LEAST_PRODUCT = 0.02, 0.04
+_TOLERANCE, _LEAST_PRODUCT = 0.02, 0.025
 #: Part of a product that it differs by at most.
 _PRODUCT_TOLERANCE = 0.1
 #: The same for a coordinate of a centre of mass, in m.
@@ -68,10 +71,12 @@ _TURNED = frozenset(("ixy", "iyz", "y"))
 )
 def check(context: Context) -> Findings:
     for left, right in context.masses.asymmetric_pairs:
-        if unlike(left, right) != "mass":
-            yield _of_inertia(left, right)
+        is_clear = unlike(left, right)
+        reason = "" if is_clear else "; all other counterparts are alike"
+        if (is_clear or unlike(left, right, 1.0, 1.0)) != "mass":
+            yield _of_inertia(left, right, reason)
         elif not re.search(_BALANCES, left.link.name):
-            yield _of_mass(left, right)
+            yield _of_mass(left, right, reason)
     for wrong in _wrong_signs(context.masses):
         yield _of_sign(wrong)
     yield from _odd_fingers(context.masses)
@@ -96,25 +101,25 @@ def _odd_fingers(masses: Masses) -> Findings:
             )
 
 
-def _of_mass(left: LinkInertia, right: LinkInertia) -> Finding:
+def _of_mass(left: LinkInertia, right: LinkInertia, reason: str) -> Finding:
     assert left.inertial.mass is not None
     assert right.inertial.mass is not None
     ratio = max(left.mass, right.mass) / min(left.mass, right.mass)
     return Finding(
         right.inertial.mass,
         f"link '{right.link.name}' has {right.mass:g} kg, its counterpart '{left.link.name}' "
-        f"{left.mass:g} kg: a factor of {ratio:.3g}",
+        f"{left.mass:g} kg: a factor of {ratio:.3g}{reason}",
         related=(Related(left.inertial.mass.span, f"'{left.link.name}' has {left.mass:g} kg"),),
         weight=ratio,
     )
 
 
-def _of_inertia(left: LinkInertia, right: LinkInertia) -> Finding:
+def _of_inertia(left: LinkInertia, right: LinkInertia, reason: str) -> Finding:
     return Finding(
         right.at,
         f"link '{right.link.name}' has principal moments of inertia of "
         f"{format_moments(right.moments)}, its counterpart '{left.link.name}' of the same mass "
-        f"{format_moments(left.moments)}",
+        f"{format_moments(left.moments)}{reason}",
         related=(Related(left.at.span, f"the inertia of '{left.link.name}'"),),
     )
 
@@ -145,10 +150,11 @@ class _WrongSign(Record):
 def _wrong_signs(masses: Masses) -> Iterator[_WrongSign]:
     """The places with a wrong sign, if each is the only one of its kind in a robot."""
     mirrored = [pair for pair in masses.symmetric_pairs if _are_mirrored(masses, *pair)]
-    for find in (_product, _center):
+    ordered = [sorted(pair, key=distance_outside) for pair in mirrored]
+    for find, counterparts in ((_product, mirrored), (_center, ordered)):
         found: list[_WrongSign] = []
         consistent: list[frozenset[str]] = []
-        for left, right in mirrored:
+        for left, right in counterparts:
             frames = masses.tree.frames[left.name], masses.tree.frames[right.name]
             result = find(left, right, *frames)
             if not isinstance(result, _WrongSign):

@@ -18,7 +18,8 @@ by mirrored positions on one link, and are on different branches.
   place, or one is further forward or higher, a sign is missing: the robot stands on three wheels.
   The other joints on that link show which counterpart is misplaced, otherwise left is +y. In the
   zero pose, a pair is reported as well if it is the only one of several pairs that is not a mirror
-  image, also one that is fixed to movable counterparts, such as a foot. Of four casters, the one
+  image, also one that is fixed to movable counterparts, such as a foot; where four or more pairs
+  are exact, a millimetre in one number suffices. Of four casters, the one
   that is not at the height or distance of the other three is.
 - Fingers: one of at least four has five times the effort or velocity of all others, or a fifth, a
   position limit with another sign or decimal point, the opposite axis for the same limits, or a

@@ -37,6 +37,9 @@ _MAX_COSINE = 0.5
 #: Least number of symmetric pairs next to one that is not symmetric.
 _SYMMETRIC_PAIRS = 2
 
+#: Least number of exact pairs next to one that differs in one number, by this distance in m.
+_EXACT_PAIRS, _OTHER_NUMBER = 4, 1e-3
+
 
 class _Pair(Record):
     """Movable counterparts, and the offset of the second from the first's mirror image.
@@ -259,6 +262,8 @@ def _asymmetric(
         above = 0.0 if is_shared else known.get(pair.right.parent_name, 0.0)
         if pair.distance > _ASYMMETRY >= above and pair.right.child_name not in compensated:
             asymmetric.append(pair)
+    if single := _with_another_number(movable) if counterparts == movable else None:
+        return [single]
     exact = sum(pair.distance <= TOLERANCE for pair in all_pairs)
     others = [pair.distance for pair in all_pairs if pair.distance <= _ASYMMETRY]
     is_single = len(asymmetric) == 1 and asymmetric[0].distance >= _MIN_RATIO * max(
@@ -275,6 +280,25 @@ def _asymmetric(
         or (exact and _has_copied_offset(pair, context, joints))
         or (is_single and exact > _SYMMETRIC_PAIRS and _has_copied_origin(pair, context))
     ]
+
+
+def _with_another_number(movable: list[_Pair]) -> _Pair | None:
+    """The pair that alone is not symmetric, because its origins differ in one number.
+
+    Pairs below it are moved with it, unless they make up for it.
+    """
+    moved = [pair for pair in movable if pair.distance > TOLERANCE]
+    below = {pair.right.child_name for pair in moved}
+    first = [pair for pair in moved if pair.right.parent_name not in below]
+    exact = [pair for pair in movable if pair not in moved]
+    if len(first) != 1 or len(exact) < _EXACT_PAIRS:
+        return None
+    (pair,) = first
+    sizes = [[abs(part) for part in place] for place in _places(pair.left, pair.right)]
+    *equal, other = sorted(abs(a - b) for a, b in zip(*sizes, strict=True))
+    is_compensated = any(pair.right.child_name == after.right.parent_name for after in exact)
+    is_typo = max(equal) <= TOLERANCE and other >= _OTHER_NUMBER
+    return pair if is_typo and not is_compensated else None
 
 
 def _has_copied_offset(pair: _Pair, context: Context, joints: Mapping[str, list[Joint]]) -> bool:

@@ -194,6 +194,13 @@ def center_is_outside(link: LinkInertia) -> float | None:
     return None
 
 
+def distance_outside(link: LinkInertia) -> float:
+    """Distance of the centre of mass from the box of the shapes, in m; 0 inside, or if unknown."""
+    if not link.is_measured or link.solid is None:
+        return 0.0
+    return _outside(link.inertial.origin.position, link.bounds)
+
+
 def center_mistake(link: LinkInertia) -> str:
     """The mistake that explains a centre of mass outside the shapes: a predicate on the centre."""
     center, bounds = link.inertial.origin.position, link.bounds

@@ -24,6 +24,9 @@ MAX_MASS_RATIO = 1.5
 #: Largest ratios of mass and moments between counterparts: real parts are not quite symmetric.
 PAIR_MASS, PAIR_MOMENTS = 1.2, 1.5
 
+#: The same for the only pair that differs, where at least so many pairs are equal but for rounding.
+_ONLY_PAIR, _EQUAL, _EQUAL_PAIRS = 1.02, 1.001, 4
+
 #: This many links of implausible density, if most of the known ones, have a common cause.
 COMMON_CAUSE = 3
 
@@ -185,7 +188,10 @@ class Masses:
 
     @cached_property
     def asymmetric_pairs(self) -> list[tuple[LinkInertia, LinkInertia]]:
-        """Pairs with clearly different mass or moments, without another defect."""
+        """Pairs with clearly different mass or moments, without another defect.
+
+        Also the only pair that differs noticeably, if the others are equal.
+        """
         wrong = {link.name for link in self._defective}
         wrong |= {name for body in self.without_inertia for name in body.names}
         return [
@@ -193,8 +199,15 @@ class Masses:
             for left, right in self.symmetric_pairs
             if wrong.isdisjoint((left.name, right.name))
             and any(link.mass >= SIGNIFICANT_PART * link.body.mass for link in (left, right))
-            and unlike(left, right)
+            and (unlike(left, right) or (left, right) == self.only_unequal_pair)
         ]
+
+    @cached_property
+    def only_unequal_pair(self) -> tuple[LinkInertia, LinkInertia] | None:
+        """The pair that alone differs in mass or moments; None if there are few others."""
+        unequal = [pair for pair in self.symmetric_pairs if unlike(*pair, _EQUAL, _EQUAL)]
+        is_only = len(unequal) == 1 and len(self.symmetric_pairs) > _EQUAL_PAIRS
+        return unequal[0] if is_only and unlike(*unequal[0], _ONLY_PAIR, _ONLY_PAIR) else None
 
     @cached_property
     def shared_by_macro(self) -> dict[Tag, list[Link]]:
@@ -231,15 +244,20 @@ class Masses:
         ]
 
 
-def unlike(left: LinkInertia, right: LinkInertia) -> str:
+def unlike(
+    left: LinkInertia,
+    right: LinkInertia,
+    mass_ratio: float = PAIR_MASS,
+    moment_ratio: float = PAIR_MOMENTS,
+) -> str:
     """The property that differs between two links: ``mass``, ``inertia``, or empty."""
     light, heavy = sorted((left.mass, right.mass))
-    if heavy > PAIR_MASS * light:
+    if heavy > mass_ratio * light:
         return "mass"
     noticeable = SIGNIFICANT_PART * max(left.moments[2], right.moments[2])
     for a, b in zip(left.moments, right.moments, strict=True):
         low, high = sorted((a, b))
-        if high > PAIR_MOMENTS * max(low, noticeable):
+        if high > moment_ratio * max(low, noticeable):
             return "inertia"
     return ""
 
