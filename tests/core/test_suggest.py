@@ -195,6 +195,23 @@ def test_a_name_with_another_namespace(word: str, suggested: str) -> None:
     assert Suggester(known).suggested(word) == suggested
 
 
+@pytest.mark.parametrize(
+    ("word", "suggested"),
+    [
+        ("wheel_left_joint", "left_wheel_joint"),
+        ("joint_1", "joint1"),
+        ("RightArm", "right_arm"),
+        ("right_left_finger", ""),  # of the other hand
+        ("finger_2_1", ""),
+        ("wheel_joint", ""),
+    ],
+)
+def test_a_name_with_equal_words(word: str, suggested: str) -> None:
+    known = ["left_wheel_joint", "joint1", "joint2", "right_arm"]
+    known += ["left_right_finger", "finger_1_2"]
+    assert Suggester(known).suggested(word) == suggested
+
+
 def test_a_name_with_a_space_is_not_suggested() -> None:
     assert Suggester(["tool0 ", "tool 0"]).suggested("tool0") == ""
 

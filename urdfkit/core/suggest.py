@@ -223,6 +223,8 @@ class Suggester:
         """The known name; a common namespace does not make names similar."""
         if known := self._in_another_namespace(word) or self._with_kind(word):
             return known
+        if known := self._with_equal_words(word):
+            return known
         space, slash, name = word.rpartition("/")
         space += slash
         inside = [known.removeprefix(space) for known in self._known if known.startswith(space)]
@@ -235,6 +237,17 @@ class Suggester:
         """The known name that has the kind of thing as a further word: ``lidar_link``."""
         names = (f"{word}_{kind}" for kind in ("link", "frame", "joint"))
         return next((name for name in names if name in self._known), "")
+
+    def _with_equal_words(self, word: str) -> str:
+        """The only known name with the words in another order, or parted otherwise.
+
+        As ``wheel_left_joint`` for ``left_wheel_joint``, and ``joint_1`` for ``joint1``.
+        """
+        for key in (_letters, _sorted_words):
+            equal = [known for known in self._known if key(known) == key(word)]
+            if len(equal) == 1:
+                return equal[0]
+        return ""
 
     def _in_another_namespace(self, word: str) -> str:
         """The only known name that differs in its namespace alone; empty if there is none."""
@@ -284,6 +297,15 @@ def _has_another_word(word: str, other: str) -> bool:
 def _words(name: str) -> set[str]:
     parts = name.split("_") if name.islower() or name.isupper() else re.findall(_WORD, name)
     return {part.casefold() for part in parts}
+
+
+def _letters(name: str) -> str:
+    return re.sub(r"[-_]", "", name).casefold()
+
+
+def _sorted_words(name: str) -> tuple[list[str], list[str]]:
+    """The words of a name; sides and numbers keep their order, which tells siblings apart."""
+    return sorted(name.casefold().split("_")), _sides(name)
 
 
 def _numbers(sides: list[str]) -> list[str]:
