@@ -361,3 +361,18 @@ def test_the_file_of_the_same_stem_instead_of_a_missing_one(tmp_path: Path) -> N
         (tmp_path / file).touch()
     (problem,) = run(tmp_path, '<xacro:include filename="dg4f.xacro"/>').problems
     assert problem.help == "create it, or correct the path; available: dg4f.urdf"
+
+
+@pytest.mark.parametrize(
+    ("expression", "help"),
+    [
+        ("1 = 1", "write =="),
+        ("a &amp;&amp; b", "and"),
+        ("!a", "not"),
+        ("a ? 1 : 2", "if"),
+        ("1 +", "valid"),
+    ],
+)
+def test_operators_of_other_languages(tmp_path: Path, expression: str, help: str) -> None:
+    (problem,) = run(tmp_path, f'<a b="${{{expression}}}"/>').problems
+    assert help in problem.help

@@ -66,6 +66,8 @@ class Finding(Record):
     severity: Severity | None = None  # overrides the severity of the rule, for all targets
     #: Targets for which the finding has this severity; empty if it does not depend on them.
     targets: tuple[str, ...] = ()
+    #: True if the name of an attribute is wrong, whatever its value, which a YAML file may hold.
+    is_about_name: bool = False
     #: Places in data files of the values that expressions yield; set by the runner.
     data: DataPlaces | None = None
 

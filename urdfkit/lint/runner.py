@@ -181,7 +181,7 @@ class _RuleRun:
 
     def _with_data(self, finding: Finding) -> Finding:
         """A finding with the places in data files of its values."""
-        if finding.node is None:
+        if finding.node is None or finding.is_about_name:
             return finding
         return finding._replace(data=self.context.data_places(finding.node))
 

@@ -136,6 +136,13 @@ def is_expression(text: str) -> bool:
     return "${" in text or "$(" in text
 
 
+def _is_only_unknown(shape: Element, grammar: Grammar) -> bool:
+    """True for a shape with one unknown attribute."""
+    unknown = [name for name in shape.attributes if name not in grammar.attributes]
+    is_shape = shape.parent is not None and shape.parent.tag == "geometry"
+    return is_shape and len(unknown) == 1 and is_number(shape.attributes[unknown[0]].value)
+
+
 def _is_attribute(child: Element, element: Element, grammar: Grammar) -> bool:
     """True for the ``<size>`` of a ``<box>``: URD003 reports the missing attribute instead."""
     rule = grammar.attributes.get(child.tag)
@@ -209,8 +216,10 @@ class _Walk:
                 break
             free = [key for key in grammar.attributes if element.get(key) is None]
             suggested = nearest(name, free) or nearest(name, foreign, CLOSE_TYPO) or ""
-            if not suggested and missing and missing == list(grammar.attributes):
-                suggested = missing[0]  # <parent value="base"/>: it has one attribute
+            # <parent value="base"/> has one attribute, <cylinder radius="1" height="2"/> one more.
+            is_other = missing == list(grammar.attributes) or _is_only_unknown(element, grammar)
+            if not suggested and len(missing) == 1 and is_other:
+                suggested = missing[0]
             if suggested in missing:
                 missing = [key for key in missing if key != suggested]
                 self._add("URD003", element, attribute, suggested, suggested)

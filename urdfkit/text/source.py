@@ -20,6 +20,8 @@ STANDARD_INPUT = "<stdin>"
 
 # Compiled when needed: each pattern takes 0.1 ms of the 40 ms of an ordinary check.
 _DECLARED = rb"""^\s*<\?xml[^>]*?\bencoding\s*=\s*["']([A-Za-z0-9._-]+)["']"""
+#: Encodings of more than a byte per character, in which a declaration in ASCII is wrong.
+WIDE = ("utf-16", "utf16", "utf-32", "utf32", "ucs-2", "ucs-4", "iso-10646-ucs")
 #: Codecs of Python that are not encodings of XML; some take quadratic time.
 _NON_XML_CODECS = frozenset("idna punycode raw_unicode_escape undefined unicode_escape".split())
 _BYTE_ORDER_MARKS = (
@@ -102,6 +104,11 @@ class Source:
             head = data[:200]
             if b"encoding" in head and (declared := re.match(_DECLARED, head)):
                 self.encoding = declared.group(1).decode("ascii").lower()
+                if self.encoding.startswith(WIDE):
+                    # The declaration would not be legible. Bytes of the true encoding follow.
+                    other = re.search(rb"[^\0-\x7f]", data)
+                    self.undecodable = other.start() if other else 0
+                    return _ascii_only(data)
         if self.encoding in ("utf-8", "utf8", "us-ascii", "ascii"):
             try:
                 data.decode("utf-8")

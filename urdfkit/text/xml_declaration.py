@@ -5,7 +5,7 @@ from xml.parsers import expat
 
 from urdfkit.text.comments import blank_comments, without_comments
 from urdfkit.text.diagnostic import Edit, Fix, Problem, Severity
-from urdfkit.text.source import Source, Span
+from urdfkit.text.source import WIDE, Source, Span
 
 # Compiled when needed, which is rare.
 _DECLARATION = rb"<\?xml[\s?][^>]*\?>|<\?xml\?>"
@@ -43,6 +43,12 @@ def _undecodable(source: Source, start: int) -> Problem:
     if declared is None:
         message = f"this byte is not {source.encoding}, the default encoding of XML"
         return Problem("XML002", at, message)
+    if source.encoding.startswith(WIDE):
+        at = Span(source, *declared.span(1))
+        message = f"the file declares {source.encoding}, but has one byte for a character"
+        is_ascii = source.undecodable == 0  # otherwise the text is not what the file holds
+        fix = Fix('write encoding="UTF-8"', (Edit(at, "UTF-8"),), safe=True) if is_ascii else None
+        return Problem("XML002", at, message, 'write encoding="UTF-8"', fix=fix)
     try:
         "".encode(source.encoding)
     except (LookupError, UnicodeError):  # UnicodeError by the codec 'undefined'

@@ -33,6 +33,14 @@ _UNCLOSED = re.compile(r"invalid expression: (\$[{(].*)", re.DOTALL)
 _MAX_TEXT = 40
 
 
+#: Operators of other languages in an expression, and those of Python.
+_SIGNS = (
+    (r"&&|\|\|", "write and, or, not: && and || are not Python"),
+    (r"!(?!=)", "write not: ! is not Python"),
+    (r"(?<![=!<>:])=(?!=)", "write == to compare"),
+    (r"\?.*:", "write A if CONDITION else B: ? and : are not Python"),
+)
+
 #: How xacro's error for a reserved name begins.
 _DUNDER = "Property names must not start with double underscore"
 
@@ -52,7 +60,9 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
         reason, _, help = why_unreadable(path, cause).partition("; ")
         return MessageText(f"{shown(path)}: {reason}", help)
     if isinstance(cause, SyntaxError):
-        return MessageText(f"not an expression: {cause.msg}", "write a valid Python expression")
+        help = next((help for sign, help in _SIGNS if re.search(sign, cause.text or "")), "")
+        help = help or "write a valid Python expression"
+        return MessageText(f"not an expression: {cause.msg}", help)
     if isinstance(cause, BrokenYaml):
         where = cause.span.source.path
         return MessageText(f"{where} is not valid YAML: {cause.reason}", "correct the file")

@@ -132,6 +132,18 @@ def test_a_model_has_one_finding():
     assert found.message == naming("first", "<gz_frame_id>", "1")
 
 
+@pytest.mark.parametrize(("value", "severity"), [("true", "INFO"), ("false", "WARNING")])
+def test_a_publisher_of_the_poses_of_sensors(value: str, severity: str) -> None:
+    """VRX turns them into transforms, so that TF has Gazebo's own names."""
+    publisher = '<plugin name="gz::sim::systems::PosePublisher" '
+    publisher += 'filename="gz-sim-pose-publisher-system">'
+    publisher += f"<publish_sensor_pose>{value}</publish_sensor_pose></plugin>"
+    robot = BASE + f'<gazebo>{publisher}</gazebo><gazebo reference="base">'
+    robot += '<sensor name="s" type="imu"/></gazebo>'
+    (found,) = reported("GAZ058", robot, targets=("ros2", "gz-harmonic"))
+    assert found.severity is Severity[severity]
+
+
 def test_a_contact_sensor_needs_no_frame():
     assert findings("GAZ058", "contact", targets=("gz-harmonic",)) == []
 

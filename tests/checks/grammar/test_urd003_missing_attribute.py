@@ -90,6 +90,34 @@ def test_another_name_for_it_is_offered_as_the_fix() -> None:
     assert '<mesh filename="a.stl"/>' in fixed("URD003", robot)
 
 
+@pytest.mark.parametrize(
+    ("shape", "count"),
+    [
+        ('<cylinder radius="1" height="2"/>', 1),
+        ('<cylinder radius="1" height="2" axis="3"/>', 0),
+        ('<cylinder height="2"/>', 0),
+        ('<cylinder radius="1" note="of steel"/>', 0),
+    ],
+)
+def test_the_only_unknown_number_of_a_shape(shape: str, count: int) -> None:
+    robot = f'<link name="a"><visual><geometry>{shape}</geometry></visual></link>'
+    named = [message for message in messages("URD003", robot) if "height" in message]
+    assert named == [naming("a", "<cylinder>", "length", "unknown", "height")] * count
+    assert ('length="2"' in fixed("URD003", robot)) is bool(count)
+
+
+def test_a_name_whose_value_is_in_a_yaml_file(tmp_path: Path) -> None:
+    loaded = "${xacro.load_yaml('a.yaml')}"
+    shape = '<cylinder radius="1" height="${a.h}"/>'
+    (tmp_path / "a.yaml").write_text("h: 2\n")
+    (tmp_path / "r.xacro").write_text(
+        f'<robot name="r" {NAMESPACE}><xacro:property name="a" value="{loaded}"/>\n'
+        f'<link name="a"><visual><geometry>\n{shape}</geometry></visual></link></robot>'
+    )
+    (found,) = check(tmp_path / "r.xacro", select=["URD003"]).diagnostics
+    assert (found.span.source.path, found.span.line) == (str(tmp_path / "r.xacro"), 3)
+
+
 def test_the_place_is_the_robot() -> None:
     assert places("URD003", '<?xml version="1.0"?>\n<robot><link name="a"/></robot>') == [
         (2, "<robot>")

@@ -144,3 +144,11 @@ def test_one_number_scales_a_mesh_in_drake() -> None:
     assert reported("URD005", robot.format("0.001"), targets=("drake",)) == []
     assert len(reported("URD005", robot.format("0.001"), targets=("drake", "ros2"))) == 1
     assert len(reported("URD005", robot.format("1 2"), targets=("drake",))) == 1
+
+
+def test_a_decimal_comma_in_an_expression() -> None:
+    robot = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"><inertial>'
+    robot += '<mass value="${2*0,9}"/></inertial></link></robot>'
+    (found,) = reported("URD005", robot, "robot.xacro")
+    assert found.message == naming("a", "<mass>", "(0, 9)", "decimal comma")
+    assert "decimal point" in found.help

@@ -33,6 +33,15 @@ def test_the_axis_or_the_shape_lies_across() -> None:
     assert messages("JNT033", robot(rpy="0 0 0"))
 
 
+@pytest.mark.parametrize("name", ["left_propeller", "prop_1", "rotor2"])
+def test_a_propeller_across_its_disc(name: str) -> None:
+    """The propellers of a WAM-V, whose disc lies across the boat."""
+    (message,) = messages("JNT033", robot("0 0 1", "0 1.5708 0", name))
+    assert message == naming("j", name, "0 0 1", "collision", "1 0 0")
+    assert messages("JNT033", robot("1 0 0", "0 1.5708 0", name)) == []
+    assert messages("JNT033", robot("0 0 1", "0 1.5708 0", "proposal")) == []
+
+
 @pytest.mark.parametrize(
     "sound",
     [

@@ -29,6 +29,20 @@ def test_an_encoding_that_does_not_exist() -> None:
     assert found.message == naming("encoding", "klingon")
 
 
+@pytest.mark.parametrize("encoding", ["UTF-16", "utf-16le", "UTF-32"])
+def test_one_byte_for_a_character(encoding: str) -> None:
+    """A declaration of an editor that saves in UTF-8."""
+    data = f'<?xml version="1.0" encoding="{encoding}"?>\n<robot name="r"><link name="a"/></robot>'
+    (found,) = reported("XML", data.encode())
+    assert found.code == "XML002"
+    assert found.span.text == encoding
+    assert found.message == naming(encoding.lower())
+    assert found.fix
+    assert [edit.text for edit in found.fix.edits] == ["UTF-8"]
+    (found,) = reported("XML002", data.replace('"a"', '"größe"').encode())
+    assert found.fix is None
+
+
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-32", "utf-16-le", "utf-16-be"])
 def test_utf_16_which_urdfdom_refuses(encoding: str) -> None:
     (found,) = reported("XML002", ROBOT.encode(encoding))

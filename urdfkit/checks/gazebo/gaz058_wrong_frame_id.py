@@ -12,7 +12,7 @@ A sensor of gz-sim without a frame publishes a name of Gazebo's own, such as
 versions read. Only Fortress reads `<ignition_frame_id>`, too, and only Gazebo from Ionic on (Jetty)
 reads `<frame_id>`. Images of a camera have the frame in the `<optical_frame_id>` of `<camera>`,
 except in Jetty, which no longer reads it. Without ROS there is no TF, and a missing frame is an
-info.
+info; so it is if a PosePublisher publishes the poses of the sensors under these names.
 
 Sources:
     REP 105, frames: https://www.ros.org/reps/rep-0105.html
@@ -54,6 +54,7 @@ _READ = {
 }
 #: Types of sensors whose images have the frame in the ``<optical_frame_id>`` of ``<camera>``.
 _OPTICAL = ("camera", "depth", "depth_camera", "rgbd", "rgbd_camera")
+_POSES = "gz-sim-pose-publisher-system@gz"
 #: Parts of the names of frames and parameters that are not links of the robot.
 _ELSEWHERE = ("odom", "map", "world", "earth", "utm")
 
@@ -153,7 +154,8 @@ def _missing(context: Context) -> Findings:
     tags = _given(first)
     lack = f"has only <{tags[0]}> as its frame" if tags else "has no <gz_frame_id>"
     is_for_ros = any(names.any_of(ROS) for names in (targets, context.inferred_targets))
-    readers_for_ros = targets.among(_READ) if is_for_ros else ()
+    is_published = any(map(_publishes_sensors, context.plugins))
+    readers_for_ros = targets.among(_READ) if is_for_ros and not is_published else ()
     yield Finding(
         first.at,
         f"{first.who} {lack}{more_like_this(len(without) - 1)}",
@@ -161,6 +163,12 @@ def _missing(context: Context) -> Findings:
         severity=Severity.WARNING if readers_for_ros else Severity.INFO,
         targets=readers_for_ros,
     )
+
+
+def _publishes_sensors(use: PluginUse) -> bool:
+    """True for a plugin that publishes the poses of the sensors under Gazebo's own names."""
+    is_publisher = use.plugin is not None and use.plugin.id == _POSES
+    return is_publisher and use.value("publish_sensor_pose").lower() in ("true", "1")
 
 
 def _has_no_frame(sensor: Sensor, readers: list[tuple[str, ...]]) -> bool:

@@ -53,6 +53,7 @@ def _mistake(element: Element, attribute: Attribute, suggested: str) -> Finding:
         f"did you mean '{suggested}'?",
         f"rename it to {suggested}",
         Fix.of(f"rename {attribute.name} to {suggested}", edits),
+        is_about_name=True,
     )
 
 
@@ -80,4 +81,4 @@ def _foreign(attributes: list[Attribute]) -> Finding:
         Related(attribute.span, owner(attribute.element))
         for attribute in list(others.values())[:_MAX_NAMED]
     )
-    return Finding(first, message, related=related)
+    return Finding(first, message, related=related, is_about_name=True)

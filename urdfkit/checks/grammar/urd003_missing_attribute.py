@@ -55,6 +55,7 @@ def check(context: Context) -> Findings:
             f"{message}, but an unknown attribute '{attribute.name}'",
             f"rename {attribute.name} to {suggested}",
             Fix.of(f"rename {attribute.name} to {suggested}", edits),
+            is_about_name=True,
         )
 
 

@@ -37,6 +37,8 @@ FIXED = GOOD = BAD.replace('"0, 0, 0,05"', '"0 0 0.05"').replace('"0,05"', '"0.0
 _PROPERTY = re.compile(rb"<xacro:property\s[^<>]*\bname=[\"']([A-Za-z_][A-Za-z_0-9]*)[\"']").findall
 #: Numbers of C that urdfdom does not read.
 _HEXADECIMAL = re.compile(r"(?ai)[-+]?0x([\da-f]+\.?[\da-f]*|\.[\da-f]+)(p[-+]?\d+)?")
+#: Two numbers in Python, of ``${0,5 * pi}``.
+_PAIR = r"\((-?[\d.e+-]+), (-?[\d.e+-]+)\)"
 _OPERATOR = re.compile(r"[*/()]")
 _INFINITE = re.compile(r"(?i)[-+]?inf(inity)?")
 _WORD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?![\w.])").findall
@@ -71,6 +73,8 @@ def check(context: Context) -> Findings:
         help = (
             f'write {attribute.name}="{better}"' if better else _of_property(attribute, properties)
         )
+        if re.fullmatch(_PAIR, attribute.value):
+            help = "write a decimal point in the expression"
         if not help and _OPERATOR.search(attribute.value):
             help = "write the number; in a xacro, put the whole expression into one ${...}"
         is_taken = reads_c and _is_read_by_c(attribute, length)
@@ -118,6 +122,8 @@ def _reason(text: str, length: int, better: str) -> str:
     if count == 0:
         return "is empty"
     if count > length == 1:
+        if re.fullmatch(_PAIR, text):
+            return f"is '{text[:40]}': its expression has a decimal comma"
         if _OPERATOR.search(text):
             return f"is '{text[:40]}', which no parser computes"
         return f"holds {count} numbers, not 1"

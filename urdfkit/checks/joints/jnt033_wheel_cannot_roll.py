@@ -1,9 +1,10 @@
-"""A wheel cannot roll: its joint turns about another axis than its shape, or has position limits.
+"""A wheel or propeller turns about another axis than its shape, or a wheel has position limits.
 
 - The axis of the joint is not the axis of the wheel: the wheel tumbles, and the robot jumps or does
   not move. Either the axis is wrong, or the shape is not rotated: the axis of a cylinder in URDF is
   z, and a wheel whose axle is y needs rpy="1.5707963 0 0". The axle of a mesh is assumed to be the
-  short edge of its bounding box if the other two edges are equal.
+  short edge of its bounding box if the other two edges are equal. The same holds for the disc that
+  stands for a propeller.
 - The joint is revolute: the wheel stops at its limit, while the motor keeps pushing. A wheel needs
   type="continuous".
 
@@ -12,6 +13,7 @@ Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
 """
 
+import re
 from collections.abc import Callable
 
 from urdfkit.core.spatial import AXES, Z_AXIS, Vector, dot, rotate
@@ -37,6 +39,9 @@ _STEERED = "; a wheel that steers needs two joints, with a link between them"
 #: Words in the names of links whose cylinder need not roll.
 _NOT_WHEELS = ("caster", "castor", "swivel", "steer", "mount", "support", "bracket", "hub", "fork")
 
+#: Words in the names of what turns about the axis of its flat shape.
+_FLAT_THINGS = {"wheel": "wheel", "propeller": "propeller|(?<![a-z])(prop|rotor)(?![a-z])"}
+
 #: Cosine of the angle between two axes, below which they differ, and above which they are equal.
 _MAX_COSINE_ACROSS, _MIN_COSINE_ALONG = 0.5, 0.9
 
@@ -58,7 +63,8 @@ def check(context: Context) -> Findings:
 
 def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | None]) -> Findings:
     """A wheel whose joint turns about another axis than its shape."""
-    if joint.kind != "continuous" or not _is_wheel(joint, link):
+    kind = _kind(joint, link) if joint.kind == "continuous" else ""
+    if not kind:
         return
     if joint.axis and not any(joint.axis.value):
         return  # JNT006: it has no direction
@@ -72,10 +78,10 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
     if abs(dot(axis, axle)) < _MAX_COSINE_ACROSS:
         yield Finding(
             joint.at.child_or_self("axis"),
-            f"joint '{joint.name}' turns wheel '{link.name}' about {rounded(axis, 3)}, but the "
+            f"joint '{joint.name}' turns {kind} '{link.name}' about {rounded(axis, 3)}, but the "
             f"axis of its {shape_name} is {rounded(axle, 3)}",
             f"write the axis of the {shape_name}, or rotate the shapes with their <origin>"
-            + (_STEERED if is_vertical else ""),
+            + (_STEERED if is_vertical and kind == "wheel" else ""),
             related=(Related(body.at.span, f"the {shape_name}"),),
         )
 
@@ -103,9 +109,12 @@ def _rolls(link: Link, axis: Vector) -> bool:
     return False
 
 
-def _is_wheel(joint: Joint, link: Link) -> bool:
+def _kind(joint: Joint, link: Link) -> str:
+    """The flat thing that the joint turns about its axle; empty for any other."""
     names = f"{joint.name} {link.name}".lower()
-    return "wheel" in names and not any(word in names for word in _NOT_WHEELS)
+    if any(word in names for word in _NOT_WHEELS):
+        return ""
+    return next((kind for kind, words in _FLAT_THINGS.items() if re.search(words, names)), "")
 
 
 def _wheel_shape(
