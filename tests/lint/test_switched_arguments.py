@@ -11,7 +11,7 @@ from urdfkit import check
 from urdfkit.cli.shown_files import shown_files
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.options import Options
-from urdfkit.lint.switched_arguments import MAX_ELEMENTS, MAX_SWITCHED
+from urdfkit.lint.switched_arguments import MAX_SWITCHED
 from urdfkit.text.diagnostic import Diagnostic, Severity
 
 JOINT = '<joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>'
@@ -164,23 +164,26 @@ def test_other_robots_are_not_made(tmp_path: Path, block: str) -> None:
 def test_a_large_robot_is_not_checked_once_more(
     tmp_path: Path, more: int, is_switched: bool
 ) -> None:
-    links = "".join(f'<link name="l{number}"/>' for number in range(MAX_ELEMENTS - 1 + more))
+    most, _ = MAX_SWITCHED[-1]
+    links = "".join(f'<link name="l{number}"/>' for number in range(most - 1 + more))
     block = '<xacro:if value="$(arg sim)"><link name="hand"/></xacro:if>'
     _found(tmp_path, f"{ARGUMENT.format('false')}{links}{block}")  # the root is an element, too
     assert ("sim:=true" in shown_files([str(tmp_path)], Options())) is is_switched
 
 
-def test_at_most_some_are_switched_one_at_a_time(tmp_path: Path) -> None:
-    names = [f"a{number}" for number in range(MAX_SWITCHED + 2)]
+@pytest.mark.parametrize(("most", "count"), MAX_SWITCHED)
+def test_at_most_some_are_switched_one_at_a_time(tmp_path: Path, most: int, count: int) -> None:
+    names = [f"a{number}" for number in range(count + 2)]
+    links = "".join(f'<link name="l{number}"/>' for number in range(most - 20))
     arguments = "".join(f'<xacro:arg name="{name}" default="false"/>' for name in names)
     blocks = "".join(
         f'<xacro:if value="$(arg {name})"><link name="{name}"/></xacro:if>' for name in names
     )
-    _found(tmp_path, f"{arguments}{ROBOT}{blocks}")
+    _found(tmp_path, f"{arguments}{ROBOT}{links}{blocks}")
     shown = shown_files([str(tmp_path)], Options()).splitlines()
     assert [line.partition(" ")[2] for line in shown] == [
         "",
-        *(f"{name}:=true" for name in names[:MAX_SWITCHED]),
+        *(f"{name}:=true" for name in names[:count]),
     ]
 
 

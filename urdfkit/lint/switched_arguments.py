@@ -14,10 +14,9 @@ from urdfkit.lint.plan import Job
 if TYPE_CHECKING:
     from urdfkit.lint.context import Context
 
-#: Most further values of arguments with which a robot is checked, one at a time.
-MAX_SWITCHED = 4
-#: A robot of more elements is not checked once more for each of them.
-MAX_ELEMENTS = 5_000
+#: Most further values of arguments with which a robot is checked, one at a time, by the most
+#: elements that the robot may have; a check of a larger one takes too long.
+MAX_SWITCHED = ((1_000, 8), (5_000, 4))
 _BOOLEANS = ("true", "false")
 # Compiled when needed: most robots have no arguments.
 _CONDITION = rb"<xacro:(?:if|unless)\b[^<>]*?\bvalue\s*=\s*(?:\"([^\"]*)|'([^']*))"
@@ -46,10 +45,11 @@ def switched(job: Job, started: list[tuple[Job, Context]]) -> Iterator[Job]:
         if name in conditions and name not in job.arguments
         for value in _others({arguments[name] for arguments in sets}, conditions[name])
     ]
-    if others and sum(1 for _ in document.root.walk()) <= MAX_ELEMENTS:
-        for name, value in others[:MAX_SWITCHED]:
-            arguments = {**first.arguments, name: value}
-            yield first._replace(arguments=arguments, may_fail=True, switched=f"{name}={value}")
+    elements = sum(1 for _ in document.root.walk()) if others else 0
+    count = next((count for most, count in MAX_SWITCHED if elements <= most), 0)
+    for name, value in others[:count]:
+        arguments = {**first.arguments, name: value}
+        yield first._replace(arguments=arguments, may_fail=True, switched=f"{name}={value}")
 
 
 def _others(known: set[str], compared: Iterable[str]) -> list[str]:
