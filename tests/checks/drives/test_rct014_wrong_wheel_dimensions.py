@@ -285,3 +285,10 @@ def test_wheels_at_the_same_place(tmp_path: Path) -> None:
     wheels = "".join(wheel(name, 0, 0) for name in ("fl", "rl", "fr", "rr"))
     (found,) = reported(tmp_path, drive(0.3, 0.1), '<link name="base"/>' + wheels)
     assert found.help == naming("positions", "<origin>")
+
+
+def test_an_axis_across_the_line_between_the_wheels(tmp_path: Path) -> None:
+    """JNT033 reports the axis of a cylinder; the distance along it says nothing."""
+    wrong = robot().replace('xyz="0 1 0"', 'xyz="1 0 0"').replace('rpy="1.5707963 0 0"', "")
+    assert reported(tmp_path, drive(0.4, 0.1), wrong) == []
+    assert len(reported(tmp_path, drive(0.3, 0.1), robot())) == 1

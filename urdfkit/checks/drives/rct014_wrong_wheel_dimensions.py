@@ -60,6 +60,9 @@ BAD = DRIVEN
 GOOD = BAD.replace("bad.yaml", "good.yaml")
 FILES = {"config/bad.yaml": DRIVE.replace(b"0.3", b"0.2"), "config/good.yaml": DRIVE}
 
+#: Least cosine of the angle between the axis of two wheels and the line between them.
+_LATERAL = 0.5
+
 _MEASURED = {
     "diameter": "the wheels have a diameter of",
     "radius": "the wheels have a radius of",
@@ -273,4 +276,6 @@ def _distances(a: Wheel, b: Wheel, along: Vector | None = None) -> list[float]:
     offsets = [minus(a.origin, b.origin)]
     if a.hub and b.hub:
         offsets.insert(0, minus(a.hub, b.hub))
+    if along and abs(dot(offsets[-1], along)) < _LATERAL * length(offsets[-1]):
+        return []  # the axis is wrong, not the distance
     return [abs(dot(offset, along)) if along else length(offset) for offset in offsets]
