@@ -4,6 +4,8 @@ import os
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core import disk
+from urdfkit.core.suggest import TYPO
+from urdfkit.core.suggest import nearest as nearest_word
 from urdfkit.lint.argument_values import found_values, plain_path, reported
 from urdfkit.lint.context import Context
 from urdfkit.lint.description_file import TOO_EARLY, Reading
@@ -32,6 +34,10 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
     quoted = ", ".join(f"'{name}'" for name in names)
     why = f"it needs the argument{'s' * (len(names) > 1)} {quoted}"
     why += f" (found for {tried}, with which it does not expand)" if tried else ""
+    known = [name for name in names if candidates[name]] + list(reading.defaults)
+    for name in names:
+        if not candidates[name] and (meant := nearest_word(name, known, TYPO)):
+            why += f"; no file gives '{name}' a value: did you mean '{meant}'?"
     config = nearest(source.path)
     directory = os.path.dirname(config) if config else resolver.packages.workspace(source.path)
     file = os.path.relpath(source.path, directory).replace(os.sep, "/")

@@ -184,3 +184,12 @@ def test_the_gate_fails_for_an_arm_whose_launch_files_are_elsewhere(
         shutil.rmtree(arm)
     assert main(["check", "."]) == 1
     assert "CFG003 robot not checked" in " ".join(capsys.readouterr().out.split())
+
+
+def test_a_misspelt_argument_that_no_file_gives(tmp_path: Path) -> None:
+    """Andino's robot for Gazebo, whose argument only a launch file gives."""
+    declared = '<xacro:arg name="left_side" default="l"/>'
+    text = WANTING.replace("<link", f"{declared}<link", 1)
+    (tmp_path / "arm.xacro").write_text(text.replace("(arg side)", "(arg leftside)"))
+    (found,) = check(tmp_path).diagnostics
+    assert found.message == naming("checked", "leftside", "leftside", "left_side")
