@@ -2,11 +2,13 @@ from pathlib import Path
 
 import pytest
 
+from tests.output.formats.made import diagnostic, report, span
 from tests.reported import fixed, reported
 from urdfkit import Diagnostic, Source, check
 from urdfkit.lint.grouping import MAX_NOTES, MAX_SINGLE, grouped
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.output import formats
+from urdfkit.xacro.errors import NOT_CREATED
 
 
 def shown(code: str, robot: str) -> tuple[Diagnostic, ...]:
@@ -220,3 +222,23 @@ def test_an_argument_that_is_passed_to_many_files_is_one_finding(tmp_path: Path)
     assert len(found) == 3
     (seen,) = grouped(found)
     assert seen.message == "'arm.launch': unknown argument 'sim' (and 2 more like this)"
+
+
+@pytest.mark.parametrize(
+    ("code", "key", "is_one"),
+    [
+        ("XAC011", "arm_description", True),
+        ("XAC001", NOT_CREATED, True),
+        ("XAC001", "other", False),
+        ("URD001", "other", False),
+    ],
+)
+@pytest.mark.parametrize("name", ["text", "full", "markdown"])
+def test_what_one_missing_package_causes_in_two_files_is_one_finding(
+    name: str, code: str, key: str, is_one: bool
+) -> None:
+    robots = [Source(path, b"<robot/>\n") for path in ("a.urdf", "b.urdf")]
+    found = [diagnostic(span(robot, "robot"), code=code, group_key=key) for robot in robots]
+    page = formats.get(name)(report(*found))
+    assert ("1 more like this" in page) == is_one
+    assert "b.urdf:1:2" in page or name == "markdown"

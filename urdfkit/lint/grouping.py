@@ -5,10 +5,12 @@ editor marks every place, and a baseline must recognise an additional finding as
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
 
 from urdfkit.core.words import more_like_this
-from urdfkit.text.diagnostic import Diagnostic, Fix, Related
+from urdfkit.text.diagnostic import Diagnostic, Fix, Related, Severity
+from urdfkit.xacro.errors import NOT_BUILT, NOT_CREATED
 
 #: Largest group whose findings are shown separately.
 MAX_SINGLE = 2
@@ -16,6 +18,8 @@ MAX_SINGLE = 2
 MAX_NOTES = 20
 #: Rules whose findings in several files have one cause: a missing package.
 _ACROSS_FILES = frozenset(("XAC011",))
+#: Keys of groups of XAC001 in several files with one cause: a step that creates files.
+_STEPS = (NOT_BUILT, NOT_CREATED)
 #: A name or a number in a message.
 _VALUE = re.compile(r"'[^']*'|[-+]?\b\d[\w.]*(?:[eE][-+]?\d+)?")
 #: What a message is about, such as ``link 'arm'``.
@@ -25,7 +29,7 @@ _SUGGESTION = "did you mean"
 
 
 def grouped(diagnostics: Sequence[Diagnostic], *, brief: bool = False) -> tuple[Diagnostic, ...]:
-    """Findings, with each group in a file replaced by one finding at the place of its first.
+    """Findings, with each group replaced by one finding at the place of its first.
 
     Args:
         brief: of a further finding of a group, note what it is about, not its message.
@@ -35,17 +39,49 @@ def grouped(diagnostics: Sequence[Diagnostic], *, brief: bool = False) -> tuple[
     )
 
 
-def groups(diagnostics: Sequence[Diagnostic]) -> Iterator[list[Diagnostic]]:
+def groups(diagnostics: Iterable[Diagnostic]) -> Iterator[list[Diagnostic]]:
     """The findings that are shown as one, in the order of the first finding of each group."""
     by_key: dict[object, list[Diagnostic]] = {}
     for number, finding in enumerate(diagnostics):
-        path = "" if finding.code in _ACROSS_FILES else finding.span.source.path
-        alike = finding.group_key or _without_values(finding) or number
-        key = (finding.code, finding.severity, alike, path, finding.variants)
-        by_key.setdefault(key, []).append(finding)
+        by_key.setdefault(_key(finding, number), []).append(finding)
     for group in by_key.values():
-        is_one = len(group) > MAX_SINGLE or group[0].code in _ACROSS_FILES or _is_repeated(group)
+        is_one = len(group) > MAX_SINGLE or _is_across_files(group[0]) or _is_repeated(group)
         yield from [group] if is_one else ([finding] for finding in group)
+
+
+def by_file(
+    diagnostics: Iterable[Diagnostic], severity: Severity | None = None
+) -> Iterator[tuple[Diagnostic, ...]]:
+    """The findings of each file, sorted by file; a group of several files is in its first file.
+
+    Args:
+        diagnostics: sorted by file; read twice, as there may be too many for the memory.
+        severity: of the findings; None for all.
+    """
+    across: dict[object, list[Diagnostic]] = {}
+    for finding in diagnostics:
+        if severity in (None, finding.severity) and _is_across_files(finding):
+            across.setdefault(_key(finding), []).append(finding)
+    for _, of_file in groupby(diagnostics, key=lambda finding: finding.span.source.path):
+        part: list[Diagnostic] = []
+        for finding in of_file:
+            if severity in (None, finding.severity):
+                is_across = _is_across_files(finding)
+                part += across.pop(_key(finding), ()) if is_across else (finding,)
+        if part:
+            yield tuple(part)
+
+
+def _key(finding: Diagnostic, number: int = 0) -> object:
+    """What the findings of a group share; the number for a finding that is like no other."""
+    path = "" if _is_across_files(finding) else finding.span.source.path
+    alike = finding.group_key or _without_values(finding) or number
+    return finding.code, finding.severity, alike, path, finding.variants
+
+
+def _is_across_files(finding: Diagnostic) -> bool:
+    is_step = finding.code == "XAC001" and finding.group_key in _STEPS
+    return is_step or finding.code in _ACROSS_FILES
 
 
 def _without_values(finding: Diagnostic) -> object:
@@ -73,7 +109,7 @@ def _as_one(group: list[Diagnostic], *, brief: bool) -> Diagnostic:
 def _note(other: Diagnostic, first: Diagnostic, *, brief: bool) -> Related:
     """The note about a further finding of a group, with its help if it differs."""
     message, help = other.message, other.help if other.help != first.help else ""
-    if other.code in _ACROSS_FILES:
+    if _is_across_files(other):
         message, help = without_search(message), ""
     elif brief and (subject := re.match(_SUBJECT, message)):
         is_alone = other.group_key or "'" not in message[subject.end() :]

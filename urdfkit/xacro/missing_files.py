@@ -128,8 +128,9 @@ def _nearest_file(path: str) -> str:
         directory and not disk.is_directory(directory) and directory != os.path.dirname(directory)
     ):
         directory, name = os.path.split(directory)
-    if name != last and directory.startswith(os.sep) and directory.count(os.sep) == 1:
-        return "the path is of another computer: write $(find PACKAGE)/..."  # below / or /home
+    if directory.startswith(os.sep) and directory.count(os.sep) == 1:  # /, /home or /tmp
+        owner = "not of a package" if name == last else "of another computer"
+        return f"the path is {owner}: write $(find PACKAGE)/..."
     try:
         siblings = disk.names(directory or os.curdir)
     except OSError:

@@ -263,6 +263,12 @@ class TestMissingFiles:
         assert found.message == naming(path)
         assert found.help == naming("computer", "$(find PACKAGE)")
 
+    def test_a_path_to_no_package(self, tmp_path: Path) -> None:
+        """The help listed the files of all users."""
+        write(tmp_path, robot="<link name=\"${xacro.load_yaml('/tmp/no-such-hand.yaml')}\"/>")
+        (found,) = told_of("XAC001", tmp_path / "robot.xacro")
+        assert found.help == naming("package", "$(find PACKAGE)")
+
     def test_a_path_in_a_macro_is_relative_to_the_file_with_the_call(self, tmp_path: Path) -> None:
         """Reach Alpha: urdf/alpha.xacro includes tools/jaws.xacro in a macro for config/."""
         for name in (".git", "urdf/tools", "config"):

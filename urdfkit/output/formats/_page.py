@@ -64,7 +64,7 @@ class TextPage:
             where = self._near(macros[-1].span, first.span) + more
             blocks.append(self._step("macro", macros[-1].name, where))
         if similar:
-            places = few([self._near(item.span, first.span) for item in similar], MAX_CALLS)
+            places = few(self._places([item.span for item in similar], first.span), MAX_CALLS)
             blocks.append(self._labelled(f"{len(similar)} more like this", places))
         if first.variants:
             blocks.append(self._labelled("variants", ", ".join(first.variants)))

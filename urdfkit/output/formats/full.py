@@ -1,9 +1,9 @@
 """Every finding with its source line, macro calls and notes."""
 
 from collections.abc import Iterator
-from itertools import chain, groupby
+from itertools import chain
 
-from urdfkit.lint.grouping import grouped
+from urdfkit.lint.grouping import by_file, grouped
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._page import TextPage
 from urdfkit.output.formats._summary import crashes, hints, summary
@@ -30,6 +30,5 @@ def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterato
 
 
 def _findings(report: Report, page: TextPage) -> Iterator[str]:
-    # A group of findings is in one file, and the findings are sorted by file.
-    for _, of_file in groupby(report.diagnostics, key=lambda item: item.span.source.path):
-        yield from map(page.finding, grouped(tuple(of_file)))
+    for of_file in by_file(report.diagnostics):
+        yield from map(page.finding, grouped(of_file))

@@ -2,14 +2,13 @@
 
 from collections import Counter
 from collections.abc import Iterator
-from itertools import groupby
 
 from urdfkit.core.words import counted, few
-from urdfkit.lint.grouping import grouped, groups
+from urdfkit.lint.grouping import by_file, grouped, groups
 from urdfkit.lint.report import Report
 from urdfkit.output.formats._page import TextPage
 from urdfkit.output.formats._summary import crashes, hints, summary
-from urdfkit.text.diagnostic import Diagnostic, Severity
+from urdfkit.text.diagnostic import Severity
 
 #: Most codes of infos that are named.
 MAX_CODES = 6
@@ -26,20 +25,13 @@ def stream(report: Report, *, color: bool = False, width: int = 80) -> Iterator[
 def findings(report: Report, *, color: bool = False, width: int = 80) -> Iterator[str]:
     """Errors, warnings and crashed rules only."""
     page = TextPage(color, width)
-    for error in _of(report, Severity.ERROR):
+    for error in by_file(report.diagnostics, Severity.ERROR):
         yield from (f"{page.finding(finding)}\n" for finding in grouped(error, brief=True))
-    for warning in _of(report, Severity.WARNING):
+    for warning in by_file(report.diagnostics, Severity.WARNING):
         yield from map(page.brief, groups(warning))
     if report.count(Severity.WARNING):
         yield "\n"
     yield from (f"{crash}\n" for crash in crashes(report, page))
-
-
-def _of(report: Report, severity: Severity) -> Iterator[tuple[Diagnostic, ...]]:
-    """The findings of a severity, grouped by file, as findings of one group are in one file."""
-    findings = (item for item in report.diagnostics if item.severity is severity)
-    for _, of_file in groupby(findings, key=lambda item: item.span.source.path):
-        yield tuple(of_file)
 
 
 def _infos(report: Report, page: TextPage) -> str:
