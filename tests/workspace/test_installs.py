@@ -55,6 +55,7 @@ IN_LOOP = INSTALL("x/${d}", "share/arm")
         (f"if(BUILD_TESTING)\n{INSTALL('t/urdf', 'share/arm')}\nendif()", "urdf/a", "t/urdf/a"),
         (COMMENTS, "urdf/a", "t/urdf/a"),
         ("ament_auto_package(INSTALL_TO_SHARE launch d/urdf/)", "urdf/a", "d/urdf/a"),
+        ("cogen_dcf(arm)", "config/arm/bus.yml", "config/arm/bus.yml"),  # ros2_canopen
     ],
 )
 def test_where_an_installed_file_lies(

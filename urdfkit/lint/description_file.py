@@ -46,8 +46,13 @@ class Reading(Record):
     @property
     def arguments_to_pass(self) -> tuple[str, ...]:
         """The missing arguments, otherwise those that are used before their default."""
+        return self.missing_arguments or self.early_arguments
+
+    @property
+    def early_arguments(self) -> tuple[str, ...]:
+        """The arguments that are used before their default."""
         early = (problem.argument for problem in self.problems if problem.code == TOO_EARLY)
-        return self.missing_arguments or tuple(dict.fromkeys(early))
+        return tuple(dict.fromkeys(early))
 
     @property
     def missing_argument_problems(self) -> list[Problem]:

@@ -41,8 +41,14 @@ def _passed(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArg
         return []
     from urdfkit.ros.launch.robot_arguments import passed_arguments  # for robots with launch files
 
-    no_arguments = context.reading.document is not None and not context.reading.defaults
-    return passed_arguments(job.path, names, context.resolver, only_parameters=no_arguments)
+    reading = context.reading
+    return passed_arguments(
+        job.path,
+        names,
+        context.resolver,
+        only_parameters=reading.document is not None and not reading.defaults,
+        wanted=reading.early_arguments,
+    )
 
 
 def variants(

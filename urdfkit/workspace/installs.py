@@ -16,6 +16,10 @@ from urdfkit.workspace.file_head import MAX_BYTES, head_text
 
 MAX_COMMANDS = 20_000
 
+#: Macros of ros2_canopen that install the directory ``config/<name>`` of a bus, from
+#: lely_core_libraries/cmake/lely_core_libraries-extras.cmake.
+_INSTALL_BUSES = ("cogen_dcf", "generate_dcf")
+
 #: Stands for the build directory in the sources of install rules.
 BUILT = "<build>"
 _BUILD_DIRECTORIES = ("CMAKE_BINARY_DIR", "CMAKE_CURRENT_BINARY_DIR", "PROJECT_BINARY_DIR")
@@ -152,10 +156,18 @@ class _CMakeReader:
                 self._variables[words[0]] = ";".join(words[1:])
         elif command.name == "install":
             self.rules += _install(_expanded(command, self._variables))
-        elif command.name == "ament_auto_package":
-            words = ["DIRECTORY", *_to_share(_expanded(command, self._variables))]
-            share = self._variables["CATKIN_PACKAGE_SHARE_DESTINATION"]
-            self.rules += _install([*words, "DESTINATION", share])
+        else:
+            self.rules += self._of_macro(command)
+
+    def _of_macro(self, command: _Command) -> Iterable[Installed]:
+        """What a macro of another package installs."""
+        share = self._variables["CATKIN_PACKAGE_SHARE_DESTINATION"]
+        words = _expanded(command, self._variables)
+        if command.name == "ament_auto_package":
+            return _install(["DIRECTORY", *_to_share(words), "DESTINATION", share])
+        if command.name in _INSTALL_BUSES:
+            return [Installed(f"config/{bus}", f"{share}/config/{bus}") for bus in words]
+        return ()
 
     def _unroll(self) -> None:
         if not self._loops:

@@ -49,6 +49,18 @@ def test_a_placeholder_shape_gives_no_tensor(size: str, is_real: bool) -> None:
     assert found.help.startswith("a solid cylinder" if is_real else "write the tensor")
 
 
+@pytest.mark.parametrize(
+    ("axis", "severity"), [("0 1 0", Severity.WARNING), ("1 0 0", Severity.ERROR)]
+)
+def test_a_steering_carries_its_wheel(axis: str, severity: Severity) -> None:
+    """The steering links of gz_ros2_control's test_ackermann_drive.xacro.urdf."""
+    steering = link("steering", inertial(0.1, ZERO)) + joint("base", "steering", "revolute")
+    wheel = link("wheel", inertial(1, (1, 1, 1))) + joint("steering", "wheel", "revolute")
+    wheel = wheel.replace("<limit", f'<axis xyz="{axis}"/><limit')
+    (found,) = reported("INE005", BASE + steering + wheel)
+    assert found.severity is severity
+
+
 def test_a_fixed_link_may_be_a_point() -> None:
     robot = BASE + link("arm", inertial(0.5, ZERO)) + joint("base", "arm")
     assert messages("INE005", robot) == []

@@ -162,6 +162,19 @@ def test_thrusters_are_no_wheels() -> None:
     assert messages("TRE008", car(0.4, 0.05).replace("_joint", "_thruster_joint")) == []
 
 
+@pytest.mark.parametrize(("kind", "count"), [("revolute", 0), ("continuous", 1)])
+def test_pistons_that_follow_a_joint_of_an_arm_are_no_wheels(kind: str, count: int) -> None:
+    """FANUC's M-900iB: the joints of its two pistons have no limits."""
+    text = car(0.4, 0.05).replace(
+        '<axis xyz="0 1 0"/>', '<axis xyz="0 1 0"/><mimic joint="elbow"/>'
+    )
+    elbow = (
+        f'<link name="arm"/><joint name="elbow" type="{kind}"><axis xyz="0 1 0"/>'
+        '<parent link="base"/><child link="arm"/></joint>'
+    )
+    assert len(messages("TRE008", text + elbow)) == count
+
+
 def test_legs_that_turn_without_limits(tmp_path: Path) -> None:
     """A quadruped whose hips are continuous: what stands is a foot, a child of such a hip."""
     pytest.importorskip("numpy")

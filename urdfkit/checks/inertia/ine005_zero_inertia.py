@@ -6,8 +6,9 @@ is the result of a failed export, or of too few decimal places; compute it from 
 use the tensor and centre of mass of the left/right counterpart. A single zero moment was rounded,
 or a CAD program exported a wire or a surface: give the part its thickness, as even a rod has
 `mass / 2 * radius^2` about its length. A single zero moment is a warning, and so is a link of at
-most a gram, which is a placeholder for a part that a plugin of Gazebo computes, and a tensor that
-is not zero, but less than 1e-15 kg·m².
+most a gram, which is a placeholder for a part that a plugin of Gazebo computes, a tensor that is
+not zero, but less than 1e-15 kg·m², and a link that carries others by joints about other axes, as a
+steering carries its wheel: their inertia resists the rotation.
 
 If MuJoCo is a target, every link with a moment below 1e-14 kg·m² is an error, also if it is fixed
 to a heavier link: MuJoCo reads each tensor before it merges links. A tensor of zeros is allowed for
@@ -15,6 +16,7 @@ a link that is fixed to another one: it has no inertia.
 
 Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
+    gz_ros2_control, test_ackermann_drive.xacro.urdf, whose steering links have none: https://github.com/ros-controls/gz_ros2_control
     robotology/icub-models#269: https://github.com/robotology/icub-models/issues/269
     Moments of inertia: https://en.wikipedia.org/wiki/List_of_moments_of_inertia
 """
@@ -22,19 +24,20 @@ Sources:
 from collections.abc import Iterator
 
 from urdfkit.checks.inertia.copies import together
+from urdfkit.core.spatial import dot, rotate
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.inertia import principal_moments
 from urdfkit.robot.inertials.defects import MAX_PART_DENSITY, MIN_PART_DENSITY
 from urdfkit.robot.inertials.diagnosis import MAX_RELATED
 from urdfkit.robot.inertials.link_comparison import LARGEST_PART, LinkInertia
-from urdfkit.robot.inertials.masses import PAIR_MOMENTS
+from urdfkit.robot.inertials.masses import LEAST_MOMENT, PAIR_MOMENTS
 from urdfkit.robot.inertials.mirroring import along_inertial, center_edits, mirror_image
 from urdfkit.robot.inertials.tensor_entries import is_possible
 from urdfkit.robot.inertials.tensor_fix import replacement
 from urdfkit.robot.inertials.tensor_text import describe_solid, format_moments
 from urdfkit.robot.joint import Joint
-from urdfkit.robot.kinematics import frames
+from urdfkit.robot.kinematics import direction, frames
 from urdfkit.robot.link import Tensor
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 from urdfkit.text.diagnostic import Edit
@@ -52,6 +55,9 @@ FIXED = GOOD = BAD.replace('ixx="0"', 'ixx="0.00197917"').replace(
 
 #: In kg: thrusters of UUV Simulator are links of a gram without a tensor.
 PLACEHOLDER_MASS = 0.001
+
+#: Cosine of the angle between two axes that count as one.
+_PARALLEL = 0.999
 
 #: In kg/m³: the density of air is 1.2.
 MIN_DENSITY = 1.0
@@ -83,15 +89,37 @@ def check(context: Context) -> Findings:
 def _zero(context: Context) -> Iterator[tuple[LinkInertia, Finding]]:
     masses = context.masses
     is_rejected = any(target.least_moment for target in context.given_facts)
+    carrying = _carrying(context)
     for body in masses.without_inertia:
         assert body.joint is not None
         for link, _ in body.links:
             if inertia := masses.by_name.get(link.name):
                 finding = _finding(inertia, body.joint, context)
                 is_placeholder = body.mass <= PLACEHOLDER_MASS or masses.moments_of(body)[2] > 0
-                if is_placeholder and not is_rejected:
+                is_harmless = is_placeholder or body.top.name in carrying
+                if is_harmless and not is_rejected:
                     finding = finding._replace(severity=Severity.WARNING)
                 yield inertia, finding
+
+
+def _carrying(context: Context) -> set[str]:
+    """The moving links on which joints carry others, which resist a rotation with their inertia.
+
+    A link that turns about the same axis itself does not.
+    """
+    masses, placed = context.masses, frames(context.tree, {})
+    carrying = set()
+    for body in masses.bodies:
+        if body.joint and masses.moments_of(body)[2] > LEAST_MOMENT:
+            carrier = masses.body_of[body.joint.parent_name]
+            axes = [
+                rotate(placed[joint.child_name].rotation, direction(joint))
+                for joint in (body.joint, carrier.joint)
+                if joint and joint.is_rotational
+            ]
+            if len(axes) < 2 or abs(dot(*axes)) < _PARALLEL:
+                carrying.add(carrier.top.name)
+    return carrying
 
 
 def _finding(inertia: LinkInertia, joint: Joint, context: Context) -> Finding:

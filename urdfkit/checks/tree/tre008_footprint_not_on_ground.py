@@ -15,6 +15,7 @@ Sources:
 
 from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate, vector
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
+from urdfkit.robot.joint import Joint
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.link import Body
 from urdfkit.robot.rotors import is_carried_by_rotors
@@ -262,13 +263,19 @@ def _wheels(tree: KinematicTree, up: Vector) -> dict[str, str]:
         name = joint.child_name
         carrier = carriers.get(joint.parent_name)
         axis = rotate(tree.frames[name].rotation, direction(joint))
-        if joint.kind == "continuous" and abs(dot(up, axis)) <= _MAX_COSINE_LEVEL:
+        if _may_roll(joint, tree) and abs(dot(up, axis)) <= _MAX_COSINE_LEVEL:
             if not carrier or abs(dot(carrier[1], axis)) > _MIN_COSINE_PARALLEL:
                 carrier = (name, axis)
             wheels[name] = carrier[0]
         if carrier:
             carriers[name] = carrier
     return wheels
+
+
+def _may_roll(joint: Joint, tree: KinematicTree) -> bool:
+    """True for a joint without limits that does not follow one with limits, as pistons do."""
+    leader = tree.model.joints_by_name.get(joint.leader, joint)
+    return joint.kind == leader.kind == "continuous"
 
 
 def _lifted_wheels(gaps: dict[str, float], lowest: str) -> str:

@@ -115,7 +115,8 @@ class _PythonReader(PythonLaunchFile):
             name = called(call)
             if start := starts.get(name):
                 if self._may_run(call):
-                    start(call)
+                    with self.values.without(self.chosen_otherwise(call)):
+                        start(call)
             elif handle := handles.get(name):
                 handle(call)
             elif file_of_action(name):

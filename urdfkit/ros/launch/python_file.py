@@ -17,6 +17,14 @@ from urdfkit.text.document import CallFrame, Tag
 
 #: Actions that start a node.
 NODES = ("LifecycleNode", "Node")
+#: Conditions with an expression that is true or false.
+_PREDICATES = ("IfCondition", "UnlessCondition")
+#: What reads an argument of the launch file, and the parameter with its name.
+_OF_ARGUMENTS = {
+    "LaunchConfiguration": "variable_name",
+    "LaunchConfigurationEquals": "launch_configuration_name",
+    "LaunchConfigurationNotEquals": "launch_configuration_name",
+}
 #: Starts of paths that do not depend on the working directory, or only on the usual one.
 _KNOWN_STARTS = ("~", "$", "package://", "file://", "src/")
 
@@ -36,6 +44,7 @@ class PythonLaunchFile:
         self.fixed = file.fixed
         self.tree = tree
         self.values = Values(collector, file, tree)
+        self._conditions: dict[ast.Call, bool | None] = {}
         self.calls = [node for node in python_source.nodes(tree) if isinstance(node, ast.Call)]
 
     def call_frame(self, call: ast.Call) -> CallFrame:
@@ -106,6 +115,11 @@ class PythonLaunchFile:
 
     def condition(self, action: ast.Call) -> bool | None:
         """Value of the condition of an action; None if known only at run time."""
+        if action not in self._conditions:
+            self._conditions[action] = self._condition(action)
+        return self._conditions[action]
+
+    def _condition(self, action: ast.Call) -> bool | None:
         written = argument(action, None, "condition")
         if written is None:
             return None if action in self._decided else True
@@ -121,16 +135,19 @@ class PythonLaunchFile:
 
         A false comparison with a default is unknown, too: the action belongs to another choice.
         """
-        name = called(condition)
-        if name in ("IfCondition", "UnlessCondition"):
-            predicate = self.values.resolved(argument(condition, 0, "predicate_expression"))
-            text = self.values.text(predicate) or ""
-            is_true = {"true": True, "1": True, "false": False, "0": False}.get(text.lower())
-            holds = None if is_true is None else is_true is (name == "IfCondition")
-            is_choice = called(predicate) in COMPUTED
-        else:
-            holds, is_choice = self._equals(condition), True
+        predicate = self.values.resolved(argument(condition, 0, "predicate_expression"))
+        is_choice = called(condition) not in _PREDICATES or called(predicate) in COMPUTED
+        holds = self._with_these_values(condition)
         return None if is_choice and holds is False else holds
+
+    def _with_these_values(self, condition: ast.Call) -> bool | None:
+        """Value of a condition with the known values of the arguments."""
+        name = called(condition)
+        if name not in _PREDICATES:
+            return self._equals(condition)
+        text = self.values.text(argument(condition, 0, "predicate_expression")) or ""
+        is_true = {"true": True, "1": True, "false": False, "0": False}.get(text.lower())
+        return None if is_true is None else is_true is (name == "IfCondition")
 
     def _equals(self, condition: ast.Call) -> bool | None:
         name = called(condition)
@@ -141,6 +158,36 @@ class PythonLaunchFile:
         expected = self.values.text(argument(condition, 1, "expected_value"))
         is_known = value is not None and expected is not None
         return (value == expected) is name.endswith("nEquals") if is_known else None
+
+    def chosen_otherwise(self, action: ast.Call) -> set[str]:
+        """The arguments with other values where an action runs than those that are known.
+
+        They decide on it by a condition, or on its group, that does not hold with these values.
+        """
+        conditions = [*self._conditions_around.get(action, ()), *self._open_condition(action)]
+        return {name for condition in conditions for name in self._compared(condition)}
+
+    def _open_condition(self, action: ast.Call) -> Iterator[ast.Call]:
+        """The condition of an action, unless it is true with the known values."""
+        condition = self.values.resolved(argument(action, None, "condition"))
+        if isinstance(condition, ast.Call) and not self._with_these_values(condition):
+            yield condition
+
+    def _compared(self, condition: ast.Call) -> Iterator[str]:
+        """The arguments in a condition."""
+        for call in self._calls_in([condition]):
+            if called(call) in _OF_ARGUMENTS:
+                yield self.values.text(argument(call, 0, _OF_ARGUMENTS[called(call)])) or ""
+
+    @cached_property
+    def _conditions_around(self) -> dict[ast.Call, list[ast.Call]]:
+        """The conditions of groups that are not true with the known values, by action."""
+        conditions: dict[ast.Call, list[ast.Call]] = {}
+        for group in filter(_is_group, self._conditional):
+            for condition in self._open_condition(group):
+                for action in self._within([group]):
+                    conditions.setdefault(action, []).append(condition)
+        return conditions
 
     def is_sure(self, action: ast.Call) -> bool:
         """True if an action certainly runs."""

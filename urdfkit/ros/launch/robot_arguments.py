@@ -61,7 +61,12 @@ def started_robots(launch: Launch, path: str) -> Iterator[tuple[str, RobotArgume
 
 
 def passed_arguments(
-    robot: str, needed: Collection[str], resolver: Resolver, *, only_parameters: bool = False
+    robot: str,
+    needed: Collection[str],
+    resolver: Resolver,
+    *,
+    only_parameters: bool = False,
+    wanted: Collection[str] = (),
 ) -> list[RobotArguments]:
     """Arguments from launch files for a robot: of its package, then others of the workspace.
 
@@ -72,6 +77,7 @@ def passed_arguments(
         needed: names of the arguments that the robot lacks.
         only_parameters: True if the arguments do not matter, as the robot declares none: launch
             files that load no parameter file are then not read.
+        wanted: names of further arguments, which are taken from other robots if they get them.
     """
     real = disk.real(robot)
     own: list[RobotArguments] = []
@@ -84,7 +90,8 @@ def passed_arguments(
             if disk.real(path) == real:
                 own.append(passed)
             elif needed and resolver.packages.enclosing(path) == package:
-                chosen = {name: passed.arguments[name] for name in needed}
+                names = passed.arguments.keys() & {*needed, *wanted}
+                chosen = {name: passed.arguments[name] for name in sorted(names)}
                 of_siblings.append(RobotArguments(chosen, passed.launch, None))
     return own or of_siblings
 

@@ -107,7 +107,7 @@ def manager(program: StartedProgram) -> Word | None:
 def manager_name(program: StartedProgram) -> str | None:
     """Full name of the controller manager that a program calls; None if unknown."""
     option = manager(program)
-    is_known = option is None or bool(option.text)
+    is_known = bool(option.text) if option else all(word.text for word in program.words)
     has_namespace = any((word.text or "").startswith("--namespace") for word in program.words)
     if program.namespace is None or not is_known or has_namespace:  # --namespace is of ROS 1
         return None

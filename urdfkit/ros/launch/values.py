@@ -2,7 +2,8 @@
 
 import ast
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
 from urdfkit.ros.launch.computed import computed
@@ -287,6 +288,16 @@ class Values:
         if is_own or name not in self.arguments:
             return self.text(argument(call, None, "default"), depth + 1)
         return self.configuration(name, depth)
+
+    @contextmanager
+    def without(self, names: set[str]) -> Iterator[None]:
+        """Arguments whose values are unknown for a while."""
+        known = self.arguments
+        self.arguments = {**known, **dict.fromkeys(names)} if names else known
+        try:
+            yield
+        finally:
+            self.arguments = known
 
     def _changes(self, name: str, depth: int) -> list[ast.Call]:
         """The actions that give an argument another value."""
