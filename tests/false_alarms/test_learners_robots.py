@@ -19,6 +19,7 @@ from tests.reported import reported
 from tests.sensing import findings
 from tests.workspaces import add_files, add_package
 from urdfkit import check
+from urdfkit.lint.grouping import groups
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.mesh import samples
 from urdfkit.ros.launch import read_launch
@@ -193,3 +194,33 @@ def test_the_controllers_of_the_robot_that_is_started(
     (found,) = check(tmp_path / "old.xacro", select=["RCT001"]).diagnostics
     assert found.severity.value == severity
     assert found.span.source.path.endswith("old.xacro") == (severity == "warning")
+
+
+@pytest.mark.parametrize(
+    ("name", "argument", "count"),
+    [
+        ("a_spawner.launch", "$(find arm)/launch/a.launch", 0),
+        ("b_spawner.launch", "$(find arm)/launch/a.launch", 1),
+        ("a_spawner.launch", "$(find arm)/launch/b.launch", 1),
+    ],
+)
+def test_a_launch_file_that_a_program_writes(
+    tmp_path: Path, name: str, argument: str, count: int
+) -> None:
+    """The boats of usv_sim: `parse:=true` makes a file next to each scenario, for Gazebo."""
+    text = (
+        f'<include file="$(find arm)/launch/{name}"/>\n<arg name="parse" default="false"/>\n'
+        f'<node if="$(arg parse)" name="n" pkg="p" type="t" args="{argument}"/>'
+    )
+    assert len(of_launch(tmp_path, "LAU003", "a.launch", text)) == count
+
+
+def test_expressions_of_a_urdf_that_nothing_expands() -> None:
+    """The quadruped of a university, with 13 meshes: one mistake."""
+    meshes = (
+        f'<link name="{n}"><visual><geometry><mesh filename="file://$(find arm)/{n}.stl"/>'
+        "</geometry></visual></link>"
+        for n in "abc"
+    )
+    found = reported("XAC003", "".join(meshes))
+    assert [len(group) for group in groups(found)] == [3]

@@ -18,8 +18,9 @@ file stops the launch, and Gazebo does not start without its world. Also reporte
   drop everything before it (error). Or a path
   that follows the directory of a package without a slash (error).
 
-Not reported: files that the build of a package may generate, files that git ignores, and absolute
-paths outside the repository or workspace, such as `/etc/clearpath`, which may exist on the robot.
+Not reported: files that the build of a package may generate, files that git ignores, files named
+after a launch file that passes its own path to a program, which may write them, and absolute paths
+outside the repository or workspace, such as `/etc/clearpath`, which may exist on the robot.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -28,6 +29,7 @@ Sources:
 """
 
 import os
+import re
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import is_typo, nearest_file
@@ -237,6 +239,16 @@ def _unknown_world(context: Context, world: StartedWorld) -> Findings:
         yield Finding(world.span, f"Gazebo has no world '{name}'", hint)
 
 
+def _is_written(context: Context, path: str) -> bool:
+    """True for ``NAME_spawner.launch`` in ``NAME.launch`` that passes its own path to a program."""
+    own = context.source.path
+    stem = os.path.splitext(own)[0]
+    if not path.startswith(f"{os.path.abspath(stem)}_"):
+        return False
+    name = re.escape(os.path.basename(own).encode())
+    return re.search(rb"\bargs\s*=\s*[\"'][^\"'<>]*/%s\b" % name, context.source.data) is not None
+
+
 def _may_exist_elsewhere(context: Context, path: str) -> bool:
     """True if a build or a user generates the file, or it may exist on the robot's computer.
 
@@ -246,7 +258,7 @@ def _may_exist_elsewhere(context: Context, path: str) -> bool:
     """
     name = os.path.basename(path)
     is_unknown = name.startswith(".") or "$(" in path or (name.count(" ") > 1 and "." not in name)
-    if is_unknown or is_ignored(path) or is_built(path):
+    if is_unknown or is_ignored(path) or is_built(path) or _is_written(context, path):
         return True
     packages = context.resolver.packages
     home = packages.enclosing(path)
