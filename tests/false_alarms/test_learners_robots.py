@@ -224,3 +224,25 @@ def test_expressions_of_a_urdf_that_nothing_expands() -> None:
     )
     found = reported("XAC003", "".join(meshes))
     assert [len(group) for group in groups(found)] == [3]
+
+
+@pytest.mark.parametrize(("more", "count"), [("", 1), ('<link name="tip"/>', 2)])
+def test_an_srdf_that_the_robot_includes(tmp_path: Path, more: str, count: int) -> None:
+    """The rover of a course: its elements are right where they are."""
+    srdf = f'<robot name="r">{more}<group name="a"/><group_state name="s" group="a"/></robot>'
+    head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
+    text = f'{head}<xacro:include filename="r.srdf"/><link name="base"/></robot>'
+    add_files(tmp_path, {"r.srdf": srdf, "r.xacro": text})
+    found = check(tmp_path / "r.xacro", select=["URD001"]).diagnostics
+    assert [one.span.source.path.endswith("r.xacro") for one in found] == [count == 1] * count
+
+
+@pytest.mark.parametrize(("name", "count"), [("", 1), (", namespace='left'", 0)])
+def test_two_controller_managers(tmp_path: Path, name: str, count: int) -> None:
+    """The real bumperbot: the launch file and one that it includes start one each."""
+    node = "Node(package='controller_manager', executable='ros2_control_node'{})"
+    program = (
+        f"from launch_ros.actions import Node\nnodes = [{node.format('')}, {node.format(name)}]"
+    )
+    found = of_launch(tmp_path, "LAU043", "a.launch.py", program)
+    assert [one.message for one in found] == [naming("ros2_control_node")] * count

@@ -2,8 +2,8 @@
 
 - Two active controllers of one controller manager claim the same command interface of a joint: the
   second fails to activate. Load it with `--inactive`.
-- `ros2_control_node` runs next to Gazebo's plugin, which runs its own controller manager: a spawner
-  may reach either.
+- `ros2_control_node` runs twice, or next to Gazebo's plugin, which runs its own controller manager:
+  a spawner may reach either.
 - A server of Nav2 is started twice: lifecycle managers change the state of both. In ROS 1,
   roslaunch rejects two nodes of one name.
 - Two models of one name are spawned in Gazebo, which rejects the second.
@@ -38,6 +38,7 @@ nodes = [
 """
 GOOD = BAD.replace('"right", "-name", "arm"', '"right", "-name", "arm_2"')
 
+_MANAGER = "ros2_control_node"
 #: Packages of ROS 1 with such a server.
 _OF_ROS1 = ("amcl", "map_server")
 
@@ -88,7 +89,7 @@ def _second_manager(context: Context, programs: list[StartedProgram]) -> Finding
     if not spawners:
         return
     simulated = Related(spawners[0].span, "the robot is spawned in Gazebo here")
-    nodes = [node for node in programs if node.executable == "ros2_control_node"]
+    nodes = [node for node in programs if node.executable == _MANAGER]
     for _, robot in context.described_robots if nodes else ():
         for plugin in control_plugins(robot.model):
             for node in nodes if "ros2_control" in (plugin.at.get("filename") or "") else ():
@@ -101,8 +102,8 @@ def _second_manager(context: Context, programs: list[StartedProgram]) -> Finding
 
 
 def _second_server(context: Context, programs: list[StartedProgram]) -> Findings:
-    """A second node of the same name of Nav2 or slam_toolbox, or of navigation in ROS 1."""
-    servers = data("nodes")["lifecycle"].split()
+    """A second node of one name: of Nav2, slam_toolbox, ros2_control, or navigation in ROS 1."""
+    servers = (*data("nodes")["lifecycle"].split(), _MANAGER)
     first: dict[tuple[str, str | None], StartedProgram] = {}
     for node in programs if not context.launch.has_scopes else ():
         if node.executable not in servers or node.namespace is None:
@@ -112,6 +113,8 @@ def _second_server(context: Context, programs: list[StartedProgram]) -> Findings
             effect = "lifecycle managers change the state of both"
             if node.package in _OF_ROS1:
                 effect = "roslaunch rejects two nodes of one name"
+            elif node.executable == _MANAGER:
+                effect = "a spawner may reach either controller manager"
             yield Finding(
                 node.at,
                 f"'{node.title}' is started twice: {effect}",

@@ -29,13 +29,23 @@ from collections import Counter
 from collections.abc import Sequence
 
 from urdfkit.core.words import more_like_this
-from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
+from urdfkit.lint.rules import (
+    Context,
+    Finding,
+    Findings,
+    Fix,
+    Location,
+    Related,
+    Severity,
+    rule,
+)
 from urdfkit.robot.samples import collision_xml, link_xml
 from urdfkit.text.comments import without_comments
-from urdfkit.text.document import Element
+from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.editing.edits import move_after, remove_element, rename_element
 from urdfkit.text.file_kinds import is_xacro
 from urdfkit.text.grammar import calling_macro, owner, places_of
+from urdfkit.text.schema import SRDF_TAGS
 from urdfkit.text.source import shown
 from urdfkit.workspace.program_strings import xml_readers
 
@@ -60,13 +70,15 @@ _OWN = 4
 def check(context: Context) -> Findings:
     misplaced: list[Element] = []
     unknown: list[tuple[Element, str]] = []
+    srdfs = _included_srdfs(context)
     for element, _, needed, suggested in context.deviations.get("URD001", ()):
         if not suggested and places_of(element):
             misplaced.append(element)
         elif needed:
             yield _needed(element, needed)
-        else:
+        elif element.frame not in srdfs:
             unknown.append((element, suggested))
+    yield from map(_of_srdf, srdfs)
     tags = {element.tag for element, suggested in unknown if not suggested}
     readers = xml_readers(tags, context.source.path, context.resolver) if tags else {}
     counts = Counter(
@@ -79,6 +91,23 @@ def check(context: Context) -> Findings:
         is_own = counts[element.tag] >= _OWN and element.tag not in _INSTEAD
         yield finding._replace(severity=Severity.INFO) if is_own else finding
     yield from _misplaced(misplaced)
+
+
+def _included_srdfs(context: Context) -> list[CallFrame]:
+    """The includes of SRDFs, whose elements are right there."""
+    children = context.document.root.children
+    of_srdf = {element.frame for element in children if element.tag in SRDF_TAGS}
+    of_urdf = {element.frame for element in children if element.tag in ("link", "joint")}
+    return [frame for frame in of_srdf - of_urdf if frame and frame.kind == "include"]
+
+
+def _of_srdf(include: CallFrame) -> Finding:
+    return Finding(
+        Location(include.call.span, include.outer),
+        f"{os.path.basename(include.name)} is an SRDF, which URDF parsers ignore",
+        "remove the <xacro:include>: MoveIt reads the SRDF as robot_description_semantic",
+        severity=Severity.INFO,
+    )
 
 
 def _needed(element: Element, needed: str) -> Finding:
