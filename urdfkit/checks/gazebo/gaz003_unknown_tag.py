@@ -144,4 +144,5 @@ def _in_sensor(
     likely = [tag for tag in known if not (settings(tag) and child.text.strip())]
     hint = hint_for(of_clip) or did_you_mean(child.tag, likely)
     help = "fix the name of the element" if hint else "remove it"
-    return Finding(child, message + hint, help, fix, group_key=child.tag)
+    # The tags of a plugin, written in its sensor, are one mistake.
+    return Finding(child, message + hint, help, fix, group_key=child.tag if hint else who)
