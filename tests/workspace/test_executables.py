@@ -31,6 +31,12 @@ TALKER = "{'console_scripts': ['talker = arm.talker:main']}"
             MissingExecutable(False, ("a.py",)),
         ),
         ("install(PROGRAMS scripts/a.py DESTINATION lib/${PROJECT_NAME})\n", "a.py", None),
+        (
+            "ament_python_install_package(arm)\ninstall(PROGRAMS a.py DESTINATION lib/arm)\n",
+            "a",
+            MissingExecutable(False, ("a.py",)),
+        ),
+        ("install(PROGRAMS scripts/a.py DESTINATION lib/arm RENAME a)\n", "a", None),
         ("install(DIRECTORY scripts DESTINATION lib/${PROJECT_NAME})\n", "a.py", None),
         (
             "add_executable(${PROJECT_NAME} a.cpp)\n" + INSTALL,
@@ -82,6 +88,13 @@ def test_setup_py(tmp_path: Path, text: str, name: str, expected: MissingExecuta
     (tmp_path / "package.xml").write_text(PYTHON)
     (tmp_path / "setup.py").write_text(text)
     assert missing_executable(str(tmp_path), "arm", name) == expected
+
+
+def test_console_scripts_of_setup_cfg(tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt").write_text(CMAKE + "ament_python_install_package(arm)\n")
+    (tmp_path / "arm").mkdir()
+    (tmp_path / "arm" / "setup.cfg").write_text("[options.entry_points]\n")
+    assert missing_executable(str(tmp_path), "arm", "a") is None
 
 
 def test_a_package_without_a_build_file(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import posixpath
 import re
 from collections.abc import Iterator
 
+from urdfkit.core import disk
 from urdfkit.core.record import Record
 from urdfkit.text import python_source
 from urdfkit.workspace.cmake import cmake_text
@@ -17,7 +18,7 @@ from urdfkit.workspace.install_rules import build_file
 #: Commands of CMake that may make or install executables under names that are not written there.
 _UNCLEAR = re.compile(
     r"(?i)\b(add_subdirectory|include|foreach|function|macro|GLOB\w*|ExternalProject\w*|execute_process"
-    r"|ament_python_install_package)\b|install\s*\(\s*DIRECTORY[^)]*\bDESTINATION\s+\S*\blib\b"
+    r"|SETUP_CFG|PACKAGE_DIR)\b|install\s*\(\s*DIRECTORY[^)]*\bDESTINATION\s+\S*\blib\b"
 )
 _EXECUTABLE = r"(?i)\badd_executable\s*\(\s*([\w.-]+)"
 _PROGRAM = r"(?i)\binstall\s*\(\s*PROGRAMS\b([^)]*?)\bDESTINATION\b"
@@ -54,7 +55,13 @@ def missing_executable(directory: str, package: str, name: str) -> MissingExecut
     file = build_file(directory)
     if file.endswith(".py"):
         return _of_python(head_text(file), name)
-    return _of_cmake(cmake_text(file), package, name) if file else None
+    text = cmake_text(file) if file else ""
+    # ament_python_install_package installs the console scripts of this file.
+    places = (os.path.join(directory, "setup.cfg"), os.path.join(directory, package, "setup.cfg"))
+    is_unclear = "ament_python_install_package" in text and any(map(disk.exists, places))
+    if not file or is_unclear:
+        return None
+    return _of_cmake(text, package, name)
 
 
 def _of_cmake(text: str, package: str, name: str) -> MissingExecutable | None:
@@ -71,8 +78,9 @@ def _of_cmake(text: str, package: str, name: str) -> MissingExecutable | None:
         is_installed = "${" in installed or name in re.split(r"[\s\"]+", installed)
         return None if is_installed else MissingExecutable(True, tuple(others))
     stem = re.escape(name.removesuffix(".py"))
+    end = "" if name.endswith(".py") else r"(?!\.py\b)"  # a script keeps its suffix
     rest = _SOURCE_FILE.sub(" ", text.replace(package, " ", 1))
-    is_named = re.search(rf"(?<![\w-]){stem}(?![\w-])", rest)
+    is_named = re.search(rf"(?<![\w-]){stem}(?![\w-]){end}", rest)
     return (
         None
         if is_named or ("${" in text and not others)
