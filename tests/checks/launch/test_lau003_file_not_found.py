@@ -389,3 +389,35 @@ if {test}:
     Node(package='rviz2', executable='rviz2', arguments=['-d', VIEW])
 """
     assert len(reported(tmp_path / "arm", "LAU003", "a.launch.py", text)) == count
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "help"),
+    [
+        (
+            "a.launch",
+            '<arg name="map" default="/home/me/ws/src/arm/maps/a.yaml"/>',
+            "write $(find arm)/maps/a.yaml",
+        ),
+        (
+            "a.launch.py",
+            "x = {'file': '/home/me/ws/src/arm/maps/a.yaml'}",
+            "write os.path.join(get_package_share_directory('arm'), 'maps/a.yaml')",
+        ),
+        (
+            "a.launch.py",
+            "x = ['python3', '/home/me/ws/src/arm/arm/a.py']",
+            "install it as an executable of 'arm', and start it as a node",
+        ),
+        ("a.launch", '<arg name="map" default="/home/me/ws/src/arm/maps/b.yaml"/>', None),
+        ("a.launch", '<arg name="map" default="/home/me/ws/src/leg/maps/a.yaml"/>', None),
+        ("a.launch", '<arg name="map" default="/opt/ws/src/arm/maps/a.yaml"/>', None),
+        ("a.launch", "<!-- /home/me/ws/src/arm/maps/a.yaml -->", None),
+        ("a.launch.py", "# x = '/home/me/ws/src/arm/maps/a.yaml'", None),
+        ("a.launch.py", "'For example, /home/me/ws/src/arm/maps/a.yaml'", None),
+    ],
+)
+def test_a_path_on_another_computer(tmp_path: Path, name: str, text: str, help: str | None) -> None:
+    files = {"maps/a.yaml": "a: 1", "arm/a.py": ""}
+    found = reported(tmp_path / "arm", "LAU003", name, text, files)
+    assert [one.help for one in found] == ([help] if help else [])

@@ -63,6 +63,27 @@ def test_what_this_ros_has(tmp_path: Path, text: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("args", "help"),
+    [
+        ("-configuration_directory /c -configuration_basename a.lua", None),
+        ("--configuration_directory=/c --configuration_basename=a.lua", None),
+        ("-flagfile /c/flags", None),
+        ("$(arg all)", None),
+        ("", None),
+        (
+            "-configuration_directory /c -configuration_basenames a.lua",
+            "write -configuration_basename for -configuration_basenames",
+        ),
+        ("-configuration_directory /c", "add -configuration_basename and its value"),
+    ],
+)
+def test_options_of_cartographer(tmp_path: Path, args: str, help: str | None) -> None:
+    text = f'<node name="c" pkg="cartographer_ros" type="cartographer_node" args="{args}"/>'
+    found = reported(tmp_path, "LAU036", "a.launch", text)
+    assert [one.help for one in found] == ([help] if help else [])
+
+
+@pytest.mark.parametrize(
     ("pieces", "word", "help"),
     [
         ("'xacro', path", "path", naming("xacro ")),

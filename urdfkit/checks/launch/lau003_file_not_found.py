@@ -14,13 +14,14 @@ file stops the launch, and Gazebo does not start without its world. Also reporte
 - In Python, a path relative to the directory in which launch is started.
 - `xacro.py`, and the `state_publisher` of `robot_state_publisher`, which were removed in Noetic
   (info in a launch file of ROS 1).
+- A path in the home directory of another computer, of a file that a package of the workspace has.
 - In Python, a path component that begins with a slash: `os.path.join` and `PathJoinSubstitution`
   drop everything before it (error). Or a path
   that follows the directory of a package without a slash (error).
 
 Not reported: files that the build of a package may generate, files that git ignores, files named
-after a launch file that passes its own path to a program, which may write them, and absolute paths
-outside the repository or workspace, such as `/etc/clearpath`, which may exist on the robot.
+after a launch file that passes its own path to a program, which may write them, and other absolute
+paths outside the repository or workspace, such as `/etc/clearpath`, which may exist on the robot.
 
 Sources:
     roslaunch, XML: http://wiki.ros.org/roslaunch/XML
@@ -31,6 +32,7 @@ Sources:
 import os
 import re
 
+from urdfkit.checks.launch.paths_of_other_computers import paths_of_other_computers
 from urdfkit.core import disk
 from urdfkit.core.suggest import is_typo, nearest_file
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, reported, rule
@@ -84,6 +86,7 @@ def check(context: Context) -> Findings:
     yield from _in_parameters(context)
     yield from _worlds(context)
     yield from _removed_packages(context)
+    yield from paths_of_other_computers(context)
     for finding in reported(context, "LAU003"):
         is_former = finding.severity is Severity.INFO and _was_removed(context, finding)
         yield finding._replace(severity=None) if is_former else finding

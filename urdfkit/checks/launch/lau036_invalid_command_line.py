@@ -9,6 +9,7 @@
   `_name:=value` (warning).
 - An option of the spawner, of static_transform_publisher or of the agent of micro-ROS, or a verb or
   state of `ros2 control`, does not exist, or no longer (info or warning).
+- Cartographer lacks one of its two options, or it is misspelt.
 - static_transform_publisher has a wrong number of arguments: a period after the frames belongs to
   ROS 1. Or its angles are in degrees.
 - A node that reads the keyboard, such as teleop_twist_keyboard, has no terminal in a launch file of
@@ -16,6 +17,7 @@
   `prefix="xterm -e"`.
 
 Sources:
+    cartographer_ros, node_main.cc: https://github.com/cartographer-project/cartographer_ros/blob/master/cartographer_ros/cartographer_ros/node_main.cc
     launch, execute_local.py: https://github.com/ros2/launch/blob/rolling/launch/launch/actions/execute_local.py
     launch, command.py: https://github.com/ros2/launch/blob/rolling/launch/launch/substitutions/command.py
     rcl, arguments.c: https://github.com/ros2/rcl/blob/rolling/rcl/src/rcl/arguments.c

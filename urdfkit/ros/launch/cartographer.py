@@ -18,6 +18,8 @@ from urdfkit.workspace.resolve import Resolver
 
 CARTOGRAPHER = "cartographer_ros/cartographer_node"
 _DIRECTORY, _NAME = "-configuration_directory", "-configuration_basename"
+#: The options without which the node stops.
+REQUIRED = frozenset({_DIRECTORY.lstrip("-"), _NAME.lstrip("-")})
 _COMMENT = re.compile(rb"--[^\n]*")
 _TABLE = re.compile(rb"\boptions\s*=\s*\{")
 _INNER = re.compile(rb"\{[^{}]*\}")

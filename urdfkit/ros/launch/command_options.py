@@ -1,8 +1,8 @@
 """Command lines of nodes with options that they do not have: ROS arguments, spawner, ros2 control.
 
-Sources: ``rcl/src/rcl/arguments.c`` of ros2/rcl, ``ArgumentParser.hpp`` of
-eProsima/Micro-XRCE-DDS-Agent, ``spawner.py`` of controller_manager and the verbs
-of ros2controlcli of ros-controls/ros2_control, humble to rolling.
+Sources: ``node_main.cc`` of cartographer_ros, ``rcl/src/rcl/arguments.c`` of ros2/rcl,
+``ArgumentParser.hpp`` of eProsima/Micro-XRCE-DDS-Agent, ``spawner.py`` of controller_manager and
+the verbs of ros2controlcli of ros-controls/ros2_control, humble to rolling.
 """
 
 import re
@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.cartographer import CARTOGRAPHER, REQUIRED
 from urdfkit.ros.launch.contents import StartedProgram, Word
 from urdfkit.ros.launch.spawned_controllers import has_value
 from urdfkit.text.diagnostic import Problem, Severity
@@ -24,7 +25,9 @@ _RECENT = b"ros_gz"
 
 
 def wrong_options(program: StartedProgram) -> Iterator[Problem]:
-    """Options that stop a program of ROS 2, or that it ignores."""
+    """Options that stop a program, or that it ignores."""
+    if program.frame is None and program.key == CARTOGRAPHER:
+        yield from _cartographer(program)
     if not program.is_ros_2 or program.frame is not None:
         return
     yield from _ros_arguments(program)
@@ -145,6 +148,19 @@ def _agent(program: StartedProgram) -> Iterator[Problem]:
         if re.match(r"--[a-zA-Z]", option) and option not in options:
             match = nearest(option, options, 0)
             yield _error(word, f"micro_ros_agent ignores '{option}'", f"did you mean {match}?")
+
+
+def _cartographer(program: StartedProgram) -> Iterator[Problem]:
+    """Options of Cartographer that are missing or misspelt: it stops without these two."""
+    options = [(word.text or "").partition("=")[0].lstrip("-") for word in program.words]
+    if "flagfile" in options or not all(word.text for word in program.words):
+        return
+    for required in (REQUIRED - set(options)) if program.words else ():
+        message = f"cartographer_node stops: -{required} is missing"
+        match = nearest(required, options, TYPO)
+        word = program.words[options.index(match) if match else 0]
+        help = f"write -{required} for {word.text}" if match else f"add -{required} and its value"
+        yield _error(word, message, help)
 
 
 def _error(word: Word, message: str, help: str) -> Problem:
