@@ -109,6 +109,22 @@ def test_used_argument_is_accepted(tmp_path: Path, more: str) -> None:
     assert reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("gui"), files) == []
 
 
+@pytest.mark.parametrize(
+    ("more", "count"),
+    [
+        ("Node(parameters=[{'gui': LaunchConfiguration('world')}])", 1),
+        ("gui = LaunchConfiguration('world')", 1),
+        ("for name in ('gui',): LaunchConfiguration(name)", 0),
+        ("Node(arguments=['--gui $(var gui)'])", 0),
+    ],
+)
+def test_the_name_of_another_thing_is_no_argument(tmp_path: Path, more: str, count: int) -> None:
+    """Elkapod: its launch file has a parameter use_sim_time, and an argument sim_mode."""
+    files = {"launch/b.launch.py": TAKES_PYTHON + more}
+    found = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("gui"), files)
+    assert len(found) == count
+
+
 def test_all_arguments_may_be_forwarded(tmp_path: Path) -> None:
     files = {"launch/b.launch": TAKES}
     text = ROS_1.format("gui").replace("b.launch", 'b.launch" pass_all_args="true', 1)

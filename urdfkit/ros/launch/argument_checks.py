@@ -1,5 +1,6 @@
 """Arguments of launch files: undeclared, unknown to the included file, or missing."""
 
+import ast
 import os
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, KeysView
@@ -10,6 +11,7 @@ from urdfkit.core.suggest import Suggester, did_you_mean, hint_for
 from urdfkit.core.suggest import is_typo as is_one_letter_off
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.signature import USE, Signature
+from urdfkit.text import python_source
 from urdfkit.text.comments import blank_comments, without_comments
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import CallFrame, Element
@@ -148,6 +150,7 @@ def unknown_to_included(
     suggester = Suggester(frozenset(unused))
     for number, (name, span) in enumerate(unknown):
         is_used = ros == 2 and words.issuperset(_WORD.findall(name.encode()))
+        is_used = is_used and not (taken.is_whole and _is_only_key(name, source))
         is_mistyped = bool(suggester.suggested(name))
         if not is_used and (ros == 1 or taken.is_whole or is_mistyped):
             file = os.path.basename(source.path)
@@ -155,6 +158,19 @@ def unknown_to_included(
             message = f"'{file}': unknown argument '{name}'{hint}"
             severity = Severity.INFO if ros == 2 and not is_mistyped else None
             yield Problem("LAU005", span, message, frame=frame, severity=severity)
+
+
+def _is_only_key(name: str, source: Source) -> bool:
+    """True if a Python file has a name only as that of something else, such as a parameter."""
+    if not source.path.endswith(".py"):
+        return False
+    nodes = python_source.nodes(python_source.parse(source.data))
+    keys = {id(key) for node in nodes if isinstance(node, ast.Dict) for key in node.keys}
+    texts = [
+        node.value for node in nodes if isinstance(node, ast.Constant) and id(node) not in keys
+    ]
+    word = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
+    return not any(isinstance(text, str) and word.search(text) for text in texts)
 
 
 @lru_cache(maxsize=4)
