@@ -59,9 +59,9 @@ def test_a_sibling_is_not_meant(written: str, known: str) -> None:
 
 
 def test_the_world_can_be_added() -> None:
-    robot = ROBOT.format("world", "arm_link")
+    robot = ROBOT.format("world", "arm_link").partition("\n")[2]
     assert fixed("REF001", robot) == (
-        '<robot name="example">\n<link name="base_link"/>\n<link name="arm_link"/>\n'
+        '<robot name="example">\n<link name="arm_link"/>\n'
         '<link name="world"/>\n'
         '<joint name="j" type="fixed">\n  <parent link="world"/>\n  <child link="arm_link"/>\n'
         "</joint>\n</robot>\n"
@@ -161,3 +161,9 @@ def test_a_link_that_an_argument_adds() -> None:
     (found,) = reported("REF001", text.encode(), "robot.xacro")
     assert found.severity is Severity.WARNING
     assert found.help == "pass the argument that adds the link"
+
+
+def test_the_world_is_not_added_next_to_a_root() -> None:
+    """OpenArm's MoveIt package: the robot that it includes has a base of its own by default."""
+    (found,) = reported("REF001", ROBOT.format("world", "arm_link"))
+    assert found.fix is None

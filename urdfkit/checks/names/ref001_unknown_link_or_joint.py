@@ -68,7 +68,7 @@ def _links(context: Context) -> Findings:
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
                 _help(context, link.value, is_awaited),
-                _corrected(context, link, known.get(suggested)) or _added_world(joint, link),
+                _corrected(context, link, known.get(suggested)) or _added_world(joint, link, context),
                 severity=Severity.WARNING if is_awaited else None,
             )
 
@@ -113,7 +113,10 @@ def _corrected(context: Context, name: Attribute, suggested: Link | Joint | None
     return corrected_definition(context, suggested, name.value) or fix_value(name, suggested.name)
 
 
-def _added_world(joint: Joint, link: Attribute) -> Fix | None:
-    if link.value != "world" or from_macro(joint.at):
+def _added_world(joint: Joint, link: Attribute, context: Context) -> Fix | None:
+    """Adds the world, unless another link is the root already."""
+    children = {joint.child_name for joint in context.model.joints}
+    has_root = any(link.name not in children for link in context.model.links)
+    if link.value != "world" or from_macro(joint.at) or has_root:
         return None
     return Fix('add <link name="world"/>', insert_before(joint.at, ('<link name="world"/>',)))
