@@ -82,3 +82,10 @@ def test_an_unknown_element_is_reported(
     captured = capsys.readouterr()
     assert captured.out == ""
     assert captured.err.startswith("error: ")
+
+
+def test_the_name_of_a_link_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "r.xacro"
+    file.write_text(ROBOT % "", encoding="utf-8")
+    assert main(["trace", str(file), "a"]) == 2
+    assert "did you mean 'link/a'?" in capsys.readouterr().err

@@ -81,7 +81,7 @@ def test_wheels_that_differ_by_millimetres_tilt_the_robot_a_little(lift: str, fa
 
 
 @pytest.mark.parametrize(
-    "verdict", ["fixed", "no-area", "tips-unless-bolted", "stands", "no-mass", "unknown"]
+    "verdict", ["fixed", "no-area", "tips-unless-bolted", "stands", "no-mass", "unknown", "carried"]
 )
 def test_the_report_and_the_command_say_the_same(
     verdict: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -95,6 +95,15 @@ def test_the_report_and_the_command_say_the_same(
         "stands": on_wheels(BOTH),
         "no-mass": link("base", tray),
         "unknown": link("base", shape("collision", '<mesh filename="missing.stl"/>')),
+        # the WAM-V of VRX, whose propellers are below its hull
+        "carried": link("base", inertial(1, (1, 1, 1)))
+        + "".join(
+            link(f"{side}_blade", tray, inertial(0.1, (1e-3, 1e-3, 1e-3)))
+            + joint("base", f"{side}_blade", "continuous", f"-1 {y} -0.5").replace(
+                'name="', 'name="propeller_', 1
+            )
+            for side, y in (("left", 0.3), ("right", -0.3))
+        ),
     }[verdict]
     path = tmp_path / "robot.urdf"
     path.write_text(whole_robot(text), encoding="utf-8")

@@ -16,6 +16,7 @@ from urdfkit.robot.kinematics import direction, frames
 from urdfkit.robot.link import Shape
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.rigid_bodies import rigid_bodies
+from urdfkit.robot.rotors import is_carried_by_rotors
 from urdfkit.robot.support_polygon import Point, hull, weakest_edge, width
 from urdfkit.robot.tree import KinematicTree
 
@@ -30,6 +31,7 @@ VERDICTS = {
     "stands": "stands",
     "tips": "tips over",
     "tips-unless-bolted": "tips over unless fixed to the ground",
+    "carried": "carried by rotors or thrusters: does not stand on the ground",
     "no-area": "the ground contacts span no area",
     "no-contact": "no collision geometry in contact with the ground",
     "no-mass": "no mass",
@@ -134,6 +136,8 @@ def standing_verdict(
     if result is not None:
         bolted = "-unless-bolted" if set(root.names).issuperset(touching) else ""
         verdict = f"tips{bolted}" if result.tips else "stands"
+        if result.tips and contacts is None and is_carried_by_rotors(tree.model):
+            return StandingVerdict("carried", visuals=visuals)
     elif not touching:
         verdict = "no-contact"
     else:

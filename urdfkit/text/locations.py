@@ -1,8 +1,9 @@
 """Source locations as JSON, for ``urdfkit expand --map``, and elements by their address."""
 
+from collections.abc import Iterable
 from typing import Any
 
-from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.suggest import did_you_mean, hint_for
 from urdfkit.errors import UrdfkitError
 from urdfkit.text.document import Attribute, Document, Element, Step
 from urdfkit.text.source import Span
@@ -52,7 +53,7 @@ def find(document: Document, address: str) -> Element | Attribute:
     elements = {element.path: element for element in reversed(list(document.root.walk()))}
     element = elements.get(path.strip("/"))
     if element is None:
-        raise NoSuchElement(f"no element '{path}'{did_you_mean(path, elements)}")
+        raise NoSuchElement(f"no element '{path}'{_hint(path, elements)}")
     if not at:
         return element
     attribute = element.attributes.get(name)
@@ -60,3 +61,10 @@ def find(document: Document, address: str) -> Element | Attribute:
         names = did_you_mean(name, element.attributes)
         raise NoSuchElement(f"element '{path}' has no attribute '{name}'{names}")
     return attribute
+
+
+def _hint(path: str, elements: Iterable[str]) -> str:
+    """The nearest address; that of the link or joint if it is a name alone."""
+    kinds = ("link/", "joint/")
+    whole = (one for one in elements if one.startswith(kinds) and one.endswith(f"/{path}"))
+    return hint_for(next(whole, None)) or did_you_mean(path, elements)
