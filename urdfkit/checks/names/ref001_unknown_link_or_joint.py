@@ -68,7 +68,8 @@ def _links(context: Context) -> Findings:
                 link,
                 f"joint '{joint.name}': {role} link '{link.value}' is not in the model{hint}",
                 _help(context, link.value, is_awaited),
-                _corrected(context, link, known.get(suggested)) or _added_world(joint, link, context),
+                _corrected(context, link, known.get(suggested))
+                or _added_world(joint, link, context),
                 severity=Severity.WARNING if is_awaited else None,
             )
 
