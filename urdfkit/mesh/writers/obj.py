@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from urdfkit.mesh.geometry import Floats, Mesh, MeshMaterial, MeshPart
 from urdfkit.mesh.normals import shaded
-from urdfkit.mesh.writers.text import Table, numbers, table
+from urdfkit.mesh.writers.text import Table, numbers, printed, table
 from urdfkit.mesh.writers.textures import texture_files
 
 
@@ -34,20 +34,18 @@ def encode(mesh: Mesh, name: str) -> dict[str, bytes]:
 
 def _part(part: MeshPart, starts: dict[str, int]) -> Iterator[str]:
     """The lines of one part; ``starts`` are the first indices of its rows, and are updated."""
+    import numpy as np
+
     tables: dict[str, Table] = {"v": table(_positions(part), part.faces)}
     if part.uv is not None:
         tables["vt"] = table(part.uv, part.faces)
     if part.normals is not None:
         tables["vn"] = table(part.normals, part.faces)
     for key, (rows, _) in tables.items():
-        yield from (f"{key} {numbers(row)}" for row in rows)
-    columns = [tables[key].corners + starts[key] if key in tables else None for key in starts]
-    for face in range(len(part.faces)):
-        corners = (
-            "/".join("" if column is None else str(column[face, corner]) for column in columns)
-            for corner in range(3)
-        )
-        yield "f " + " ".join(corner.rstrip("/") for corner in corners)
+        yield from printed(f"{key}{' %.9g' * rows.shape[1]}", rows)
+    corner = "/".join("%d" if key in tables else "" for key in starts).rstrip("/")
+    columns = [tables[key].corners + starts[key] for key in starts if key in tables]
+    yield from printed(f"f {corner} {corner} {corner}", np.stack(columns, axis=-1))
     for key, (rows, _) in tables.items():
         starts[key] += len(rows)
 

@@ -1,6 +1,6 @@
 """Numbers in text formats."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +9,8 @@ from urdfkit.mesh.geometry import Floats, Integers
 
 #: More decimals would need a power of ten that overflows.
 _MOST_DECIMALS = 300
+#: Rows that are formatted together, which bounds the memory.
+_ROWS_AT_ONCE = 20_000
 
 
 class Table(NamedTuple):
@@ -44,3 +46,15 @@ def rounded_rows(rows: Floats) -> Floats:
 def numbers(values: Iterable[float] | Floats) -> str:
     """Numbers separated by spaces, nine digits each, the same on every machine."""
     return " ".join(f"{value:.9g}" for value in np.asarray(values, dtype=float).reshape(-1))
+
+
+def printed(line: str, rows: Floats | Integers) -> Iterator[str]:
+    """The rows as lines, in pieces of many lines each without the last line end.
+
+    Args:
+        line: a format of ``%`` for one row; one for many rows at once is ten times faster.
+        rows: (n, width).
+    """
+    for start in range(0, len(rows), _ROWS_AT_ONCE):
+        piece = rows[start : start + _ROWS_AT_ONCE]
+        yield "\n".join([line] * len(piece)) % tuple(piece.reshape(-1).tolist())
