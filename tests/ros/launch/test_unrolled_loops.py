@@ -40,7 +40,10 @@ def test_a_loop_is_its_rounds(loop: str, names: str) -> None:
         "for n in names: found.append({})",
         "for i, n in enumerate(names): found.append({})",
         "for n in ['a', *others]: found.append({})",
-        "for n in range(2): found.append({})",
+        "for n in range(count): found.append({})",
+        "for n in range(0, 4, 2): found.append({})",
+        "for n in range(1000000000): found.append({})",
+        "for n in range(): found.append({})",
         "NAMES = ['a']\nNAMES.append(b)\nfor n in NAMES: found.append({})",
         "NAMES = ['a']\nNAMES = ['b']\nfor n in NAMES: found.append({})",
         "for n, m in [('a',), ('b', 1)]: found.append({})",
@@ -52,6 +55,21 @@ def test_a_loop_is_its_rounds(loop: str, names: str) -> None:
 def test_other_loops_stay(loop: str) -> None:
     program = loop.format(NODE.format("n"))
     assert unparsed(program) == ast.unparse(ast.parse(program))
+
+
+@pytest.mark.parametrize(
+    ("loop", "names"),
+    [
+        ("for n in range(2): found.append({})", ["0", "1"]),
+        ("for n in range(1, 3): found.append({})", ["1", "2"]),
+        ("ROBOTS = 2\nfor n in range(ROBOTS): found.append({})", ["0", "1"]),
+        ("for n in range(2, 1): found.append({})", []),
+    ],
+)
+def test_a_loop_over_numbers(loop: str, names: list[str]) -> None:
+    text = unparsed(loop.format("Node(package='p', executable='e', name=f'r{n}')"))
+    assert "for" not in text
+    assert [one for one in "0123" if f"f'r{{{one}}}'" in text] == names
 
 
 def test_a_loop_without_actions_stays() -> None:

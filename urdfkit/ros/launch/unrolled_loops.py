@@ -86,16 +86,13 @@ class _Unroller(ast.NodeTransformer):
         return [one for one in rounds if one is not None] if is_known else None
 
     def _items(self, node: ast.expr) -> list[ast.expr] | None:
-        """The items of a list, ``enumerate(list)`` or ``dictionary.items()``; None if unknown."""
+        """The items of a list, ``dictionary.items()`` or a call of Python; None if unknown."""
         if isinstance(node, ast.Name) and node.id not in self._changed:
             node = self._values.get(node.id, node)
         if isinstance(node, (ast.List, ast.Tuple)):
             return None if any(isinstance(one, ast.Starred) for one in node.elts) else node.elts
-        if isinstance(node, ast.Call) and called(node) == "enumerate" and len(node.args) == 1:
-            items = self._items(node.args[0])
-            numbered = enumerate(items or ())
-            pairs = [(ast.copy_location(ast.Constant(n), node), item) for n, item in numbered]
-            return None if items is None else [ast.Tuple([*pair], ast.Load()) for pair in pairs]
+        if isinstance(node, ast.Call) and called(node) in ("enumerate", "range"):
+            return self._numbered(node) if called(node) == "enumerate" else self._numbers(node)
         if isinstance(node, ast.Call) and called(node) == "items":
             owner = node.func.value if isinstance(node.func, ast.Attribute) else node.func
             owner = self._values.get(owner.id, owner) if isinstance(owner, ast.Name) else owner
@@ -103,6 +100,26 @@ class _Unroller(ast.NodeTransformer):
                 rows = zip(filter(None, owner.keys), owner.values, strict=True)
                 return [ast.Tuple([*row], ast.Load()) for row in rows]
         return None
+
+    def _numbered(self, call: ast.Call) -> list[ast.expr] | None:
+        """The pairs of ``enumerate(list)``."""
+        items = self._items(call.args[0]) if len(call.args) == 1 else None
+        if items is None:
+            return None
+        pairs = [(ast.copy_location(ast.Constant(n), call), item) for n, item in enumerate(items)]
+        return [ast.Tuple([*pair], ast.Load()) for pair in pairs]
+
+    def _numbers(self, call: ast.Call) -> list[ast.expr] | None:
+        """The numbers of ``range(...)`` with known bounds."""
+        named = (self._values.get(n.id, n) if isinstance(n, ast.Name) else n for n in call.args)
+        bounds = [node.value for node in named if isinstance(node, ast.Constant)]
+        integers = [value for value in bounds if isinstance(value, int)]
+        if len(integers) < len(call.args) or not 1 <= len(integers) <= 2 or call.keywords:
+            return None
+        numbers = range(*integers)
+        if len(numbers) > _MAX_ITEMS:
+            return None
+        return [ast.copy_location(ast.Constant(number), call) for number in numbers]
 
     def _own_names(self, loop: ast.For) -> list[str]:
         """The names that are assigned and used only in a loop."""
