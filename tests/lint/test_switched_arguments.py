@@ -194,3 +194,34 @@ def test_what_it_has_and_what_is_added_to_it_is_fixed(tmp_path: Path) -> None:
     write(tmp_path, "r.urdf.xacro", body, NAMESPACE)
     (file,) = fix(tmp_path).files
     assert (file.before.count(b"<axis"), file.after.count(b"<axis")) == (2, 0)
+
+
+CHOICE = """<launch><arg name="place" default="depot">{}</arg>
+<node pkg="robot_localization" exec="ekf_node" name="local"/>
+<group if="$(eval '{}')"><node pkg="robot_localization" exec="{}" name="global"/></group></launch>
+"""
+COMPARED = "\\'$(var place)\\' == \\'yard\\'"
+
+
+@pytest.mark.parametrize(
+    ("choice", "condition", "executable", "variants"),
+    [
+        ('<choice value="yard"/>', COMPARED, "ekf_node", [("place=yard",)]),
+        ("", COMPARED, "ekf_node", [("place=yard",)]),
+        ("", COMPARED, "navsat_transform_node", []),
+        ("", COMPARED.replace("yard", "depot"), "ekf_node", [()]),
+    ],
+)
+def test_choices_of_a_launch_file(
+    tmp_path: Path,
+    choice: str,
+    condition: str,
+    executable: str,
+    variants: list[tuple[str, ...]],
+) -> None:
+    """What is started together with another choice than the default is checked, too."""
+    add_file(tmp_path / "package.xml", "<package><name>p</name></package>")
+    text = CHOICE.format(choice, condition, executable)
+    file = add_file(tmp_path / "launch" / "a.launch.xml", text)
+    found = check(file, select=["LAU021"]).diagnostics
+    assert [one.variants for one in found] == variants

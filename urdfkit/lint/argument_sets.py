@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.launch_sets import as_text, by_origin, launch_sets, variants
 from urdfkit.lint.plan import Job
-from urdfkit.lint.switched_arguments import switched
+from urdfkit.lint.switched_arguments import switched, switched_launches
 from urdfkit.lint.unchecked_values import MAX_SETS, unchecked_values
+from urdfkit.text.file_kinds import is_launch
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -22,6 +23,8 @@ def as_checked(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Cont
 
     These are the sets with which it is started, and those with another value in a condition.
     """
+    if is_launch(job.path):
+        return [(job, read(job)), *((other, read(other)) for other in switched_launches(job))]
     started = as_launched(job, read)
     return started if job.overriding is None else [*started, *_with_switched(job, started, read)]
 

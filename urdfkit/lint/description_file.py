@@ -228,6 +228,11 @@ class DescriptionFile:
 
         return Counter(map(attrgetter("tag_at"), self.document.root.walk()))
 
+    @property
+    def is_launched(self) -> bool:
+        """True if it is checked with the arguments of a launch file."""
+        return self._frame is not None
+
     @cached_property
     def launch(self) -> Launch:
         """The contents of the launch file.

@@ -52,6 +52,16 @@ def switched(job: Job, started: list[tuple[Job, Context]]) -> Iterator[Job]:
         yield first._replace(arguments=arguments, may_fail=True, switched=f"{name}={value}")
 
 
+def switched_launches(job: Job) -> Iterator[Job]:
+    """A launch file with each other value of an argument that it offers, or compares with."""
+    if job.source is None or job.arguments or job.codes:
+        return
+    from urdfkit.ros.launch.alternatives import alternatives
+
+    for name, value in alternatives(job.source):
+        yield job._replace(arguments={name: value}, switched=f"{name}={value}")
+
+
 def _others(known: set[str], compared: Iterable[str]) -> list[str]:
     """The values that are not known: the other boolean, or those of comparisons."""
     booleans = {value.lower() for value in known}

@@ -15,6 +15,7 @@ from itertools import groupby
 from operator import itemgetter
 
 from urdfkit.core import disk
+from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.errors import PackageNotFound
 from urdfkit.ros import RosDescription
@@ -174,8 +175,10 @@ def _runs_on_hardware(description: RosDescription) -> bool:
 
 def controllers(description: RosDescription) -> Iterator[tuple[ParameterFile, Controller]]:
     """The controllers of the readable parameter files."""
-    for file, source in readable_files(description):
-        for controller in read(source, is_of_ros1=file.is_of_ros1):
+    files = list(readable_files(description))
+    of_ros2 = [source for file, source in files if not file.is_of_ros1]
+    for file, source in files:
+        for controller in with_parameters(read(source, is_of_ros1=file.is_of_ros1), of_ros2):
             if file.element is None or controller.ros == 2:  # RCT026 reports the others
                 yield file, controller
 
@@ -218,6 +221,20 @@ def read(source: Source, *, is_of_ros1: bool = False) -> tuple[Controller, ...]:
         Controller(path[-1], kind.text, kind.span, 2, sections.get(path, Section({}, {}, None)))
         for path, kind in types.items()
     )
+
+
+def with_parameters(found: Iterable[Controller], sources: Iterable[Source]) -> Iterator[Controller]:
+    """Controllers of ROS 2; their parameters may be in another file, which a spawner loads."""
+    others: dict[str, list[Section]] | None = None
+    for controller in found:
+        if controller.ros == 1 or controller.section.at:
+            yield controller
+            continue
+        if others is None:
+            sections = (item for source in sources for item in _sections(source).items())
+            others = by_key((path[-1], section) for path, section in sections)
+        own = others.get(controller.name, [])
+        yield controller._replace(section=own[0]) if len(own) == 1 else controller
 
 
 def managers(description: RosDescription) -> Iterator[tuple[ParameterFile, Section]]:

@@ -29,6 +29,9 @@ _SPACED_NAMESPACE = rb"""\sxmlns(?::[\w.-]+)?\s*=\s*["']([^"'<>]*\s[^"'<>]*)["']
 #: Most locations of the same defect that are reported.
 MAX_RELATED = 5
 
+#: What the prefixes of attributes of Gazebo stand for.
+_ADDRESSES = dict.fromkeys(("gz", "ignition"), "http://gazebosim.org/schema")
+
 
 class DocumentTooLarge(Exception):
     """The document is larger than any robot."""
@@ -206,7 +209,10 @@ def _undeclared(prefix: str, first: Element) -> Problem:
         start = tag.span.source.data.find(name.encode(), tag.start, tag.inner_start)
         at = Span(tag.source, start, start + len(name.encode())) if start >= 0 else tag.span
     message = f"the prefix '{prefix}:' is used but never declared"
-    help = f'declare it on the root element: xmlns:{prefix}="..."'
+    address = _ADDRESSES.get(prefix, "...")
+    help = f'declare it on the root element: xmlns:{prefix}="{address}"'
+    if prefix == "ignition":
+        help += "; Garden and later read gz: instead"
     return Problem("XML007", at, message, help)
 
 

@@ -262,3 +262,30 @@ def test_a_type_where_only_the_spawner_of_an_included_file_reads_it(
     }
     found = reported(tmp_path, "LAU013", "spawn.launch.py", SPAWN_2.format("'grip'" + more), files)
     assert ["has no type for 'grip'" in one.message for one in found] == [True] * count
+
+
+TYPES, OWN = (f"/**:\n{part}" for part in ROS_2["config/c.yaml"].split("/**:\n")[1:])
+APART = {"config/c.yaml": TYPES, "config/own.yaml": OWN}
+FILE_2 = "FindPackageShare('arm').find('arm') + '/config/own.yaml'"
+
+
+@pytest.mark.parametrize(
+    ("more", "files", "count"),
+    [
+        ("", APART, 1),
+        (f", '--param-file', {FILE_2}", APART, 0),
+        (", name", APART, 0),  # perhaps the option
+        ("", {**APART, "config/own.yaml": OWN.replace("arm_c", "leg_c")}, 0),
+        ("", {**APART, "config/own.yaml": OWN.replace("joints", "gains")}, 0),
+        ("", {**APART, "launch/b.launch.py": f"Node(parameters=[{FILE_2}])"}, 0),
+        ("", {"config/c.yaml": TYPES + OWN.removeprefix("/**:\n")}, 0),
+    ],
+)
+def test_parameters_in_a_file_that_nothing_loads(
+    tmp_path: Path, more: str, files: dict[str, str], count: int
+) -> None:
+    text = HEAD_2 + LOAD_2 + SPAWN_2.format(f"'arm_controller'{more}")
+    found = reported(tmp_path, "LAU013", "a.launch.py", text, files)
+    assert [one.message for one in found] == [naming("arm_controller")] * count
+    assert all(one.help == naming("--param-file", "own.yaml") for one in found)
+    assert all(one.span.text == "'arm_controller'" for one in found)

@@ -312,3 +312,72 @@ def test_a_relative_topic_that_another_launch_file_remaps(tmp_path: Path) -> Non
         "launch/nav2.launch.py": "SetRemap('/local_costmap/scan', '/scan')\n",
     }
     assert reported(tmp_path / "arm", "LAU026", "a.launch.py", text, files) == []
+
+
+SOLID = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+SOLID += '</inertial><collision><geometry><sphere radius="0.1"/></geometry></collision>'
+WHEELS = '<robot name="r"><link name="base_link"/>' + "".join(
+    f'''<link name="{name}">{SOLID}</link><joint name="{name}_joint" type="{{}}">
+<parent link="base_link"/><child link="{name}"/><origin xyz="{x} {y} 0"/><axis xyz="0 1 0"/>
+</joint>'''
+    for name, x, y in (("a", 0.3, 0.3), ("b", 0.3, -0.3), ("c", -0.3, 0.3), ("d", -0.3, -0.3))
+)
+WHEELS += "</robot>"
+SMALL = "footprint: '[[0.2, 0.2], [0.2, -0.2], [-0.2, -0.2], [-0.2, 0.2]]'"
+
+
+@pytest.mark.parametrize(
+    ("values", "kind", "count"),
+    [
+        (SMALL, "continuous", 1),
+        (SMALL.replace("0.2", "0.28"), "continuous", 0),
+        (SMALL.replace("0.2", "0.4"), "continuous", 0),
+        (SMALL, "fixed", 0),  # legs, perhaps
+        (SMALL + ", robot_base_frame: nowhere", "continuous", 0),
+        (SMALL + ", robot_base_frame: base_link", "continuous", 1),
+        ("robot_radius: 0.2", "continuous", 1),
+        ("robot_radius: 0.4", "continuous", 0),
+        ("robot_radius: 0.2, footprint: '[]'", "continuous", 1),
+    ],
+)
+def test_wheels_outside_of_the_footprint(
+    tmp_path: Path, values: str, kind: str, count: int
+) -> None:
+    text = (
+        "from launch_ros.actions import Node\n\n"
+        "state = Node(package='robot_state_publisher', executable='robot_state_publisher', "
+        f"parameters=[{{'robot_description': open('{tmp_path}/r.urdf').read()}}])\n"
+        "server = Node(package='nav2_controller', executable='controller_server', "
+        "parameters=['../a.yaml'])\n"
+    )
+    yaml = COSTMAP_OF.format(values)
+    files = {"a.yaml": yaml, "r.urdf": WHEELS.format(*[kind] * 4)}
+    found = reported(tmp_path, "LAU026", "a.launch.py", text, files)
+    words = [one.message for one in found if "leaves out" in one.message]
+    assert len(words) == count
+    assert all("0.424 m" in one for one in words)
+
+
+FAST = (
+    "controller_server: {{ros__parameters: {{FollowPath: {{plugin: {}, {}}}}}}}\n"
+    "velocity_smoother: {{ros__parameters: {{max_velocity: [0.5, 0.0, 1.0], x: 1}}}}\n"
+)
+PURSUIT = "'nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController'"
+
+
+@pytest.mark.parametrize(
+    ("plugin", "speed", "count"),
+    [
+        (PLAIN_MPPI, "vx_max: 0.5", 0),
+        (PLAIN_MPPI, "vx_max: 0.9", 0),
+        (PLAIN_MPPI, "vx_max: 1.0", 1),
+        (PLAIN_MPPI, "max_vel_x: 1.0", 0),
+        (DWB, "max_vel_x: 1.0", 1),
+        (PURSUIT, "desired_linear_vel: 1.0", 1),
+    ],
+)
+def test_a_controller_beyond_the_smoother(
+    tmp_path: Path, plugin: str, speed: str, count: int
+) -> None:
+    found = messages("LAU026", tmp_path, FAST.format(plugin, speed))
+    assert sum("velocity_smoother limits" in one for one in found) == count

@@ -433,3 +433,26 @@ def test_servers_in_timers_of_two_choices(tmp_path: Path, condition: str, count:
     )
     found = messages(tmp_path, "LAU043", text, {})
     assert ["is started twice" in one for one in found] == [True] * count
+
+
+GIVEN = """
+nodes += [
+    Node(package="ros_gz_bridge", executable="parameter_bridge",
+         arguments=["/imu/data@sensor_msgs/msg/Imu[gz.msgs.IMU"]),
+]
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "count"),
+    [
+        ("", 1),
+        (', remappings=[("imu", "/imu/data")]', 0),
+        (', parameters=[{"use_odometry_yaw": False, "wait_for_datum": False}]', 1),
+        (', parameters=[{"use_odometry_yaw": True}]', 0),
+        (', parameters=[{"wait_for_datum": True}]', 0),
+    ],
+)
+def test_the_imu_of_navsat_transform(tmp_path: Path, more: str, count: int) -> None:
+    found = messages(tmp_path, "LAU032", NODE.format(*NAVSAT, more) + GIVEN, {})
+    assert ["'/imu'" in one for one in found] == [True] * count

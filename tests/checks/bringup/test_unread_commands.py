@@ -260,3 +260,36 @@ def test_a_navigation_with_a_namespace(tmp_path: Path) -> None:
     text = NAVIGATION.replace("{{'params", "{{'namespace': 'drive', 'params").format(tmp_path)
     files = {"nav2.yaml": "amcl: {ros__parameters: {alpha1: 0.2}}\n"}
     assert not reported(tmp_path, "LAU032", "a.launch.py", text + COMMANDS, files)
+
+
+SMOOTHER = """
+Node(package='nav2_velocity_smoother', executable='velocity_smoother', name='velocity_smoother',
+     remappings=[('cmd_vel', 'cmd_vel_raw')]{})
+Node(package='nav2_collision_monitor', executable='collision_monitor', name='collision_monitor',
+     parameters=['{}/nav2.yaml'])
+"""
+PARAMETERS = """collision_monitor:
+  ros__parameters: {{cmd_vel_in_topic: cmd_vel_smoothed, cmd_vel_out_topic: {}, x: 1}}
+"""
+NAV_MUX = "mux: {ros__parameters: {use_stamped: false, topics: {nav: {topic: cmd_vel_nav}}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("topic", "namespace", "count"),
+    [
+        ("cmd_vel_nav", "", 0),
+        ("cmd_vel_raw", "", 0),  # the smoother reads it
+        ("cmd_vel", "", 1),
+        ("cmd_vel", ", namespace=name", 0),  # what it reads is unknown
+    ],
+)
+def test_output_next_to_remapped_smoothers(
+    tmp_path: Path, topic: str, namespace: str, count: int
+) -> None:
+    given = f"remappings=[('cmd_vel_out', '/drive/cmd_vel')], parameters=['{tmp_path}/mux.yaml']"
+    text = SMOOTHER.format(namespace, tmp_path) + COMMANDS + MUX.format(given)
+    files = {"nav2.yaml": PARAMETERS.format(topic), "mux.yaml": NAV_MUX}
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    assert [one.help for one in found if "collision_monitor" in one.message] == [
+        "write cmd_vel_nav"
+    ] * count

@@ -5,6 +5,7 @@ import pytest
 from tests.controls import NEXT, ROBOT, plugin
 from tests.naming import naming
 from tests.reported import messages, places, reported
+from tests.xacros import xacro
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
 
@@ -102,3 +103,23 @@ def test_a_path_that_is_passed(
     passed = {name: value.format(tmp_path) for name, value in arguments.items()}
     (found,) = check(file, select=["RCT026"], arguments=passed).diagnostics
     assert found.severity is severity
+
+
+@pytest.mark.parametrize(
+    ("given", "severity"),
+    [("", Severity.WARNING), ("file:=$(find-pkg-share p)/config/other.yaml", Severity.ERROR)],
+)
+def test_the_default_with_which_a_launch_file_starts_the_robot(
+    tmp_path: Path, given: str, severity: Severity
+) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    argument = '<xacro:arg name="file" default="$(find p)/config/no.yaml"/>'
+    (tmp_path / "r.xacro").write_text(xacro(argument + robot("$(arg file)")))
+    (tmp_path / "launch").mkdir()
+    command = f"'xacro $(find-pkg-share p)/r.xacro {given}'"
+    (tmp_path / "launch" / "a.launch.xml").write_text(
+        '<launch><node pkg="robot_state_publisher" exec="robot_state_publisher">'
+        f'<param name="robot_description" value="$(command {command})" type="str"/></node></launch>'
+    )
+    report = check(tmp_path / "launch" / "a.launch.xml", select=["RCT026"])
+    assert [one.severity for one in report.diagnostics] == [severity]

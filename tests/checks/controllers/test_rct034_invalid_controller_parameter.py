@@ -330,3 +330,25 @@ def test_values_of_other_controllers(
     text = text.replace("Xontroller", kind)
     found = [one.message for one in reported(tmp_path, "RCT034", text)]
     assert any(one.startswith(f"controller 'drive': {message}") for one in found)
+
+
+CORNERS = [
+    f"{end}_{side}_wheel_command_joint_name"
+    for end in ("front", "rear")
+    for side in ("left", "right")
+]
+
+
+@pytest.mark.parametrize(
+    ("joints", "count"), [(("a", "b", "c", "d"), 0), (("a", "b", "c", "c"), 1), (("a", "a"), 1)]
+)
+def test_a_wheel_at_two_corners(tmp_path: Path, joints: tuple[str, ...], count: int) -> None:
+    text = DRIVE.partition("drive:\n  ros__parameters:")[0].replace(
+        "diff_drive_controller/DiffDriveController",
+        "mecanum_drive_controller/MecanumDriveController",
+    )
+    rows = "".join(f"    {name}: {joint}\n" for name, joint in zip(CORNERS, joints, strict=False))
+    found = reported(tmp_path, "RCT034", f"{text}drive:\n  ros__parameters:\n{rows}")
+    names = [one.message for one in found if one.message.endswith(", too")]
+    assert len(names) == count
+    assert all(joints[-1] in name for name in names)

@@ -139,3 +139,33 @@ def test_unequal_wheels(left: str, right: str, drive: str, words: str) -> None:
     found = messages("GAZ073", text)
     assert [words in one for one in found] == [True] * bool(words)
     assert all("its counterpart" in one for one in found)
+
+
+CORNERS = ("front_left", "front_right", "back_left", "back_right")
+FOUR = f'<link name="base">{INERTIAL}</link>' + "".join(
+    f"""<link name="{corner}">{INERTIAL}{BALL.format(0.1)}</link>
+<joint name="{corner}_joint" type="continuous"><parent link="base"/><child link="{corner}"/>
+<origin xyz="{x} {y} 0"/><axis xyz="0 1 0"/></joint>"""
+    for corner, x, y in zip(CORNERS, (0.3, 0.3, -0.3, -0.3), (0.2, -0.2) * 2, strict=True)
+)
+DRIVE = "".join(f"<{corner}_joint>{corner}_joint</{corner}_joint>" for corner in CORNERS)
+FOUR += f"""<gazebo><plugin name="gz::sim::systems::MecanumDrive"
+filename="gz-sim-mecanum-drive-system">{DRIVE}</plugin></gazebo>"""
+
+
+@pytest.mark.parametrize(
+    ("directions", "attribute", "count"),
+    [
+        (("1 -1 0", "1 -1 0", "1 -1 0", "1 -1 0"), "gz:expressed_in", 1),
+        (("1 -1 0", "1 1 0", "1 1 0", "1 -1 0"), "gz:expressed_in", 0),
+        (("1 -1 0", "1 -1 0", "1 -1 0", "1 -1 0"), "frame", 0),  # each in that of its wheel
+        (("1 -1 0", "1 -1 0", "1 -1 0"), "gz:expressed_in", 0),
+    ],
+)
+def test_rollers_of_mecanum_wheels(directions: tuple[str, ...], attribute: str, count: int) -> None:
+    surfaces = "".join(
+        friction(corner, f'<mu1>1</mu1><fdir1 {attribute}="base">{direction}</fdir1>')
+        for corner, direction in zip(CORNERS, directions, strict=False)
+    )
+    found = messages("GAZ073", FOUR + surfaces)
+    assert [values(one) for one in found] == [["<fdir1>", "1 -1 0"]] * count

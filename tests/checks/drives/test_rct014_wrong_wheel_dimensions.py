@@ -197,6 +197,19 @@ def test_mecanum_wheels(tmp_path: Path) -> None:
     assert reported(tmp_path, text + "      wheels_radius: 0.1\n", robot()) == []
 
 
+@pytest.mark.parametrize(("value", "count"), [("0.5", 0), ("0.3", 1), ("0.0", 1)])
+def test_the_projection_of_mecanum_wheels(tmp_path: Path, value: str, count: int) -> None:
+    names = {
+        "front_left_wheel_command_joint_name": "fl",
+        "rear_right_wheel_command_joint_name": "rr",
+    }
+    parameter = "sum_of_robot_center_projection_on_X_Y_axis"
+    text = controller("m", MECANUM, **names, kinematics="") + f"      {parameter}: {value}\n"
+    found = reported(tmp_path, text, robot())
+    who = naming("m", f"kinematics.{parameter}", f"{float(value):g} m", "0.5 m")
+    assert [one.message for one in found] == [who] * count
+
+
 # --- drive plugins of Gazebo
 
 

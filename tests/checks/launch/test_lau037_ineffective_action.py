@@ -51,3 +51,23 @@ def test_a_handler_that_is_not_used_either(tmp_path: Path) -> None:
     handler = "c = RegisterEventHandler(OnProcessExit(target_action=a, on_exit=[b]))\n"
     found = reported(tmp_path, "LAU037", "a.launch.py", handler.join(text.partition("def ")[::2]))
     assert [one.severity.name for one in found] == []
+
+
+MADE = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+def made(name):
+    return Node(package='a', executable='b', name=name)
+def text(name):
+    return f'{{name}}_text'
+def generate_launch_description():
+    first = made('first')
+    second = {}
+    return LaunchDescription([first])
+"""
+
+
+@pytest.mark.parametrize(("second", "count"), [("made('second')", 1), ("text('second')", 0)])
+def test_what_a_function_creates_is_not_started(tmp_path: Path, second: str, count: int) -> None:
+    found = reported(tmp_path, "LAU037", "a.launch.py", MADE.format(second))
+    assert [one.message for one in found] == [naming("second")] * count

@@ -262,3 +262,36 @@ def test_the_only_package_that_is_not_declared(
     (tmp_path / "a.launch.xml").write_text(launch(nodes))
     found = check(tmp_path / "a.launch.xml", select=["PKG001"]).diagnostics
     assert [one.severity for one in found] == severities
+
+
+ROBOT = """<robot name="r"><link name="base"/><gazebo>
+<plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin"/>
+</gazebo></robot>"""
+STATE = """<launch><node pkg="robot_state_publisher" exec="robot_state_publisher">
+<param name="robot_description" value="$(command 'cat $(find-pkg-share model)/r.urdf')"/>
+</node></launch>"""
+SIMULATION = """<launch><include file="$(find-pkg-share model)/launch/state.launch.xml"/>
+<node pkg="ros_gz_sim" exec="create" args="-topic robot_description"/></launch>"""
+CONTROL = "<exec_depend>gz_ros2_control</exec_depend>"
+
+
+@pytest.mark.parametrize(
+    ("simulation", "model", "count"), [("", "", 1), (CONTROL, "", 0), ("", CONTROL, 0)]
+)
+def test_the_control_plugin_of_an_included_robot(
+    tmp_path: Path, simulation: str, model: str, count: int
+) -> None:
+    """A workspace with a package for the robot, and one for its simulation."""
+    own = "<exec_depend>model</exec_depend><exec_depend>ros_gz_sim</exec_depend>" + simulation
+    kind = "<export><build_type>ament_cmake</build_type></export></package>"
+    for name, depends in (("model", model), ("simulation", own)):
+        manifest = MANIFEST.replace("<name>arm<", f"<name>{name}<")
+        (tmp_path / name / "launch").mkdir(parents=True)
+        (tmp_path / name / "package.xml").write_text(manifest.replace("</package>", depends + kind))
+    (tmp_path / "model" / "r.urdf").write_text(ROBOT)
+    (tmp_path / "model" / "launch" / "state.launch.xml").write_text(STATE)
+    file = tmp_path / "simulation" / "launch" / "sim.launch.xml"
+    file.write_text(SIMULATION)
+    found = check(file, select=["PKG001"]).diagnostics
+    assert [one.help for one in found] == [naming(CONTROL, "package.xml")] * count
+    assert all(one.span.source.path == str(file) for one in found)

@@ -58,7 +58,7 @@ def test_others_resolve_packages_by_themselves(tmp_path: Path, target: str) -> N
     [
         ("src/arm/hooks/arm.dsv.in", "prepend-non-duplicate;GZ_SIM_RESOURCE_PATH;share"),
         ("src/bringup/launch/all.launch.py", "SetEnvironmentVariable('GAZEBO_MODEL_PATH', x)"),
-        ("README.md", "export IGN_GAZEBO_RESOURCE_PATH=..."),
+        ("README.md", "export GZ_SIM_RESOURCE_PATH=..."),
         (
             "src/arm/launch/spawn.launch.py",
             "text = text.replace(\n  'package://arm/', f'{share}/')",
@@ -94,3 +94,51 @@ def test_a_launch_file_of_ros_1_starts_another_gazebo(
     text = f'<launch><node pkg="gazebo_ros" exec="spawn_entity" args="{find}"/></launch>'
     add_file(tmp_path / "src" / "arm" / "launch" / "gazebo.launch", text.encode())
     assert len(reported(tmp_path, launch="")) == count
+
+
+@pytest.mark.parametrize(("target", "count"), [("gz-harmonic", 1), ("gz-fortress", 0)])
+def test_the_variable_of_fortress(tmp_path: Path, target: str, count: int) -> None:
+    add_file(tmp_path / "README.md", "export IGN_GAZEBO_RESOURCE_PATH=...")
+    assert len(reported(tmp_path, target=target)) == count
+
+
+SET = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import AppendEnvironmentVariable
+SHARE = get_package_share_directory('arm')
+def generate_launch_description():
+    return LaunchDescription([AppendEnvironmentVariable('GZ_SIM_RESOURCE_PATH', {})])
+"""
+
+
+@pytest.mark.parametrize(
+    ("value", "count"),
+    [
+        ("SHARE", 1),
+        ("os.pathsep.join([SHARE])", 0),  # unknown
+        ("SHARE + os.pathsep + '/usr/share'", 1),
+        ("os.path.dirname(SHARE)", 0),
+        ("os.path.join(SHARE, '..')", 0),
+        ("SHARE + ':' + os.path.dirname(SHARE)", 0),
+        ("os.path.join(SHARE, 'meshes')", 0),
+        ("somewhere()", 0),
+    ],
+)
+def test_a_launch_file_sets_the_package_itself(tmp_path: Path, value: str, count: int) -> None:
+    found = reported(tmp_path, launch=LAUNCH + SET.format(value))
+    assert [one.span.text for one in found] == [value] * count
+    assert all(one.message == naming("GZ_SIM_RESOURCE_PATH", "arm", OWN) for one in found)
+
+
+def test_a_launch_file_of_xml_sets_the_package_itself(tmp_path: Path) -> None:
+    text = '<launch><set_env name="GZ_SIM_RESOURCE_PATH" value="$(find-pkg-share arm){}"/></launch>'
+    add_file(tmp_path / "src" / "arm" / "launch" / "env.launch.xml", text.format(""))
+    (found,) = reported(tmp_path)
+    assert found.span.source.path.endswith("env.launch.xml")
+    add_file(tmp_path / "src" / "arm" / "launch" / "env.launch.xml", text.format("/.."))
+    assert reported(tmp_path) == []
+    add_file(tmp_path / "src" / "arm" / "launch" / "env.launch.xml", text.format(""))
+    add_file(tmp_path / "README.md", "export GZ_SIM_RESOURCE_PATH=...")
+    assert reported(tmp_path) == []

@@ -18,7 +18,7 @@ def test_every_prefix_is_reported_once_at_its_first_use() -> None:
         (2, 4, "gz:link", naming("gz:", "never")),
         (4, 18, "drake:acceleration", naming("drake:", "never")),
     ]
-    assert found[0].help == naming("declare", 'xmlns:gz="..."')
+    assert found[0].help == naming("declare", 'xmlns:gz="http://gazebosim.org/schema"')
     assert [one.fix for one in found] == [None, None]
 
 

@@ -87,7 +87,9 @@ def test_solver_of_an_unknown_group(tmp_path: Path, place: str) -> None:
     assert (found.span.line, found.span.text) == (3, "hnad")
 
 
-@pytest.mark.parametrize(("name", "count"), [("RRT", 0), ("PRMkConfigDefault", 1), ("mine", 0)])
+@pytest.mark.parametrize(
+    ("name", "count"), [("RRT", 0), ("PRMkConfigDefault", 1), ("PRMstar", 1), ("mine", 0)]
+)
 def test_planners_that_the_file_does_not_have(tmp_path: Path, name: str, count: int) -> None:
     text = "planner_configs:\n  RRT: {type: geometric::RRT}\narm:\n  default_planner_config: "
     (tmp_path / "ompl_planning.yaml").write_text(text + name)

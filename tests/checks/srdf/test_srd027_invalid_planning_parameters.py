@@ -157,3 +157,23 @@ def test_settings_in_the_list_of_sensors(
     assert [("sensors contains settings" in message) for _, _, message, _ in found] == [
         True
     ] * count
+
+
+KDL = "g: {{kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin{}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (KDL.format(""), 1),
+        (KDL.format(", position_only_ik: true"), 0),
+        (KDL.format("").replace("kdl_", "pick_ik/"), 0),
+        (KDL.format("").replace("g:", "other:"), 0),
+    ],
+)
+def test_a_chain_of_few_joints(tmp_path: Path, text: str, count: int) -> None:
+    found = findings_in(tmp_path, "kinematics.yaml", text, "SRD027")
+    assert [(severity, message) for _, severity, message, _ in found] == [
+        (Severity.INFO.name, naming("g", "1"))
+    ] * count
+    assert all("position_only_ik" in help for *_, help in found)

@@ -120,3 +120,24 @@ def test_gazebo_classic_reads_as_far_as_it_can(
     found = findings(tmp_path, CODE, world=f'<model name="m">{text}</model>', launch=CLASSIC)
     assert [one.severity for one in found] == [severity]
     assert ("Gazebo Classic" in found[0].message) is (severity is Severity.WARNING)
+
+
+BOX = """<model name="m">{}<link name="l"><inertial><mass>1</mass><inertia><ixx>0.02</ixx>
+<iyy>0.02</iyy><izz>{}</izz>{}</inertia></inertial></link></model>"""
+
+
+@pytest.mark.parametrize(
+    ("state", "izz", "more", "count"),
+    [
+        ("", "0.03", "", 0),
+        ("", "0.04", "", 0),  # a plate
+        ("", "0.2", "", 1),
+        ("", "0.2", "<ixy>0</ixy>", 1),
+        ("", "0.2", "<ixy>0.01</ixy>", 0),  # the principal moments are others
+        ("<static>true</static>", "0.2", "", 0),
+    ],
+)
+def test_inertia_of_a_model(tmp_path: Path, state: str, izz: str, more: str, count: int) -> None:
+    found = findings(tmp_path, CODE, world=BOX.format(state, izz, more))
+    assert [one.span.text for one in found] == ["<izz>"] * count
+    assert all(one.severity is Severity.WARNING for one in found)

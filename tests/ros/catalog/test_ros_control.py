@@ -60,7 +60,7 @@ def test_control_plugins_by_file_name(filename: str, plugin: str | None) -> None
 
 
 def test_measures_reference_joint_parameters() -> None:
-    sides = {"radius": 1, "track": 1, "separation": 2, "wheelbase": 2}
+    sides = {"radius": 1, "track": 1, "separation": 2, "wheelbase": 2, "projection": 2}
     for name, controller in ros_control.controller_types().items():
         assert name.count("/") == 1
         assert controller.joints

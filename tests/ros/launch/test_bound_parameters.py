@@ -17,7 +17,10 @@ from urdfkit.ros.launch.bound_parameters import bound_parameters
             {"a": "x", "b": "y"},
         ),
         ("def f(context, a): pass\nOpaqueFunction(function=f, kwargs={'a': x})", {"a": "x"}),
-        ("def f(context, *rest): pass\nOpaqueFunction(function=f, args=[x])", {}),
+        ("def f(context, *rest): pass\nOpaqueFunction(function=f, args=[x])", {"rest": "(x,)"}),
+        ("def f(a, *rest): pass\nf(1, 2, 3)", {"a": "1", "rest": "(2, 3)"}),
+        ("def f(*rest): pass\nf(*values)", {}),
+        ("def f(*rest, a, b=2): pass\nf(a=1)", {"a": "1", "b": "2", "rest": "()"}),
         ("def f(a, b): pass\nf(*values)", {}),
         ("def f(a): pass\nf(1)\nf(2)", None),  # called twice
         ("def f(a): pass\nf(1)\ncallbacks = [f]", None),
@@ -27,7 +30,7 @@ from urdfkit.ros.launch.bound_parameters import bound_parameters
 )
 def test_parameters(program: str, bound: dict[str, str] | None) -> None:
     found = [
-        {name: ast.unparse(value) for name, value in parameters.items()}
-        for parameters in bound_parameters(ast.parse(program)).values()
+        {name: ast.unparse(value) for name, value in binding.passed.items()}
+        for binding in bound_parameters(ast.parse(program)).values()
     ]
     assert found == ([] if bound is None else [bound])

@@ -141,7 +141,7 @@ def test_what_has_no_effect(tmp_path: Path, text: str, start: str) -> None:
         ),
         program("PushRosNamespace('n')", "    print(node)\n"),  # for the files that include it
         program("node, PushRosNamespace('n'), GroupAction([node])"),
-        program("node, SetParameter('x', 1), *more", "    more = []\n"),
+        program("node, SetParameter('x', 1), *more", "    more = []\n    more.append(node)\n"),
         program(
             "node, SetParameter('x', 1), node, DeclareLaunchArgument(*more)", "    more = ['e']\n"
         ),

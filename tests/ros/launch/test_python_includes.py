@@ -67,7 +67,10 @@ def test_a_value_that_is_passed_on(package, side):
         ("os.getenv('ROS_DISTRO', 'humble')", "== 'humble'", "left"),
         ("EnvironmentVariable('ROS_DISTRO')", "== 'jazzy'", "left"),
         ("os.environ.get('GAZEBO')", "== 'humble'", None),
-        ("os.environ['ROS_DISTRO']", "in ('humble', 'jazzy')", None),
+        ("os.environ['ROS_DISTRO']", "in ('humble', 'jazzy')", "left"),
+        ("os.environ['ROS_DISTRO']", "not in ('humble', other)", None),
+        ("os.environ['ROS_DISTRO']", "in 'humble, jazzy'", None),
+        ("os.environ['ROS_DISTRO'].lower()", "== 'jazzy'", "left"),
     ],
 )
 def test_an_argument_for_a_distribution(package, distribution, test, value):

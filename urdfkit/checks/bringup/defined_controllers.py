@@ -8,7 +8,7 @@ from urdfkit.checks.bringup.workspace_launches import (
     workspace_launches,
 )
 from urdfkit.lint.rules import Context
-from urdfkit.ros.controllers import Controller, read
+from urdfkit.ros.controllers import Controller, read, with_parameters
 from urdfkit.ros.launch.contents import Launch
 
 
@@ -34,8 +34,11 @@ def _defined(
 ) -> dict[str, Controller]:
     controllers: dict[str, Controller] = {}
     paths = dict.fromkeys(file.path for launch in launches for file in launch.parameters)
-    for source in filter(None, map(context.resolver.readable, paths)):
-        controllers |= {controller.name: controller for controller in read(source)}
+    sources = list(filter(None, map(context.resolver.readable, paths)))
+    for source in sources:
+        found = with_parameters(read(source), sources)
+        controllers |= {controller.name: controller for controller in found}
     for robot in robots:
-        controllers |= {controller.name: controller for _, controller in robot.controllers}
+        found = with_parameters((controller for _, controller in robot.controllers), sources)
+        controllers |= {controller.name: controller for controller in found}
     return controllers

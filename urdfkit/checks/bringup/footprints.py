@@ -9,12 +9,19 @@ from __future__ import annotations
 import re
 from math import hypot, inf
 
-from urdfkit.checks.bringup.costmaps import class_of_layer
-from urdfkit.lint.rules import Finding, Findings, Severity
+from urdfkit.checks.bringup.costmaps import COSTMAPS, class_of_layer
+from urdfkit.checks.bringup.published_robots import published_robots
+from urdfkit.core.spatial import IDENTITY, Transform
+from urdfkit.lint.rules import Context, Finding, Findings, Severity
 from urdfkit.robot.values import number
 from urdfkit.ros.node_parameters import NodeParameters
 from urdfkit.text.located_yaml import Value, mapping, scalar
 
+#: A point seen from above, in m.
+Point = tuple[float, float]
+#: Part of the distance of a wheel, and length in m, by which it may be outside of a footprint.
+_EXCESS, _LEAST_EXCESS = 0.2, 0.03
+_BASE, _WHEELS = "base_link", 2
 _CONSIDERED, _OF_FOOTPRINT = "consider_footprint", ("CostCritic", "ObstaclesCritic")
 _SIDE = 5.0  # m, of a costmap, if not given
 _TOLERANCE = 1e-6
@@ -76,6 +83,75 @@ def wrong_radii(node: NodeParameters) -> Findings:
                 f"robot, {inscribed:.3g} m",
                 f"write more than {inscribed:.3g}",
             )
+
+
+def wheels_outside(context: Context, sections: list[NodeParameters]) -> Findings:
+    """Footprints and radii that are too small for the wheels of the robot."""
+    costmaps = [node for node in sections if node.name in COSTMAPS]
+    robots = published_robots(context) if costmaps else []
+    for node in costmaps if robots else ():
+        base = scalar(node.values, "robot_base_frame")
+        stands = [_standing_points(robot, base.text if base else _BASE) for robot in robots]
+        footprint, radius = (scalar(node.values, key) for key in ("footprint", "robot_radius"))
+        points = _points(footprint.text) if footprint else []
+        given = number(radius.text) if radius else None
+        if points and footprint:
+            yield from _outside(node, footprint, stands, points, "footprint")
+        elif radius and given:
+            yield from _outside(node, radius, stands, [(given, 0.0)], f"robot_radius {given:g}")
+
+
+def _outside(
+    node: NodeParameters,
+    at: Value,
+    stands: list[list[Point]],
+    points: list[Point],
+    what: str,
+) -> Findings:
+    """A finding if a wheel of each robot is far outside of a footprint, or of a radius."""
+    farthest = [max((_excess(one, points), one) for one in each) for each in stands if each]
+    if len(farthest) < len(stands) or not farthest:
+        return
+    excess, wheel = min(farthest)
+    reach = hypot(*wheel)
+    if excess > max(_EXCESS * reach, _LEAST_EXCESS):
+        yield Finding(
+            at.span,
+            f"'{node.name}': the {what} leaves out the wheels, which stand {reach:.3g} m from the "
+            "centre of the robot",
+            "write the outline of the robot, in metres",
+        )
+
+
+def _excess(point: Point, points: list[Point]) -> float:
+    """How far a point is outside of a polygon, or of the circle of a single point; in m."""
+    if len(points) == 1:
+        return hypot(*point) - points[0][0]
+    edges = list(zip(points, points[1:] + points[:1], strict=True))
+    x, y = point
+    crossed = [
+        x < (end[0] - start[0]) * (y - start[1]) / (end[1] - start[1]) + start[0]
+        for start, end in edges
+        if (start[1] > y) is not (end[1] > y)
+    ]
+    is_inside = sum(crossed) % 2 == 1
+    shifted = [((a[0] - x, a[1] - y), (b[0] - x, b[1] - y)) for a, b in edges]
+    return 0.0 if is_inside else min(_distance(*edge) for edge in shifted)
+
+
+def _standing_points(robot: Context, base: str) -> list[Point]:
+    """Where a robot on wheels touches the ground, in the frame of its base; empty if unknown."""
+    frame = robot.tree.frames.get(base) if robot.tree.is_sound else None
+    stability = robot.stability_on_primitives if frame else None
+    if frame is None or stability is None:
+        return []
+    parents = [robot.tree.parents.get(link, ()) for link in stability.links]
+    wheels = sum(any(joint.kind == "continuous" for joint in joints) for joints in parents)
+    if wheels < _WHEELS:
+        return []
+    inverse = frame.inverse
+    places = (inverse @ Transform(IDENTITY, (x, y, 0.0)) for x, y in stability.polygon)
+    return [place.position[:2] for place in places]
 
 
 def _is_below(width: float | None, bound: float) -> bool:

@@ -4,7 +4,8 @@ The spawner waits, or stops: "The 'type' param was not defined for 'arm_controle
 differs from the name in the YAML file, or the file does not define the controller. In ROS 2, the
 type must be in the section of the controller manager, not in the controller's own. A controller
 that commands another one, as in `pid/wheel_joint`, needs that one, which must be active before
-(warning), and a broadcaster needs the sensor that it reads. The YAML files
+(warning), and a broadcaster needs the sensor that it reads. A controller whose parameters are in a
+file that nothing loads has none (warning): its spawner needs `--param-file`. The YAML files
 of the package and of the packages that the launch file references are searched; if it loads none,
 and another file includes it, those of the workspace. If one of these
 packages is not found, only typos of known names are reported. A launch file that names parameters
@@ -25,15 +26,17 @@ from urdfkit.checks.bringup.defined_controllers import (
     defined_controllers,
 )
 from urdfkit.checks.bringup.unread_commands import is_part_of_ros
-from urdfkit.checks.bringup.workspace_launches import workspace_launches
+from urdfkit.checks.bringup.workspace_launches import robots_of_workspace, workspace_launches
 from urdfkit.core.suggest import Suggester, did_you_mean, is_typo
 from urdfkit.core.words import few
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
+from urdfkit.ros.catalog.controllers import parameters_of
 from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.claims import named_sensors
-from urdfkit.ros.controllers import Controller, read
+from urdfkit.ros.controllers import Controller, parameter_files, read
 from urdfkit.ros.launch.contents import Launch
 from urdfkit.ros.launch.spawned_controllers import SpawnedController, spawned_controllers
+from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.ros.ros_control import components
 from urdfkit.workspace.ros_packages import comes_with_ros
 
@@ -73,6 +76,7 @@ def check(context: Context) -> Findings:
     yield from _typed_by_themselves(spawned, defined or controllers_of(context, including))
     yield from _chained(context, spawned, defined)
     yield from _without_sensor(context, spawned, defined)
+    yield from _without_parameters(context, spawned)
     loaded = set(defined)
     directories, launches = _directories(context), [context.launch]
     if including:
@@ -151,6 +155,49 @@ def _without_sensor(
             message = f"controller '{user.name}' reads sensor '{name}', which no <ros2_control> has"
             help = f'add <sensor name="{name}"> with its state interfaces to <ros2_control>'
             yield Finding(value.span, message, help)
+
+
+def _without_parameters(context: Context, spawned: list[SpawnedController]) -> Findings:
+    """Controllers whose parameters are in a file that nothing loads."""
+    if any(word.text is None for one in spawned for word in one.program.words):
+        return
+    defined = controllers_of_workspace(context)
+    lacking = {
+        one.name: one
+        for one in spawned
+        if (known := defined.get(one.name)) and known.ros == 2 and _lacks_parameters(known)
+    }
+    launches = workspace_launches(context) if lacking else ()
+    if not lacking or not all(map(is_part_of_ros, (p for one in launches for p in one.unread))):
+        return
+    loaded = {file.path for launch in launches for file in launch.parameters}
+    for robot in robots_of_workspace(context):
+        loaded.update(file.found or file.path for file in parameter_files(robot))
+    for path in _files_below(context, _directories(context)):
+        source = context.resolver.readable(path) if path not in loaded else None
+        sections = nodes_in_files([path], context.resolver) if source else ()
+        for name, section in ((node.name, node) for node in sections):
+            if name in lacking and not _needed(defined[name]).isdisjoint(section.values):
+                one = lacking.pop(name)
+                message = (
+                    f"controller '{name}' gets no parameters: nothing loads the file with them"
+                )
+                help = f"pass --param-file with {os.path.basename(path)} to the spawner"
+                note = Related(section.at, f"the parameters of '{name}'")
+                yield Finding(one.at, message, help, severity=Severity.WARNING, related=(note,))
+
+
+def _lacks_parameters(controller: Controller) -> bool:
+    """True for a controller without parameters whose type needs some."""
+    return controller.section.at is None and bool(_needed(controller))
+
+
+def _needed(controller: Controller) -> set[str]:
+    """The first parts of the names of the parameters that a controller needs."""
+    known = parameters_of(controller.type, controller.ros)
+    joints = controller.kind.joints if controller.kind else ()
+    names = (*(known.required if known else ()), *joints)
+    return {part.partition(".")[0] for name in names for part in name.split("|")}
 
 
 def _is_later(name: str, other: str, spawned: list[SpawnedController]) -> bool:

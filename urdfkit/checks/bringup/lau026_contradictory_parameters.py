@@ -4,7 +4,8 @@ Each value is valid, but what it is meant for does not happen.
 
 - The step of MPPI is below the period of the controller, which stops it, or a critic of MPPI
   considers the footprint of a robot that has only a radius (errors).
-- An inflation radius is within the robot, rays that clear obstacles are shorter than the range of
+- The footprint or the radius of the robot leaves out its wheels, by a fifth of their distance. An
+  inflation radius is within the robot, rays that clear obstacles are shorter than the range of
   obstacles, or no source clears them. A minimum is above its maximum. The heights of obstacles
   exclude all lidars of the robot.
 - An initial pose is given without `set_initial_pose`, or `allow_reversing` of the regulated pure
@@ -19,7 +20,7 @@ Each value is valid, but what it is meant for does not happen.
   layer reads a relative topic, which up to Jazzy is in the namespace of the costmap (an info for
   Jazzy).
 - Nodes of Nav2 differ in `enable_stamped_cmd_vel`. A controller moves the robot sideways, which the
-  velocity_smoother forbids.
+  velocity_smoother forbids, or twice as fast as it allows.
 
 Sources:
     Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
@@ -28,10 +29,11 @@ Sources:
 """
 
 from urdfkit.checks.bringup import costmap_geometry
-from urdfkit.checks.bringup.footprints import without_footprint, wrong_radii
+from urdfkit.checks.bringup.footprints import wheels_outside, without_footprint, wrong_radii
 from urdfkit.checks.bringup.navigation_commands import mixed_stamps
 from urdfkit.checks.bringup.obstacle_heights import discarded_scans
 from urdfkit.checks.bringup.parameter_relations import (
+    beyond_smoother,
     contradictions,
     held_sideways,
     reversed_bounds,
@@ -76,5 +78,7 @@ def check(context: Context) -> Findings:
     yield from costmap_geometry.relative_topics(context, sections)
     yield from without_footprint(sections)
     yield from held_sideways(sections)
+    yield from beyond_smoother(sections)
     yield from mixed_stamps(sections)
     yield from discarded_scans(context, sections)
+    yield from wheels_outside(context, sections)

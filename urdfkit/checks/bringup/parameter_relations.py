@@ -22,6 +22,10 @@ _MIN = re.compile(r"(?<![^_])min(?=imum_|_|$)")
 _RANGES = (("obstacle_max_range", "raytrace_max_range"), ("obstacle_range", "raytrace_range"))
 _CONTROLLER, _MPPI = "controller_server", "nav2_mppi_controller::MPPIController"
 _DWB = "dwb_core::DWBLocalPlanner"
+_PURSUIT = "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"
+#: The greatest speeds of controllers, and by what factor they may exceed that of the smoother.
+_GREATEST = {_MPPI: "vx_max", _DWB: "max_vel_x", _PURSUIT: "desired_linear_vel"}
+_BEYOND = 2.0
 _FREQUENCY, _STEP = 20.0, 0.05  # Hz and s, if not given
 _TOLERANCE = 1e-6
 _PURSUIT = "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"
@@ -64,6 +68,27 @@ def held_sideways(sections: list[NodeParameters]) -> Findings:
                     "does not: its max_velocity in y is 0",
                     f"write {'DiffDrive' if is_omni else '0.0'}, or a max_velocity in y",
                     related=(Related(limits[1].span, "the limit in y"),),
+                )
+
+
+def beyond_smoother(sections: list[NodeParameters]) -> Findings:
+    """A controller whose greatest speed is far above the limit of the velocity_smoother."""
+    smoothers = [node for node in sections if node.name == "velocity_smoother"]
+    limits = scalars(smoothers[0].values.get("max_velocity")) if len(smoothers) == 1 else []
+    limit = _number(limits[0]) if limits else None
+    for node in sections:
+        plugins = node.values.values() if node.name == _CONTROLLER and limit else ()
+        for plugin in map(mapping, plugins):
+            name = _GREATEST.get(plugin_class(plugin), "")
+            value = scalar(plugin, name) if name else None
+            speed = _number(value)
+            if value and limit and speed and speed >= _BEYOND * limit:
+                yield Finding(
+                    value.span,
+                    f"'{node.name}': {name} is {speed:g} m/s, but the velocity_smoother limits "
+                    f"commands to {limit:g} m/s",
+                    f"write {limit:g} or less, or a greater max_velocity",
+                    related=(Related(limits[0].span, "the limit"),),
                 )
 
 

@@ -149,11 +149,19 @@ def _read_by_move_group(context: Context) -> Iterator[ReadTopic]:
 
 
 def _holds(condition: str, program: StartedProgram, context: Context) -> bool:
-    """Whether a condition certainly holds: ``name=default`` must be true, ``-name`` not given."""
-    name, _, default = condition.lstrip("-").partition("=")
+    """Whether a condition certainly holds.
+
+    ``name=default`` must be true, ``-name`` not given, and ``!name`` false or not given; ``ros2``
+    is the version.
+    """
+    if condition == "ros2":
+        return program.is_ros_2
+    name, _, default = condition.lstrip("-!").partition("=")
     value = given_parameter(program, name, context.resolver)
     if condition.startswith("-"):
         return value == ""
+    if condition.startswith("!"):
+        return value is not None and value.lower() in ("", "false")
     return value is not None and (value or default).lower() == "true"
 
 

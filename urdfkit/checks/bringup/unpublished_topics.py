@@ -78,7 +78,7 @@ def unpublished_inputs(context: Context) -> Findings:
     if not inputs or is_included(context):
         return
     of_workspace = workspace_launches(context)
-    filtered = _outputs_of_filters(of_workspace)
+    filtered = _outputs_of_filters((context.launch, *of_workspace))
     spawned = spawned_topics(context, (context.launch, *of_workspace))
     served: dict[str, str] = {}  # the directories of the topics that nodes get, by node
     waiting: list[tuple[ReadTopic, dict[str, StartedProgram]]] = []

@@ -60,7 +60,8 @@ DRIVE = re.compile(r"\w*(DiffDrive|Mecanum|OmniWheel|Tricycle|Steering)\w*Contro
 #: The parameter of a drive for stamped commands, and the suffix of the topic without stamps.
 _STAMPED, _PLAIN = "use_stamped_vel", "_unstamped"
 _OF_NAVIGATION = "/cmd_vel"
-_MONITOR, _OUT = "collision_monitor", "cmd_vel_out_topic"
+_SMOOTHER, _OF_SMOOTHER = "velocity_smoother", "cmd_vel_smoothed"
+_MONITOR, _IN, _OUT = "collision_monitor", "cmd_vel_in_topic", "cmd_vel_out_topic"
 _MUX, _MUX_STAMPED = "twist_mux", "use_stamped"
 _COMMAND = re.compile(r"cmd_vel|reference")
 _TWIST, _TWIST_STAMPED = "Twist", "TwistStamped"
@@ -94,7 +95,10 @@ def unread_commands(context: Context) -> Findings:
     drives = {reader.topic: reader.related for reader in all_readers if not reader.is_mux}
     read = {topic.removesuffix(_PLAIN) for topic in readers}
     if drives:
-        yield from _unread_outputs(context, launches, drives, read)
+        published = {topic for _, topic in sources}
+        free = (one for one in all_readers if one.is_mux and one.topic not in published)
+        inputs = {reader.topic: reader.related for reader in free} or drives
+        yield from _unread_outputs(context, launches, inputs, read)
         yield from _unread_navigation(context, navigation, launches, drives, read)
     if any(node.package in _SMOOTHERS for node in programs):
         read.update(_SMOOTHED)
@@ -120,8 +124,8 @@ def _unread_outputs(
     context: Context, launches: Iterable[Launch], readers: dict[str, Related], read: set[str]
 ) -> Findings:
     """Outputs of the collision monitor of Nav2 that nothing reads."""
-    programs = programs_of(launches)
-    if any(node.package in _SMOOTHERS and node.is_remapped for node in programs):
+    smoothed = _inputs_of_smoothers(programs_of(launches), context)
+    if smoothed is None:
         return
     paths = (file.path for file in context.launch.parameters)
     for node in nodes_in_files(paths, context.resolver):
@@ -129,10 +133,27 @@ def _unread_outputs(
         if not isinstance(value, Value) or not re.fullmatch(r"[\w/]+", value.text):
             continue
         topic = resolve_name(value.text, "")
-        if topic not in {*read, *_SMOOTHED} and not _is_named(topic, launches, context, 1):
+        if topic not in {*read, *smoothed} and not _is_named(topic, launches, context, 1):
             other, message = _unread(_MONITOR, topic, readers)
             help = f"write {other.strip('/')}"
             yield Finding(value.span, message, help, related=(readers[other],))
+
+
+def _inputs_of_smoothers(programs: list[StartedProgram], context: Context) -> set[str] | None:
+    """The topics on which the smoothers of Nav2 read commands; None if they are unknown."""
+    smoothers = [node for node in programs if node.package in _SMOOTHERS]
+    if not any(node.is_remapped for node in smoothers):
+        return set(_SMOOTHED)
+    topics = {_input_of_smoother(node, context) for node in smoothers}
+    known = {topic for topic in topics if topic is not None}
+    return known if len(known) == len(topics) else None
+
+
+def _input_of_smoother(node: StartedProgram, context: Context) -> str | None:
+    if node.executable == _SMOOTHER:
+        return topic_name("cmd_vel", node)
+    name = given_parameter(node, _IN, context.resolver) if node.executable == _MONITOR else None
+    return None if name is None else topic_name(name or _OF_SMOOTHER, node)
 
 
 def _unread_navigation(

@@ -4,7 +4,7 @@
   controller can be loaded, and Gazebo may stop as well. The file has another name or directory, or
   is not installed. An absolute path outside the repository or workspace is a warning: it may exist
   on another machine, such as `/workspace/install/...` in a container. A path that depends on an
-  argument or a property is an info.
+  argument or a property is an info; a warning if a launch file starts the robot with the default.
 - A launch file of ROS 1 loads controllers that are below `ros__parameters`, as in ROS 2.
 - The file is not YAML, `ros__parameters` is misspelt (two underscores), or parameters are below a
   name that no controller has. The controller then starts without its joints, and stops: "parameter
@@ -25,6 +25,7 @@ from collections.abc import Iterator
 from itertools import islice
 
 from urdfkit.core.suggest import TYPO, hint_for, is_typo, nearest, nearest_file
+from urdfkit.errors import PackageNotFound
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.ros.catalog.controllers import parameters_of
 from urdfkit.ros.controllers import (
@@ -50,6 +51,8 @@ FILES = {
     "config/good.yaml": _YAML,
 }
 
+#: A path in a package.
+_IN_PACKAGE = r"\$\(find ([\w-]+)\)/([^$]+)"
 #: Directories of generated files.
 _GENERATED = ("generated", "temp", "tmp")
 
@@ -120,6 +123,9 @@ def _not_found(context: Context, file: ParameterFile, element: Element) -> Findi
     is_passed = path in context.arguments.values()  # by a launch file, or by the user
     is_chosen = "$" in re.sub(r"\$\(find [^)]*\)", "", written) and not is_passed
     severity = None if is_here else Severity.WARNING
+    if is_chosen:
+        is_default = is_here and _is_started_with_default(context, path)
+        severity = Severity.WARNING if is_default else Severity.INFO
     package, relative = file.meant or ("PACKAGE", "config/FILE.yaml")
     write = f"write $(find {package})/{relative} in the xacro, which works everywhere"
     help = write if file.meant else f"correct the path; {write}"
@@ -129,8 +135,24 @@ def _not_found(context: Context, file: ParameterFile, element: Element) -> Findi
         element,
         f"parameter file not found{where}: {path}{hint}",
         help,
-        severity=Severity.INFO if is_chosen else severity,
+        severity=severity,
     )
+
+
+def _is_started_with_default(context: Context, path: str) -> bool:
+    """True if a launch file starts the robot with the default of an argument that is a path."""
+    defaults = context.reading.defaults if context.is_launched else {}
+    matches = {name: re.fullmatch(_IN_PACKAGE, value.strip()) for name, value in defaults.items()}
+    for name, match in matches.items():
+        if match is None or name in context.arguments:
+            continue
+        try:
+            directory = context.resolver.package(match[1], context.source.path)
+        except PackageNotFound:
+            continue
+        if os.path.normpath(f"{directory}/{match[2]}") == os.path.normpath(path):
+            return True
+    return False
 
 
 def _of_ros2(root: Node) -> Iterator[tuple[Span, str, str]]:

@@ -131,6 +131,7 @@ def _problems(
     errors += invalid_interfaces(controller)
     errors += _wrong_axles(controller)
     errors += _on_both_sides(controller)
+    errors += _at_two_corners(controller)
     yield from ((None, problem) for problem in errors)
     warnings = (
         *_misspelt(controller),
@@ -321,6 +322,17 @@ def _on_both_sides(controller: Controller) -> Iterator[_Problem]:
             message = f"'{value.text}' is in left_wheel_names, too"
             yield value.span, message, "name each wheel on its side only"
             break
+
+
+def _at_two_corners(controller: Controller) -> Iterator[_Problem]:
+    """A wheel that several parameters name, each of which is for another wheel."""
+    names = controller.kind.joints if controller.kind else ()
+    first: dict[str, str] = {}
+    for name in names if "ecanum" in controller.type else ():
+        for value in controller.section.values(name):
+            if (other := first.setdefault(value.text, name)) != name:
+                message = f"'{value.text}' is {other}, too"
+                yield value.span, message, "name each wheel once"
 
 
 def _wrong_axles(controller: Controller) -> Iterator[_Problem]:

@@ -11,6 +11,9 @@
 - A driven wheel whose friction is a multiple of that of its left or right counterpart: the robot
   drives in a curve.
 
+- The four wheels of a mecanum drive have the same `fdir1` in the frame of the body: the rollers of
+  neighbours must be mirrored, or the robot only drives forwards and backwards.
+
 Wheels with a first friction direction (`fdir1`) are reported only if both coefficients are low.
 Wheels of mecanum drives without one are not: links of their own may be their rollers.
 
@@ -18,6 +21,8 @@ Sources:
     SDF, friction: http://sdformat.org/spec?ver=1.9&elem=collision
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
     husky/husky#120: https://github.com/husky/husky/issues/120
+    gz-sim, mecanum_drive.sdf: https://github.com/gazebosim/gz-sim/blob/gz-sim8/examples/worlds/mecanum_drive.sdf
+    ros-controls/ros2_controllers#1681: https://github.com/ros-controls/ros2_controllers/issues/1681
     Gazebo, friction: https://classic.gazebosim.org/tutorials?tut=friction
 """
 
@@ -33,6 +38,7 @@ from urdfkit.robot.symmetry import pairs
 from urdfkit.ros.gazebo.drives import drive_of, wheels
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.ros.gazebo.values import leading, text_of, value
+from urdfkit.text.document import Element
 
 #: Coefficients below which a wheel has no grip, and from which a caster has.
 LITTLE, MUCH = 0.1, 0.5
@@ -65,7 +71,8 @@ BAD = robot_xml(
 GOOD = BAD.replace("0.01</mu", "0.9</mu")
 
 #: Drives that turn their wheels against one another, and steer.
-_ROLLERS = ("mecanum", "omni", "swerve")
+_MECANUM, _WHEELS = "mecanum", 4
+_ROLLERS = (_MECANUM, "omni", "swerve")
 
 
 @rule(Severity.WARNING, needs=(Need.MODEL, Need.GAZEBO))
@@ -85,6 +92,8 @@ def check(context: Context) -> Findings:
             yield Finding(low[0], message, "write about 1", weight=-low[0].value)
     yield from _unequal(context, driven)
     yield from _casters(context, set(driven))
+    for wheels_of_drive in _mecanum_wheels(context):
+        yield from _parallel_rollers(context, wheels_of_drive)
 
 
 def _unequal(context: Context, driven: Iterable[str]) -> Findings:
@@ -126,6 +135,39 @@ def _driven(context: Context) -> Iterator[str]:
                 continue
             if not has_rollers or _chooses_direction(context.model, joint.child_name):
                 yield joint.child_name
+
+
+def _mecanum_wheels(context: Context) -> Iterator[list[str]]:
+    """The links of the four wheels of mecanum drives."""
+    for use in context.plugins:
+        if _MECANUM in use.filename and drive_of(use):
+            yield [wheel.wheel.joint.child_name for wheel in wheels(use, context.tree)]
+    for _, controller in context.controllers:
+        if _MECANUM in controller.type.lower() and controller.kind:
+            names = [value.text for value in controller.values(controller.kind.joints)]
+            joints = (context.model.joints_by_name.get(name) for name in names)
+            yield [joint.child_name for joint in joints if joint]
+
+
+def _parallel_rollers(context: Context, links: list[str]) -> Findings:
+    """Wheels of a mecanum drive whose first friction directions are the same in the body."""
+    directions = [direction for link in links if (direction := _direction(context.model, link))]
+    first = directions[0] if directions else None
+    known = {tuple(text_of(one).split()) for one in directions}
+    if first is not None and len(links) == len(directions) == _WHEELS and len(known) == 1:
+        yield Finding(
+            first,
+            f"the four mecanum wheels have the same <fdir1>, {text_of(first)}: the robot cannot "
+            "move sideways or turn",
+            "write 1 -1 0 for front left and rear right, 1 1 0 for the others",
+        )
+
+
+def _direction(model: RobotModel, link: str) -> Element | None:
+    """The first friction direction of a link in the frame of the body; None if there is none."""
+    blocks = (block for block in model.gazebo if block.get("reference") == link)
+    tags = (one for block in blocks for one in block.walk() if one.tag == "fdir1")
+    return next((one for one in tags if any("expressed_in" in key for key in one.attributes)), None)
 
 
 def _has_rollers(drive: str) -> bool:

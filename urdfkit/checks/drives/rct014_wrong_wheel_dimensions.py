@@ -2,9 +2,10 @@
 
 The drive computes wheel speeds and odometry from its parameters. With a wrong radius the robot
 drives too fast or too slow, and the odometry is too short or too long; with a wrong separation it
-turns by the wrong angle. The model defines the positions of the wheels and, if their collision
-geometry is a cylinder or a sphere, their radius. Use these values in the plugin or the parameter
-file; use multipliers for corrections.
+turns by the wrong angle. A mecanum drive has the sum of half of the wheelbase and half of the track
+(`sum_of_robot_center_projection_on_X_Y_axis`) in place of a separation. The model defines the
+positions of the wheels and, if their collision geometry is a cylinder or a sphere, their radius.
+Use these values in the plugin or the parameter file; use multipliers for corrections.
 
 A left and a right wheel with different radii are reported at the one that the drive does not have:
 the robot leans, and drives in a curve.
@@ -69,6 +70,7 @@ _MEASURED = {
     "separation": "the distance between the wheels is",
     "track": "the distance between the wheels is",
     "wheelbase": "the distance between the axles is",
+    "projection": "half of the wheelbase and half of the track are",
 }
 
 
@@ -236,12 +238,23 @@ def _lengths_in_model(measure: Measure, controller: Controller, context: Context
             return []
         x, y, _ = minus(_centre(sides[0]), _centre(sides[1]))
         return [length((x, y, 0.0))]
+    if measure.kind == "projection":
+        return _projections(sides[0][0], sides[1][0])
     if measure.kind == "track":
         return _distances(sides[0][0], sides[0][1]) if len(sides[0]) == 2 else []
     left, right = sides[0][0], sides[1][0]
     # RCT025 reports flat wheels, and GEO004 a collision that is far from its joint.
     is_pair = left.is_parallel(right) and not left.is_flat and left.is_at_joint
     return _distances(left, right, left.axis) if is_pair else []
+
+
+def _projections(a: Wheel, b: Wheel) -> list[float]:
+    """Half of the distances along x and y of two wheels of a mecanum drive, by tyres and joints."""
+    offsets = [minus(a.origin, b.origin)]
+    if a.hub and b.hub:
+        offsets.insert(0, minus(a.hub, b.hub))
+    sums = [(abs(offset[0]) + abs(offset[1])) / 2 for offset in offsets]
+    return [each for each in sums if each > SAME_PLACE]
 
 
 def _are_steered(wheels: list[Wheel], steering: list[Wheel], context: Context) -> bool:

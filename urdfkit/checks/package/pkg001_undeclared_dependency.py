@@ -5,9 +5,9 @@ install it, colcon and catkin build in the wrong order, and `$(find ...)`, `pack
 launch file fail with "package not found". In a launch file it is an info. In launch files of ROS 2,
 packages of the ROS distribution are reported, too: a smaller installation lacks `xacro`,
 `ros_gz_sim`, or MoveIt's solvers and planners (a warning if it is the only one of several that is
-not declared). So are the control plugin of Gazebo and the
-controllers of its robots, with the plugins of their kinematics, if their own packages do not
-declare them either: "class diff_drive_controller/DiffDriveController does not exist".
+not declared). So are the control plugin of Gazebo and the controllers of its robots, with the
+plugins of their kinematics, if neither their own packages declare them, nor those of the workspace
+on which the launch file depends: "class diff_drive_controller/DiffDriveController does not exist".
 
 A package that is found only by the name of its directory has another name in its `package.xml`: ROS
 does not find it.
@@ -26,6 +26,7 @@ from urdfkit.errors import PackageNotFound
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.ros.catalog import data
+from urdfkit.text.document import CallFrame
 from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -163,18 +164,42 @@ def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
 
     launch = context.launch
     is_simulated = any(map(model_spawner, launch.programs))
+    spawns = any(map(model_spawner, launch.started))
     for description, robot in context.described_robots if is_simulated else ():
         own = manifest_of(context.resolver, description.path)
-        if own is None:
+        place = _place_in(context.source.path, description.frame)
+        if own is None or place is None or not (spawns or place == description.frame.call.span):
             continue
+        declared = own.dependencies | _declared_below(context)
         names = [plugin.kind for plugin in control_plugins(robot.model)]
         loaded = [controller for _, controller in robot.controllers if controller.ros == 2]
         plugins = [value.text for user in loaded for value in user.values([_SOLVER]) if value.text]
         types = [*(controller.type for controller in loaded), *plugins]
         names += [type.partition("/")[0] for type in types if not type.endswith(_GRIPPER)]
-        for name in names if names and "ros2_controllers" not in own.dependencies else ():
-            if comes_with_ros(name) and not _is_brought(name, own.dependencies):
-                yield name, description.frame.call.span
+        for name in names if names and "ros2_controllers" not in declared else ():
+            if comes_with_ros(name) and not _is_brought(name, declared):
+                yield name, place
+
+
+def _place_in(path: str, frame: CallFrame | None) -> Span | None:
+    """Where a launch file describes a robot, or includes the file that does."""
+    while frame is not None and frame.call.span.source.path != path:
+        frame = frame.outer
+    return frame.call.span if frame else None
+
+
+def _declared_below(context: Context) -> set[str]:
+    """What the packages of the workspace declare on which that of the launch file depends."""
+    known = context.resolver.packages.known(context.source.path)
+    own = manifest_of(context.resolver, context.source.path)
+    stack, declared = list(own.dependencies if own else ()), set[str]()
+    while stack:
+        name = stack.pop()
+        if name in known and name not in declared:
+            manifest = manifest_of(context.resolver, os.path.join(known[name], "package.xml"))
+            stack += manifest.dependencies if manifest else ()
+        declared.add(name)
+    return declared
 
 
 def _solvers(context: Context, directory: str) -> Iterator[tuple[str, Span]]:

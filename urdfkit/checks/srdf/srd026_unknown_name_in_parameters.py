@@ -164,14 +164,15 @@ def _solvers(context: Context, srdf: Srdf) -> Findings:
 
 def _planners(context: Context) -> Findings:
     """Misspelt planners of groups."""
-    of_ompl = [f"{planner}kConfigDefault" for planner in data("moveit")["ompl"].split()]
+    planners: list[str] = data("moveit")["ompl"].split()
+    of_ompl = [f"{planner}kConfigDefault" for planner in planners]
     for name, defined in context.moveit_config.planner_entries():
         known = {*defined, *of_ompl}
         match = None if name.text in known else _planner(name.text, sorted(known), defined)
         if match:
             message = f"planner '{name.text}' is not in planner_configs; did you mean '{match}'?"
             yield Finding(name.span, message, f"write {match}", severity=Severity.WARNING)
-        elif defined and name.text in of_ompl and name.text not in defined:
+        elif defined and name.text in (*of_ompl, *planners) and name.text not in defined:
             message = f"planner '{name.text}' is not in planner_configs, which has others"
             help = f"add it with its type, or name one of: {few(defined, _MAX_NAMED)}"
             yield Finding(name.span, message, help, severity=Severity.WARNING)

@@ -8,9 +8,12 @@
   and half of Jazzy, with `planning_plugins` and lists (warning). Or none of the adapters of OMPL
   computes the times of the trajectory, all of whose points then have the time 0 (warning).
 - `planner_configs` of a group is a single planner, not a list: move_group stops.
+- A chain of fewer than six joints has the solver KDL without `position_only_ik` (info): goals that
+  are poses fail.
 
 Sources:
     MoveIt, OMPL: https://moveit.picknik.ai/main/doc/examples/ompl_interface/ompl_interface_tutorial.html
+    MoveIt, kinematics: https://moveit.picknik.ai/main/doc/examples/kinematics_configuration/kinematics_configuration_tutorial.html
     moveit/moveit2#2140: https://github.com/moveit/moveit2/issues/2140
     MoveIt, planning_context_manager.cpp: https://github.com/moveit/moveit2/blob/main/moveit_planners/ompl/ompl_interface/src/planning_context_manager.cpp
     MoveIt, pointcloud_octomap_updater.cpp: https://github.com/moveit/moveit2/blob/main/moveit_ros/perception/pointcloud_octomap_updater/src/pointcloud_octomap_updater.cpp
@@ -38,6 +41,10 @@ FILES = configurations(
     "arm: {planner_configs: [RRTConnectkConfigDefault]}\n",
 )
 
+_KDL, _POSITION = "kdl_kinematics_plugin/KDLKinematicsPlugin", "position_only_ik"
+#: The joints that a pose needs.
+_OF_A_POSE = 6
+_FIXED = ("fixed", "")
 _SENSORS = "sensors_3d.yaml"
 _CARTESIAN = "pilz_cartesian_limits.yaml"
 _ADAPTERS = ("request_adapters", "response_adapters")
@@ -52,6 +59,30 @@ def check(context: Context) -> Findings:
     yield from _cartesian_limits(context)
     yield from _pipelines(context)
     yield from _planners_of_groups(context)
+    yield from _with_few_joints(context, context.required_srdf)
+
+
+def _with_few_joints(context: Context, srdf: Srdf) -> Findings:
+    """Chains of fewer than six joints for which KDL looks for whole poses."""
+    for entry in context.moveit_config.group_entries():
+        solver = scalar(entry.values, "kinematics_solver")
+        is_kdl = solver is not None and solver.text == _KDL
+        chains = [
+            tag for group in srdf.groups_by_name.get(entry.name, ()) for tag in group.all("chain")
+        ]
+        if solver is None or not is_kdl or _POSITION in entry.values or len(chains) != 1:
+            continue
+        ends = (chains[0].get(key) or "" for key in ("base_link", "tip_link"))
+        joints = srdf.joints_between(*ends) or []
+        moved = [joint for joint in joints if joint.kind not in _FIXED and not joint.mimic]
+        if 0 < len(moved) < _OF_A_POSE:
+            yield Finding(
+                solver.span,
+                f"group '{entry.name}' has {len(moved)} joints: for almost all poses KDL finds no "
+                "solution",
+                f"add {_POSITION}: true to reach positions in any orientation",
+                severity=Severity.INFO,
+            )
 
 
 def _sensors(context: Context, srdf: Srdf) -> Findings:

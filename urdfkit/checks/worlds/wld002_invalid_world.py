@@ -7,8 +7,8 @@
   (warning). A model, a link or a light has no name, or an unknown type (error).
 - The gravity points up, or an element is misspelt or a level too high or too deep, such as
   `<static>` in a `<link>`, which Gazebo ignores (warnings). A link that moves has no positive mass,
-  which SDF rejects (error). A ground plane is not static, so that it falls with the robot
-  (warning). Two models have the same name (warning).
+  which SDF rejects (error), or moments of inertia that no body has (warning). A ground plane is not
+  static, so that it falls with the robot (warning). Two models have the same name (warning).
 
 Sources:
     gz-sim, Server.cc: https://github.com/gazebosim/gz-sim/blob/gz-sim8/src/Server.cc
@@ -33,6 +33,9 @@ GOOD = BAD.replace("bad.sdf", "good.sdf")
 FILES = world_files("<gravity>0 0 9.8</gravity>", "<gravity>0 0 -9.8</gravity>")
 
 _ANYWHERE = ("frame", "plugin")
+_MOMENTS = ("ixx", "iyy", "izz")
+#: Part by which rounded moments may exceed the bound.
+_LEAST_EXCESS = 0.01
 #: Marks of templates from which a world is generated.
 _TEMPLATES = (b"<%", b"{%", b"{{", b"@(", b"xmlns:xacro")
 
@@ -50,6 +53,7 @@ def _of_world(opened: OpenedWorld) -> Findings:
         yield from _elements(world)
         yield from invalid_values(opened, world)
         yield from _links_without_mass(world)
+        yield from _impossible_inertias(world)
         yield from _falling_grounds(world)
         yield from _repeated_names(opened, world)
     elif opened.path:
@@ -152,6 +156,33 @@ def _links_without_mass(world: World) -> Findings:
             if mass is not None and value is not None and value <= 0:
                 message = f"<mass> is {value:g} kg, must be > 0: SDF rejects the link"
                 yield Finding(mass, message, "write the mass in kg")
+
+
+def _impossible_inertias(world: World) -> Findings:
+    """Moments of inertia that no body has, without products of inertia."""
+    for model in world.at.all("model"):
+        for link in () if _is_static(model) else model.all("link"):
+            inertial = link.child("inertial")
+            inertia = inertial.child("inertia") if inertial is not None else None
+            tags = [inertia.child(name) for name in _MOMENTS] if inertia is not None else []
+            values = [number(tag.text.strip()) if tag is not None else None for tag in tags]
+            moments = sorted(value for value in values if value is not None)
+            if inertia is None or len(moments) < len(_MOMENTS) or _has_products(inertia):
+                continue
+            low, middle, high = moments
+            if high > (low + middle) * (1 + _LEAST_EXCESS) > 0:
+                yield Finding(
+                    tags[values.index(high)] or inertia,
+                    f"moments of inertia of link '{link.get('name') or ''}' violate the triangle "
+                    f"inequality: {high:.4g} > {low:.4g} + {middle:.4g} kg·m²",
+                    "compute them from mass and size",
+                    severity=Severity.WARNING,
+                )
+
+
+def _has_products(inertia: Element) -> bool:
+    products = (inertia.child(name) for name in ("ixy", "ixz", "iyz"))
+    return any(number(tag.text.strip()) != 0 for tag in products if tag is not None)
 
 
 def _falling_grounds(world: World) -> Findings:

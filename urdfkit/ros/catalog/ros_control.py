@@ -32,7 +32,8 @@ class Measure(Record):
 
     parameter: str
     #: ``radius``, ``separation`` (of two sides, along the axle), ``track`` (of the joints in one
-    #: list, along the axle) or ``wheelbase`` (of two axles). In metres.
+    #: list, along the axle), ``wheelbase`` (of two axles) or ``projection`` (half of the distances
+    #: of two wheels on a diagonal along x and y, as of a mecanum drive). In metres.
     kind: str
     sides: tuple[tuple[str, ...], ...]  # parameters with joint names, for each side or axle
 

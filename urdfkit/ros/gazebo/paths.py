@@ -20,6 +20,8 @@ from urdfkit.workspace.file_head import read_head
 MAX_DIRECTORIES, MAX_FILES, MAX_BYTES = 500, 1000, 65_536
 
 _STARTERS = (b"ros_gz_sim", b"ros_ign_gazebo", b"gazebo_ros", b"gz_sim.launch", b"spawn_entity")
+#: The variable of Fortress and before.
+FORMER = (b"IGN_GAZEBO_RESOURCE_PATH",)
 _VARIABLES = (
     b"gazebo_model_path",
     b"GAZEBO_MODEL_PATH",
@@ -40,25 +42,38 @@ class ResourcePaths(Record):
     """Findings in the files of a workspace."""
 
     starter: str | None  # a launch file that starts Gazebo; None if there is none
-    #: True if a file mentions Gazebo's resource path or replaces ``package://``, or if a file
-    #: could not be read.
-    is_mentioned: bool
+    mentions: tuple[str, ...]  # the files that mention Gazebo's resource path
+    replaces: bool  # True if a file replaces ``package://``
+    is_whole: bool  # False if there were too many files
+
+    @property
+    def is_mentioned(self) -> bool:
+        """True if the path may be set, or need not be."""
+        return bool(self.mentions) or self.replaces or not self.is_whole
 
 
-def survey(root: str, directories: Directories) -> ResourcePaths:
-    """Search the text files of a workspace, within bounds."""
+def survey(root: str, directories: Directories, former: tuple[bytes, ...] = ()) -> ResourcePaths:
+    """Search the text files of a workspace, within bounds.
+
+    Args:
+        former: variables that this Gazebo does not read.
+    """
     files = [
         path for path in directories.files_below(root, MAX_DIRECTORIES) if path.endswith(_TEXTS)
     ]
     starter = None
+    replaces = False
+    mentions: list[str] = []
+    variables = [word for word in _VARIABLES if word not in former]
     for path in files[:MAX_FILES]:
         data = read_head(path, MAX_BYTES)
-        if any(word in data for word in _VARIABLES) or re.search(_REPLACES, data):
-            return ResourcePaths(starter, True)
+        if any(word in data for word in variables):
+            mentions.append(path)
+        replaces = replaces or bool(re.search(_REPLACES, data))
         is_starter = any(word in data for word in _STARTERS) and b"$(find " not in data  # ROS 1
         if starter is None and _is_launch(path) and is_starter:
             starter = path
-    return ResourcePaths(starter, len(files) > MAX_FILES)
+    return ResourcePaths(starter, tuple(mentions), replaces, len(files) <= MAX_FILES)
 
 
 def _is_launch(path: str) -> bool:

@@ -1,11 +1,15 @@
 """The arguments of functions in a Python launch file that are called once, as each copy is."""
 
+from __future__ import annotations
+
 import ast
 from collections import Counter
 from collections.abc import Iterator
+from functools import lru_cache
 
 from urdfkit.core.grouping import by_key
-from urdfkit.text.python_source import dotted_name, nodes
+from urdfkit.core.record import Record
+from urdfkit.text.python_source import CACHE_SIZE, dotted_name, nodes
 
 #: The class that calls a function with the launch context, then with its own ``args``.
 _OPAQUE = "OpaqueFunction"
@@ -13,7 +17,15 @@ _OPAQUE = "OpaqueFunction"
 _OTHERS = "**"
 
 
-def bound_parameters(tree: ast.Module) -> dict[ast.FunctionDef, dict[str, ast.expr]]:
+class Binding(Record):
+    """The call of a function, and the expressions that it passes, by parameter."""
+
+    call: ast.Call
+    passed: dict[str, ast.expr]
+
+
+@lru_cache(CACHE_SIZE)
+def bound_parameters(tree: ast.Module) -> dict[ast.FunctionDef, Binding]:
     """The parameters of each function that is called in one place, with the expressions passed.
 
     A function that is used in any other way, or defined twice, is not known. Of a function with a
@@ -33,7 +45,8 @@ def bound_parameters(tree: ast.Module) -> dict[ast.FunctionDef, dict[str, ast.ex
             if free.get(name):
                 function = free[name].pop(0)
                 bound = dict(_bound(function, positional, keywords))
-                found[function] = {name: bound[name] for name in bound.keys() - _asked(function)}
+                passed = {name: bound[name] for name in bound.keys() - _asked(function)}
+                found[function] = Binding(call, passed)
     return found
 
 
@@ -71,15 +84,22 @@ def _bound(
 ) -> Iterator[tuple[str, ast.expr]]:
     names = [parameter.arg for parameter in (*function.args.posonlyargs, *function.args.args)]
     defaults = function.args.defaults
-    passed = dict(zip(reversed(names), reversed(defaults), strict=False)) | keywords
+    named = zip(function.args.kwonlyargs, function.args.kw_defaults, strict=True)
+    of_named = {parameter.arg: default for parameter, default in named if default is not None}
+    passed = dict(zip(reversed(names), reversed(defaults), strict=False)) | of_named | keywords
     is_whole = not any(isinstance(value, ast.Starred) for value in positional)
     for name, value in zip(names, positional, strict=False) if is_whole else ():
         passed.pop(name, None)
         if value is not None:
             passed[name] = value
     yield from passed.items() if is_whole else keywords.items()
+    if function.args.vararg and is_whole:
+        rest = positional[len(names) :]
+        known = [value for value in rest if value is not None]
+        if len(known) == len(rest):
+            yield function.args.vararg.arg, ast.Tuple(known, ast.Load())
     if function.args.kwarg and _OTHERS not in keywords:
         names += [parameter.arg for parameter in function.args.kwonlyargs]
-        rest = {name: value for name, value in keywords.items() if name not in names}
-        keys = [ast.copy_location(ast.Constant(name), value) for name, value in rest.items()]
-        yield function.args.kwarg.arg, ast.Dict(list(keys), list(rest.values()))
+        others = {name: value for name, value in keywords.items() if name not in names}
+        keys = [ast.copy_location(ast.Constant(name), value) for name, value in others.items()]
+        yield function.args.kwarg.arg, ast.Dict(list(keys), list(others.values()))

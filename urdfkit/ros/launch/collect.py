@@ -20,6 +20,7 @@ from urdfkit.ros.launch.contents import (
     MENTIONED,
     PARAMETERS,
     SPAWNED,
+    EnvironmentSetting,
     FileUse,
     IncludedFile,
     Launch,
@@ -79,6 +80,7 @@ class Collector:
         self.problems: list[Problem] = []
         self.started: list[StartedProgram] = []
         self.started_by_included: list[StartedProgram] = []
+        self.environment: list[EnvironmentSetting] = []
         self.unread: list[str] = []
         self.has_scopes = self.sets_sim_time = False
         self.includes: list[IncludedFile] = []
@@ -153,8 +155,9 @@ class Collector:
         if config and config.text and os.path.isabs(config.text):
             self.file(config.text, config.span, BRIDGE)
         for word in parameter_files(node):
-            if word.text and os.path.isabs(word.text) and not disk.exists(word.text):
-                self.file(word.text, word.span, SPAWNED)
+            if word.text and os.path.isabs(word.text):
+                purpose = PARAMETERS if disk.exists(word.text) else SPAWNED
+                self.file(word.text, word.span, purpose)
 
     def include(self, file: IncludedFile) -> None:
         """Record an included launch file; if it is missing but known, the nodes that it starts."""
@@ -321,6 +324,7 @@ class Collector:
         self.descriptions += inner.descriptions
         self.files += (file for file in inner.files if file.purpose == PARAMETERS and file.exists)
         self.names_parameters = self.names_parameters or inner.names_parameters
+        self.environment += inner.environment
 
     def launch(self) -> Launch:
         self.problems += wrong_references(self.started, self.includes, self.resolver)
@@ -340,6 +344,7 @@ class Collector:
             tuple(self.includes),
             tuple(self.configured),
             tuple(self.built),
+            tuple(self.environment),
         )
 
 

@@ -98,7 +98,7 @@ class Configurations:
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
             node = self._values.resolved(node.func.value) if node.func.attr == "items" else None
         if isinstance(node, ast.Dict):
-            return list(zip(node.keys, node.values, strict=True))
+            return self._values.pairs(node)
         if not isinstance(node, (ast.List, ast.Tuple)):
             return None
         pairs = [i.elts for i in node.elts if isinstance(i, ast.Tuple) and len(i.elts) == 2]

@@ -245,6 +245,13 @@ class IncludedFile(Record):
     is_sure: bool = True  # False if its condition is known only at run time
 
 
+class EnvironmentSetting(Record):
+    """A variable of the environment that a launch file sets or extends."""
+
+    name: str
+    word: Word  # the value
+
+
 class Launch(Record):
     """The contents of a launch file."""
 
@@ -267,6 +274,7 @@ class Launch(Record):
     #: Robots of MoveItConfigsBuilder that ros2_control gets, each with the file of its controllers;
     #: None stands for the parameter files of the launch file.
     built: tuple[tuple[LaunchedDescription, FileUse | None], ...] = ()
+    environment: tuple[EnvironmentSetting, ...] = ()
 
     @property
     def programs(self) -> tuple[StartedProgram, ...]:

@@ -59,7 +59,7 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
     """Actions that are assigned to an unused name, without those that only others of them use."""
     inner = {name.id for call in calls for name in ast.walk(call) if isinstance(name, ast.Name)}
     for call in calls:
-        if called(call) not in (*ACTIONS, *TRIGGERS):
+        if called(values.created(call)) not in (*ACTIONS, *TRIGGERS):
             continue
         span = values.span(call)
         name = values.source.data[: span.start].decode("utf-8", "replace").split()[-2]

@@ -17,6 +17,8 @@ from urdfkit.text.xml_reader import read_xml
 YAML = (".yaml", ".yml")
 #: The key of the actions of a group, next to its attributes.
 _CHILDREN = "children"
+#: The key of the value of a parameter, which may be a list.
+_VALUE = "value"
 
 
 class _Placed(Attribute):
@@ -69,10 +71,21 @@ def _fill(element: Element, node: Node) -> None:
         for key, value in items(item):
             if isinstance(value, Value):
                 element.attributes[key] = _Placed(key, value, element)
+            elif key == _VALUE and (listed := _list(value)):
+                element.attributes[key] = _Placed(key, listed, element)
             elif key == _CHILDREN:
                 _fill(element, value)
             else:
                 _add(element, key, value)
+
+
+def _list(node: Node) -> Value | None:
+    """A list of values as the text that stands for it in XML; None for any other node."""
+    every = node if isinstance(node, list) else []
+    values = [item for item in every if isinstance(item, Value)]
+    if not values or len(values) != len(every):
+        return None
+    return values[0]._replace(text=f"[{', '.join(value.text for value in values)}]")
 
 
 def _add(parent: Element, key: Key, node: Node) -> None:

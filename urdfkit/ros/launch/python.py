@@ -9,7 +9,14 @@ from itertools import filterfalse
 from urdfkit.ros.launch.collect import SIM_TIME, Collector
 from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
 from urdfkit.ros.launch.configurations import Configurations
-from urdfkit.ros.launch.contents import INCLUDED, IncludedFile, LaunchedFile, Word, started_process
+from urdfkit.ros.launch.contents import (
+    INCLUDED,
+    EnvironmentSetting,
+    IncludedFile,
+    LaunchedFile,
+    Word,
+    started_process,
+)
 from urdfkit.ros.launch.event_handlers import waits_for_unstarted, wrong_handlers
 from urdfkit.ros.launch.forwarding import file_of_action
 from urdfkit.ros.launch.launch_description import entry_point, not_started
@@ -45,6 +52,11 @@ _PUSHING = ("PushRosNamespace", "PushROSNamespace")
 #: Actions that apply to the nodes after them.
 _SCOPES = (*_PUSHING, "SetParameter", "SetParametersFromFile", "SetRemap", "SetUseSimTime")
 
+#: Actions that set or extend a variable of the environment.
+_SETTING = ("AppendEnvironmentVariable", "SetEnvironmentVariable")
+#: A loop over the arguments of a function is known when the function has a copy for each call.
+_MAX_ROUNDS = 5
+
 #: Functions and methods that look for a file.
 _LOOKING = ("exists", "is_file", "isfile")
 #: Functions of ``subprocess`` and ``os`` that return the output of a command.
@@ -55,13 +67,22 @@ def read(collector: Collector, file: LaunchedFile) -> None:
     """Collect the contents of a launch file in Python, as far as they are constant."""
     source = file.source
     try:
-        tree = with_copies(without_loops(python_source.parse(source.data, source.path)))
+        tree = _unrolled(python_source.parse(source.data, source.path))
     except SyntaxError as error:
         start = source.offset(error.lineno or 1, error.offset or 1)
         at = Span(source, start, start)
         collector.problems.append(Problem("LAU001", at, f"not a Python program: {error.msg}"))
         return
     _PythonReader(collector, file, tree).read()
+
+
+def _unrolled(tree: ast.Module) -> ast.Module:
+    """The tree with one copy of each function for each call, and of loops for each item."""
+    for _ in range(_MAX_ROUNDS):
+        before, tree = tree, with_copies(without_loops(tree))
+        if tree is before:
+            break
+    return tree
 
 
 class _PythonReader(PythonLaunchFile):
@@ -99,6 +120,7 @@ class _PythonReader(PythonLaunchFile):
             **dict.fromkeys(NODES, partial(start_node, self)),
         }
         handles: dict[str, Callable[[ast.Call], None]] = {
+            **dict.fromkeys(_SETTING, self._set_environment),
             "Command": partial(run_command, self, untyped=untyped),
             "open": partial(open_file, self),
             "parse": partial(parse, self),
@@ -171,6 +193,13 @@ class _PythonReader(PythonLaunchFile):
                 path = self.values.text(node)
                 if path and os.path.isabs(path):
                     self.collector.mention(path, self.values.span(node))
+
+    def _set_environment(self, call: ast.Call) -> None:
+        value = argument(call, 1, "value")
+        name = self.values.text(argument(call, 0, "name"))
+        if name and value is not None:
+            word = Word(self.values.text(value), self.values.span(value))
+            self.collector.environment.append(EnvironmentSetting(name, word))
 
     def _scope(self, call: ast.Call) -> None:
         name = called(call)

@@ -124,9 +124,10 @@ class PythonLaunchFile:
         if written is None:
             return None if action in self._decided else True
         condition = self.values.resolved(written)
-        if not isinstance(condition, ast.Call):
+        is_missing = isinstance(condition, ast.Constant) and condition.value is None
+        if not isinstance(condition, ast.Call) and not is_missing:
             return None
-        if not (holds := self._holds(condition)):
+        if isinstance(condition, ast.Call) and not (holds := self._holds(condition)):
             return holds
         return None if action in self._decided else True
 

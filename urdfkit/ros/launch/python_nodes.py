@@ -1,7 +1,6 @@
 """Nodes and their parameters in launch files of Python."""
 
 import ast
-import re
 from itertools import pairwise
 
 from urdfkit.ros.launch.components import executable_of
@@ -26,9 +25,6 @@ from urdfkit.text.source import Span
 
 _COMPONENT = "ComposableNode"
 _PARAMETER_FILES = (".yaml", ".yml")
-
-#: What follows the name of a list or a dictionary where it gets further items.
-_GROWS = r"\s*(?:\.(?:append|extend|insert|setdefault|update)\(|\[[^\]\n]*\]\s*=[^=]|[|+]=)"
 
 
 def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
@@ -148,10 +144,10 @@ def _parameters(
     files: list[str] = []
     lists: dict[str, tuple[str | None, ...]] = {}
     at: dict[str, Span] = {}
-    is_whole = is_of_moveit = is_whole and not _grows(file, node)
+    is_whole = is_of_moveit = is_whole and not file.values.grows(node)
     for item in file.values.items(node) if node else ():
         if isinstance(file.values.resolved(item), ast.Dict):
-            is_whole = is_whole and not _grows(file, item)
+            is_whole = is_whole and not file.values.grows(item)
             for key, value in file.values.pairs(item):
                 name = file.values.text(key)
                 is_whole = is_whole and name is not None
@@ -175,20 +171,13 @@ def _parameters(
     return GivenParameters(values, tuple(files), is_whole, lists, is_of_moveit, at)
 
 
-def _grows(file: PythonLaunchFile, node: ast.expr | None) -> bool:
-    """True for the name of a list or a dictionary that gets further items after its definition."""
-    if not isinstance(node, ast.Name):
-        return False
-    return re.search(rf"\b{node.id}{_GROWS}".encode(), file.values.source.data) is not None
-
-
 def _listed(
     file: PythonLaunchFile, name: str, value: ast.expr
 ) -> dict[str, tuple[str | None, ...]]:
     """The items of parameters that are lists, by name."""
-    if not name or not isinstance(file.values.resolved(value), (ast.List, ast.Tuple)):
-        return {}
-    return {name: tuple(file.values.text(item) for item in file.values.items(value))}
+    items = file.values.items(value)
+    is_list = isinstance(file.values.resolved(value), (ast.List, ast.Tuple)) or None not in items
+    return {name: tuple(map(file.values.text, items))} if name and is_list else {}
 
 
 def _record_file_of(file: PythonLaunchFile, package: str, name: str, value: ast.expr) -> None:

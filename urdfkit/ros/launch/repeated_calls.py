@@ -9,15 +9,16 @@ from copy import deepcopy
 from functools import lru_cache
 
 from urdfkit.core.grouping import by_key
+from urdfkit.ros.launch.returned_values import returned_value
 from urdfkit.ros.launch.values import called
 from urdfkit.text.python_source import nodes
 
 _ACTIONS = frozenset(
     ("ComposableNode", "ExecuteProcess", "IncludeLaunchDescription", "LifecycleNode", "Node")
 )
-#: Most calls of one function, and most nodes of the syntax tree that all copies of a file may have:
-#: copies take time and memory.
-_MAX_CALLS, MAX_NODES = 12, 20_000
+#: Most calls of one function, of one that only returns a value, and most nodes of the syntax tree
+#: that all copies of a file may have: copies take time and memory.
+_MAX_CALLS, _MAX_VALUES, MAX_NODES = 12, 40, 20_000
 
 
 @lru_cache(maxsize=4)  # a file is read once for each set of its arguments
@@ -51,15 +52,23 @@ def _repeated(tree: ast.Module) -> dict[ast.FunctionDef, int]:
     names = [node for node in nodes(tree) if isinstance(node, ast.Name)]
     uses = Counter(node.id for node in names)
     calls = Counter(called(node) for node in nodes(tree) if isinstance(node, ast.Call))
-    return {
+    found = {
         functions[0]: uses[name]
         for name, functions in defined.items()
         if len(functions) == 1
-        and 1 < uses[name] <= _MAX_CALLS
         and uses[name] == calls[name]
-        and functions[0].args.args
-        and creates_actions(functions[0])
+        and (functions[0].args.args or functions[0].args.vararg)
+        and 1 < uses[name] <= _most_calls(functions[0])
     }
+    # What others call is copied after them: each copy of the others calls it.
+    inner = {called(node) for function in found for node in ast.walk(function)}
+    return {function: count for function, count in found.items() if function.name not in inner}
+
+
+def _most_calls(function: ast.FunctionDef) -> int:
+    if creates_actions(function):
+        return _MAX_CALLS
+    return _MAX_VALUES if returned_value(function) is not None else 0
 
 
 def creates_actions(node: ast.AST) -> bool:

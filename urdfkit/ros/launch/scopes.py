@@ -9,6 +9,7 @@ from typing import TypeGuard
 
 from urdfkit.core.record import Record
 from urdfkit.ros.launch.bound_parameters import bound_parameters
+from urdfkit.ros.launch.returned_values import returned_values
 from urdfkit.text.python_source import CACHE_SIZE, nodes
 
 _DEFINED = (ast.FunctionDef, ast.AsyncFunctionDef)
@@ -64,7 +65,9 @@ class Scopes:
 
     def __init__(self, tree: ast.Module) -> None:
         self._scope_of: dict[int, _Scope] = {}
+        self._kept: list[ast.Name] = []  # so that their identities stay theirs
         self._passed = bound_parameters(tree)
+        self._returned = returned_values(tree)
         stack: list[tuple[ast.AST, _Scope, bool]] = [(tree, _Scope({}, None), False)]
         while stack:
             node, scope, is_straight = stack.pop()
@@ -81,6 +84,10 @@ class Scopes:
             scope = scope.outer
         return scope.value(name, is_own=scope is own) if scope else None
 
+    def returned(self, call: ast.Call) -> ast.expr | None:
+        """What a function of the file returns for a call; None if it is ambiguous."""
+        return self._returned.get(call)
+
     def sees(self, name: ast.Name, other: str) -> bool:
         """True if another name has a value where a name is used."""
         scope = self._scope_of.get(id(name))
@@ -96,20 +103,33 @@ class Scopes:
                 end = node.end_lineno or node.lineno, node.end_col_offset or 0
                 scope.bind(target.id, node.value, end if is_straight else None)
                 return scope
-        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+        if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name) and is_straight:
+            end = node.end_lineno or node.lineno, node.end_col_offset or 0
+            scope.bind(node.target.id, self._grown(node, node.target, scope), end)
+        elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
             scope.bind(node.target.id, node.value)
         elif isinstance(node, _FUNCTIONS):
             inner = _Scope({}, scope)
             parameters = node.args
-            passed = self._passed.get(node, {}) if isinstance(node, ast.FunctionDef) else {}
+            known = self._passed.get(node) if isinstance(node, ast.FunctionDef) else None
+            passed = known.passed if known else {}
             named = (*parameters.posonlyargs, *parameters.args, *parameters.kwonlyargs)
-            for argument in (*named, *filter(None, (parameters.kwarg,))):
+            for argument in (*named, *filter(None, (parameters.vararg, parameters.kwarg))):
                 inner.bind(argument.arg, passed.get(argument.arg))
             return inner
         else:
             for name in _stored(node):
                 scope.bind(name, None)
         return scope
+
+    def _grown(self, node: ast.AugAssign, target: ast.Name, scope: _Scope) -> ast.expr | None:
+        """The value after ``name += items``: a sum with the value before."""
+        if not isinstance(node.op, ast.Add):
+            return None
+        before = ast.copy_location(ast.Name(target.id, ast.Load()), target)
+        self._scope_of[id(before)] = scope
+        self._kept.append(before)
+        return ast.copy_location(ast.BinOp(before, ast.Add(), node.value), node)
 
 
 @lru_cache(CACHE_SIZE)

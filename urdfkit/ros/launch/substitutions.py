@@ -27,7 +27,9 @@ MAX_LENGTH = 100_000
 _NAMES = {"true": True, "false": False} | {
     kind.__name__: kind for kind in (list, dict, map, str, float, int)
 }
-#: An expression of ROS 2, which is quoted as a whole; $(var ...) is replaced in it.
+#: An expression of ROS 2, which is quoted as a whole, with escaped quotes in it; $(var ...) is
+#: replaced in it.
+_ESCAPED = r"\\([\"'\\])"
 _QUOTED = re.compile(r"""(?s)\s*(["'])(.*)\1\s*""")
 
 
@@ -93,7 +95,7 @@ class Substitutions:
     def _evaluated(self, expression: str, span: Span, level: int) -> str | None:
         quoted = _QUOTED.fullmatch(expression)
         if quoted and "$(" in quoted[2]:
-            text = self.text(quoted[2], span, level + 1)
+            text = self.text(re.sub(_ESCAPED, r"\1", quoted[2]), span, level + 1)
             return None if text is None else evaluated(text)
         functions = {"find": lambda name: self._found(name, span)}
         return evaluate(expression, self._values, functions)

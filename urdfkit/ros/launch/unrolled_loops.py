@@ -1,14 +1,16 @@
-"""Loops of a Python launch file that create an action for each item of a list.
+"""Loops of a Python launch file that create an action, or add to a list, for each item of a list.
 
-They are replaced by their bodies, one for each item, so that its variable has one value each.
+They are replaced by their bodies, one for each item, so that its variable has one value each; what
+adds to a list, by the sum of all that is added.
 """
 
 import ast
 from collections import Counter
 from collections.abc import Iterator
 from copy import deepcopy
-from functools import lru_cache
+from functools import lru_cache, reduce
 
+from urdfkit.ros.launch.bound_parameters import bound_parameters
 from urdfkit.ros.launch.repeated_calls import MAX_NODES, creates_actions
 from urdfkit.ros.launch.values import called
 from urdfkit.text.python_source import nodes
@@ -24,11 +26,12 @@ Variables = dict[str, ast.expr]
 def without_loops(tree: ast.Module) -> ast.Module:
     """The tree with such loops and comprehensions replaced; the same tree if there is none."""
     loops = (node for node in nodes(tree) if isinstance(node, (ast.For, ast.ListComp)))
-    if not any(map(creates_actions, loops)):
+    if not any(creates_actions(loop) or _grown_list(loop) for loop in loops):
         return tree
     try:
-        unroller = _Unroller(tree)
-        return ast.Module([*_flat(unroller.visit(deepcopy(node)) for node in tree.body)], [])
+        copied = deepcopy(tree)
+        unroller = _Unroller(copied)
+        return ast.Module([*_flat(unroller.visit(node) for node in copied.body)], [])
     except RecursionError:
         return tree
 
@@ -53,12 +56,26 @@ class _Unroller(ast.NodeTransformer):
             for target in node.targets
             if isinstance(target, ast.Name) and stored[target.id] == 1
         }
+        self._bound = bound_parameters(tree)
+        self._passed: Variables = {}
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
+        outer, bound = self._passed, self._bound.get(node)
+        self._passed = bound.passed if bound else {}
+        self.generic_visit(node)
+        self._passed = outer
+        return node
 
     def visit_For(self, node: ast.For) -> ast.AST | list[ast.stmt]:
         self.generic_visit(node)
         rounds = self._rounds(node, node.iter, node.target)
         if rounds is None or node.orelse:
             return node
+        if grown := _grown_list(node):
+            added = [_Substitution(one, {}).visit(deepcopy(grown.value)) for one in rounds]
+            nothing: ast.expr = ast.copy_location(ast.List([], ast.Load()), node)
+            grown.value = reduce(_sum, added, nothing)
+            return grown
         own = self._own_names(node)
         copies: list[ast.stmt] = []
         for number, variables in enumerate(rounds):
@@ -77,7 +94,8 @@ class _Unroller(ast.NodeTransformer):
 
     def _rounds(self, loop: ast.AST, items: ast.expr, target: ast.expr) -> list[Variables] | None:
         """The values of the variables in each round; None if a loop is not replaced."""
-        values = self._items(items) if creates_actions(loop) else None
+        is_read = creates_actions(loop) or _grown_list(loop) is not None
+        values = self._items(items) if is_read else None
         if values is None or len(values) > _MAX_ITEMS:
             return None
         self._left -= len(values) * sum(1 for _ in ast.walk(loop))
@@ -88,7 +106,7 @@ class _Unroller(ast.NodeTransformer):
     def _items(self, node: ast.expr) -> list[ast.expr] | None:
         """The items of a list, ``dictionary.items()`` or a call of Python; None if unknown."""
         if isinstance(node, ast.Name) and node.id not in self._changed:
-            node = self._values.get(node.id, node)
+            node = self._passed.get(node.id) or self._values.get(node.id, node)
         if isinstance(node, (ast.List, ast.Tuple)):
             return None if any(isinstance(one, ast.Starred) for one in node.elts) else node.elts
         if isinstance(node, ast.Call) and called(node) in ("enumerate", "range"):
@@ -140,6 +158,22 @@ class _Substitution(ast.NodeTransformer):
             return deepcopy(self._variables[node.id])
         node.id = self._renamed.get(node.id, node.id)
         return node
+
+
+def _grown_list(loop: ast.AST) -> ast.AugAssign | None:
+    """The only statement of a loop, if it adds items to a list."""
+    body = loop.body if isinstance(loop, ast.For) and not loop.orelse else ()
+    only = body[0] if len(body) == 1 else None
+    is_growth = isinstance(only, ast.AugAssign) and isinstance(only.op, ast.Add)
+    return only if isinstance(only, ast.AugAssign) and is_growth and _is_list(only.value) else None
+
+
+def _is_list(node: ast.expr) -> bool:
+    return isinstance(node, (ast.List, ast.Tuple))
+
+
+def _sum(left: ast.expr, right: ast.expr) -> ast.expr:
+    return ast.copy_location(ast.BinOp(left, ast.Add(), right), right)
 
 
 def _variables(target: ast.expr, value: ast.expr) -> Variables | None:

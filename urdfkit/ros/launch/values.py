@@ -2,7 +2,8 @@
 
 import ast
 import os
-from collections.abc import Iterable, Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
@@ -43,6 +44,8 @@ _OF_OBJECT = ("perform", "resolve", "absolute", "as_posix")
 #: default: most users do not set the variable.
 _OF_ENVIRONMENT = {"EnvironmentVariable": "default_value", "get": "default", "getenv": "default"}
 _ENVIRONMENTS = ("os.environ", "environ")
+#: Attributes of ``os`` on Linux.
+_SEPARATORS = {"pathsep": ":", "sep": "/"}
 #: Variables that are always set, with a value that files for several distributions expect.
 _ASSUMED = {"ROS_DISTRO": "jazzy"}
 #: Variables that are always set, so that a default is never the value.
@@ -59,6 +62,9 @@ COMPUTED = {
     "AllSubstitution": ("all", ()),
     "AnySubstitution": ("any", ()),
 }
+
+#: What follows the name of a list or a dictionary where it gets further items.
+_GROWS = r"\s*(?:\.(?:append|extend|insert|setdefault|update)\(|\[[^\]\n]*\]\s*=[^=]|[|+]=)"
 
 
 class Values:
@@ -95,7 +101,7 @@ class Values:
                 return os.path.abspath(self.source.path)
             return self.text(self._scopes.value(node), depth + 1)
         if isinstance(node, (ast.List, ast.Tuple)):
-            return _joined(self.text(item, depth + 1) for item in node.elts)
+            return self._of_parts(_joined, node.elts, depth)
         if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Div)):
             join = _path if isinstance(node.op, ast.Div) else _joined
             return join(self.text(n, depth + 1) for n in (node.left, node.right))
@@ -105,10 +111,19 @@ class Values:
             return self.text(node.value, depth + 1)
         return self._of_expression(node, depth)
 
+    def _of_parts(
+        self, join: Callable[[Iterable[str | None]], str | None], parts: list[ast.expr], depth: int
+    ) -> str | None:
+        """The joined texts of expressions, and of those that ``*`` unpacks."""
+        every = (one for part in parts for one in self._unpacked(part, depth))
+        return join(self.text(one, depth + 1) for one in every)
+
     def _of_expression(self, node: ast.expr, depth: int) -> str | None:
         """The text of an attribute, a condition, an item or a call."""
         if isinstance(node, ast.Attribute) and node.attr == "parent":
             return _directory(self.text(node.value, depth + 1))
+        if isinstance(node, ast.Attribute) and node.attr in _SEPARATORS:
+            return _SEPARATORS[node.attr] if python_source.dotted_name(node.value) == "os" else None
         if isinstance(node, ast.Attribute) and node.attr == "package_path":
             builder = self._builder(node.value)
             package = self.package_of(builder) if builder else None
@@ -128,12 +143,23 @@ class Values:
 
     def _holds(self, test: ast.expr, depth: int) -> bool | None:
         """Whether two texts are equal; None for any other test, or unknown texts."""
-        if not isinstance(test, ast.Compare) or not isinstance(test.ops[0], (ast.Eq, ast.NotEq)):
+        known = self.resolved(test)
+        if isinstance(known, ast.UnaryOp) and isinstance(known.op, ast.Not) and depth < MAX_DEPTH:
+            holds = self._holds(known.operand, depth + 1)
+            return None if holds is None else not holds
+        if not isinstance(known, ast.Compare) or len(known.ops) > 1:
             return None
-        left, right = (self.text(side, depth) for side in (test.left, test.comparators[0]))
-        if left is None or right is None or len(test.ops) > 1:
+        (operator,), (right,) = known.ops, known.comparators
+        if isinstance(operator, (ast.Eq, ast.NotEq)):
+            others = [self.text(right, depth)]
+        elif isinstance(operator, (ast.In, ast.NotIn)) and not isinstance(right, ast.Constant):
+            others = [self.text(item, depth) for item in self.items(right, depth)]
+        else:
             return None
-        return (left == right) == isinstance(test.ops[0], ast.Eq)
+        left = self.text(known.left, depth)
+        if left is None or None in others:
+            return None
+        return (left in others) == isinstance(operator, (ast.Eq, ast.In))
 
     def resolved(self, node: ast.expr | None) -> ast.expr | None:
         """An expression, or the value of a name; None if it is ambiguous."""
@@ -141,6 +167,15 @@ class Values:
             if not isinstance(node, ast.Name):
                 return node
             node = self._scopes.value(node)
+        return None
+
+    def created(self, node: ast.expr) -> ast.expr | None:
+        """What an expression creates: itself, or what a function of the file returns."""
+        for _ in range(MAX_DEPTH):
+            returned = self._scopes.returned(node) if isinstance(node, ast.Call) else None
+            if returned is None:
+                return node
+            node = returned
         return None
 
     def has_context(self, node: ast.expr) -> bool:
@@ -161,7 +196,12 @@ class Values:
     def pairs(self, node: ast.expr | None) -> list[tuple[ast.expr | None, ast.expr]]:
         """The keys and values of a dictionary; empty for any other expression."""
         node = self.resolved(node)
-        return list(zip(node.keys, node.values, strict=True)) if isinstance(node, ast.Dict) else []
+        written = zip(node.keys, node.values, strict=True) if isinstance(node, ast.Dict) else ()
+        pairs: list[tuple[ast.expr | None, ast.expr]] = []
+        for key, value in written:
+            inner = self.resolved(value) if key is None else None
+            pairs += self.pairs(inner) if isinstance(inner, ast.Dict) else [(key, value)]
+        return pairs
 
     def opened(self, node: ast.expr | None) -> ast.expr | None:
         """The call that opens the file of a name in ``with open(...) as name``."""
@@ -171,12 +211,36 @@ class Values:
     def items(self, node: ast.expr | None, depth: int = 0) -> list[ast.expr | None]:
         """The items of a list; None stands for any number of unknown items."""
         node = self.resolved(node)
+        if depth > MAX_DEPTH:
+            return [None]
         if isinstance(node, (ast.List, ast.Tuple)):
-            return [None if isinstance(item, ast.Starred) else item for item in node.elts]
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add) and depth < MAX_DEPTH:
+            return [one for item in node.elts for one in self._unpacked(item, depth)]
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
             left, right = (self.items(side, depth + 1) for side in (node.left, node.right))
             return left + right
+        if isinstance(node, ast.Call) and (returned := self._scopes.returned(node)) is not None:
+            return self.items(returned, depth + 1)
+        if isinstance(node, ast.Call) and called(node) in ("list", "tuple") and node.args:
+            return self._keys(node.args[0]) or self.items(node.args[0], depth + 1)
         return [None]
+
+    def _unpacked(self, item: ast.expr, depth: int) -> list[ast.expr | None]:
+        """An item of a list, or the items that ``*`` unpacks."""
+        if not isinstance(item, ast.Starred):
+            return [item]
+        return [None] if self.grows(item.value) else self.items(item.value, depth + 1)
+
+    def grows(self, node: ast.expr | None) -> bool:
+        """True for the name of a list or a dictionary that gets further items later."""
+        name = node.id if isinstance(node, ast.Name) else None
+        return bool(name and re.search(rf"\b{name}{_GROWS}".encode(), self.source.data))
+
+    def _keys(self, node: ast.expr) -> list[ast.expr | None]:
+        """The keys of a dictionary; empty for any other expression."""
+        function = node.func if isinstance(node, ast.Call) else None
+        is_keys = isinstance(function, ast.Attribute) and function.attr == "keys"
+        owner = function.value if isinstance(function, ast.Attribute) and is_keys else node
+        return [key for key, _ in self.pairs(owner)]
 
     def words(self, node: ast.expr | None) -> tuple[Word, ...]:
         """The words of a command line in a list; empty without a list."""
@@ -204,7 +268,7 @@ class Values:
         if name in PACKAGE_DIRECTORY:
             return self._package_directory(call, depth)
         if parts := parts_of_path(call):
-            return _path(self.text(part, depth + 1) for part in parts)
+            return self._of_parts(_path, parts, depth)
         if name == "LaunchConfiguration":
             return self._of_configuration(call, depth)
         if name == "ThisLaunchFileDir":
@@ -213,6 +277,11 @@ class Values:
             return self._computed(call, depth)
         if isinstance(call.func, ast.Attribute) and name in _OF_OBJECT:
             return self.text(call.func.value, depth + 1)
+        if isinstance(call.func, ast.Attribute) and name == "lower":
+            text = self.text(call.func.value, depth + 1)
+            return None if text is None else text.lower()
+        if (returned := self._scopes.returned(call)) is not None:
+            return self.text(returned, depth + 1)
         return self._of_function(call, depth)
 
     def _of_function(self, call: ast.Call, depth: int) -> str | None:

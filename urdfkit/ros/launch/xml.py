@@ -17,6 +17,7 @@ from urdfkit.ros.launch.contents import (
     INCLUDED,
     MAX_DEPTH,
     MAX_INCLUDED,
+    EnvironmentSetting,
     IncludedFile,
     LaunchedFile,
     Word,
@@ -135,6 +136,7 @@ class _XmlReader(XmlLaunchFile):
         handles: dict[str, Callable[[Element], None]] = {
             "arg": self._arg,
             "composable_node": self._component,
+            "append_env": self._set_environment,
             "executable": partial(start_executable, self),
             "gz_server": self._action,
             "gz_spawn_model": self._action,
@@ -147,6 +149,7 @@ class _XmlReader(XmlLaunchFile):
             "param": partial(read_param, self),
             "ros_gz_bridge": self._action,
             "rosparam": partial(read_rosparam, self),
+            "set_env": self._set_environment,
             "test": self._node,
         }
         for element in parent.children:
@@ -221,6 +224,12 @@ class _XmlReader(XmlLaunchFile):
     def _node(self, element: Element) -> None:
         start_node(self, element)
         self._children(element)
+
+    def _set_environment(self, element: Element) -> None:
+        name, value = element.get("name"), element.attributes.get("value")
+        if name and value is not None:
+            word = Word(self.text(value), value.span)
+            self.collector.environment.append(EnvironmentSetting(name, word))
 
     def _component(self, element: Element) -> None:
         start_component(self, element)
