@@ -122,3 +122,17 @@ def test_a_walk_lists_what_os_walk_lists_and_each_directory_once(
     assert directories.walk(".")[:2] == ["./dead", "./top"]
     directories.files_below(str(tmp_path), 100)
     assert len(listed) == len(set(listed))
+
+
+def test_a_workspace_of_many_directories_is_listed_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """autoware.universe has more directories than listings are kept."""
+    monkeypatch.setattr("urdfkit.workspace.directories.LIMIT", 4)
+    for name in ("a", "b", "c", "d", "e", "f"):
+        add_file(tmp_path / name / "x")
+    directories = Directories()
+    listed = record_listings(monkeypatch)
+    for _ in range(3):
+        assert len(directories.files_below(str(tmp_path), 100)) == 6
+    assert len(listed) == 7

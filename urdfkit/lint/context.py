@@ -333,6 +333,11 @@ class Context(DescriptionFile):
         source, arguments = self.resolver.read(path), tuple(sorted(self.arguments.items()))
         return _names_in_robot(source, self.resolver, arguments, self.trust)
 
+    def name_of_robot(self, path: str, arguments: Mapping[str, str]) -> str | None:
+        """Name of another description; None if it cannot be read."""
+        source = self.resolver.read(path)
+        return _name_of_robot(source, self.resolver, tuple(arguments.items()), self.trust)
+
     @property
     def described_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
         """The robots that the launch file describes and that can be expanded."""
@@ -462,3 +467,11 @@ def _names_in_robot(
     if not robot.is_readable:
         return frozenset()
     return frozenset({*robot.model.links_by_name, *robot.model.joints_by_name})
+
+
+@lru_cache(maxsize=64)  # the robots of launch files are needed for each robot with an SRDF
+def _name_of_robot(
+    source: Source, resolver: Resolver, arguments: tuple[tuple[str, str], ...], trust: bool
+) -> str | None:
+    robot = Context(source, resolver, dict(arguments), trust=trust)
+    return robot.model.name if robot.is_readable else None

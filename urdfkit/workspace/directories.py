@@ -11,6 +11,9 @@ from urdfkit.core.memo import LIMIT
 _NOT_SOURCES = frozenset(
     "build install log devel node_modules site-packages __pycache__ __MACOSX".split()
 )
+#: Lists of files below directories that are kept: those of a package and of its workspace, for
+#: some limits. A workspace may have more directories than listings are kept.
+_WALKS = 8
 
 
 def walk(directory: str) -> Iterator[str]:
@@ -39,6 +42,11 @@ class Directories:
         #: Names of entries that are neither files nor directories, such as broken links.
         self._others: dict[str, list[str]] = {}
         self._walked: Callable[[str], list[str]] = cache(self._walk)
+        #: The files below a directory, nearest first, without hidden directories and build results,
+        #: from at most as many directories as the second argument says.
+        self.files_below: Callable[[str, int], tuple[str, ...]] = lru_cache(_WALKS)(
+            self._files_below
+        )
         self._links: set[str] = set()
         #: Absolute path with all symbolic links resolved.
         self.real: Callable[[str], str] = lru_cache(LIMIT)(self._real)
@@ -138,12 +146,7 @@ class Directories:
             ]
         return paths
 
-    def files_below(self, directory: str, limit: int) -> list[str]:
-        """The files below a directory, nearest first, without hidden directories and build results.
-
-        Args:
-            limit: most directories to list.
-        """
+    def _files_below(self, directory: str, limit: int) -> tuple[str, ...]:
         paths: list[str] = []
         queue = [directory]
         for at in queue:  # grows during the iteration
@@ -154,7 +157,7 @@ class Directories:
                     paths.append(path)
                 elif len(queue) < limit and is_walked(name) and path not in self._links:
                     queue.append(path)
-        return paths
+        return tuple(paths)
 
 
 def _spellings(entries: dict[str, bool], name: str) -> list[str]:

@@ -6,6 +6,7 @@ from itertools import chain, islice
 
 from urdfkit.core import disk
 from urdfkit.lint.rules import Context
+from urdfkit.ros.launch.contents import LaunchedDescription
 from urdfkit.ros.launch.robot_arguments import launches_of_package, launches_of_workspace
 from urdfkit.ros.moveit.srdf import Srdf
 from urdfkit.text.file_kinds import is_xacro
@@ -22,12 +23,14 @@ def launched_namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
 
     They are this robot with other arguments, or another revision of it.
     """
+    names = context.model.name, srdf.root.get("name")
     for robot in _launched(context, srdf):
-        if robot.is_readable and robot.model.name in (context.model.name, srdf.root.get("name")):
-            yield robot
+        name = context.name_of_robot(robot.path, robot.arguments)
+        if name is not None and name in names:
+            yield context.other_robot(robot.path, robot.arguments)
 
 
-def _launched(context: Context, srdf: Srdf) -> Iterator[Context]:
+def _launched(context: Context, srdf: Srdf) -> Iterator[LaunchedDescription]:
     """The robots of the launch files of the workspace, also those that MoveIt's builder reads."""
     place = (srdf.path, context.resolver)
     launches = chain(launches_of_package(*place), launches_of_workspace(*place))
@@ -36,8 +39,7 @@ def _launched(context: Context, srdf: Srdf) -> Iterator[Context]:
         for launch in launches
         for description in (*launch.descriptions, *(robot for robot, _ in launch.built))
     )
-    for description in islice(descriptions, _MAX_STARTED):
-        yield context.other_robot(description.path, description.arguments)
+    yield from islice(descriptions, _MAX_STARTED)
 
 
 def _namesakes(context: Context, srdf: Srdf) -> Iterator[Context]:
@@ -73,8 +75,8 @@ def has_incomplete_namesake(context: Context, srdf: Srdf) -> bool:
     if not srdf.unknown:
         return False
     if is_xacro(context.source):
-        robots = (one for one in _launched(context, srdf) if disk.real(one.source.path) == own)
-        return any(map(_lacks_package, robots))
+        robots = (one for one in _launched(context, srdf) if disk.real(one.path) == own)
+        return any(_lacks_package(context.other_robot(one.path, one.arguments)) for one in robots)
     names = context.resolver.directories.entries(directory) or () if name else ()
     xacros = (os.path.join(directory, file) for file in names if file.endswith(".xacro"))
     namesakes = (path for path in xacros if has_robot_name(path, name))

@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, KeysView
 from functools import lru_cache
 from itertools import islice
 
+from urdfkit.core.memo import LIMIT
 from urdfkit.core.suggest import Suggester, did_you_mean, hint_for
 from urdfkit.core.suggest import is_typo as is_one_letter_off
 from urdfkit.ros.launch.collect import UNKNOWN
@@ -239,7 +240,7 @@ def _references(path: str, name: bytes, package: bytes, resolver: Resolver) -> b
     return package in text and (name in text or any(map(name.endswith, ends)))
 
 
-@lru_cache(maxsize=256)  # each launch file of a workspace is looked for in all others
+@lru_cache(maxsize=LIMIT)  # each launch file of a workspace is looked for in all others
 def _code(source: Source) -> tuple[bytes, tuple[bytes, ...]]:
     """A launch file without comments, and the ends of the names of launch files in it."""
     is_python = source.path.endswith(".py")

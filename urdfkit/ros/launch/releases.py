@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 
-from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.robot_arguments import launches_below
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -29,9 +30,19 @@ def is_for_jazzy(path: str, resolver: Resolver, others: Iterable[str] = ()) -> b
     Args:
         others: paths of further parameter files.
     """
-    launches = launches_of_workspace(path, resolver)
+    workspace = resolver.packages.workspace(path)
+    return _is_loaded_for_jazzy(workspace, resolver) or _have_later_names(others, resolver)
+
+
+@lru_cache(maxsize=2)  # the launch files of a workspace are queried one after the other
+def _is_loaded_for_jazzy(workspace: str, resolver: Resolver) -> bool:
+    launches = launches_below(workspace, resolver)
     paths = {file.path for launch in launches for file in launch.parameters if file.exists}
-    sources = filter(None, map(resolver.readable, sorted(paths.union(others))))
+    return _have_later_names(sorted(paths), resolver)
+
+
+def _have_later_names(paths: Iterable[str], resolver: Resolver) -> bool:
+    sources = filter(None, map(resolver.readable, paths))
     return any(_JAZZY.search(file.data) and not _OLDER.search(file.data) for file in sources)
 
 

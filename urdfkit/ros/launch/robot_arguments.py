@@ -174,13 +174,13 @@ def declared(robot: str, resolver: Resolver) -> Iterator[tuple[str, dict[str, li
 
 def launches_of_workspace(path: str, resolver: Resolver) -> tuple[Launch, ...]:
     """The contents of all launch files in the workspace of a file."""
-    return _launches(resolver.packages.workspace(path), resolver)
+    return launches_below(resolver.packages.workspace(path), resolver)
 
 
 def launches_of_package(path: str, resolver: Resolver) -> tuple[Launch, ...]:
     """The contents of all launch files in the package of a file; in a large workspace some lack."""
     package = resolver.packages.enclosing(path)
-    return _launches(package[1], resolver) if package else ()
+    return launches_below(package[1], resolver) if package else ()
 
 
 def is_passed_to_xacro(source: Source, resolver: Resolver) -> bool:
@@ -209,7 +209,8 @@ def is_not_started(source: Source, resolver: Resolver) -> bool:
 
 
 @lru_cache(maxsize=2)  # the launch files of a workspace are queried one after the other
-def _launches(directory: str, resolver: Resolver) -> tuple[Launch, ...]:
+def launches_below(directory: str, resolver: Resolver) -> tuple[Launch, ...]:
+    """The contents of all launch files below a directory."""
     return tuple(read_launch(source, resolver) for source in launch_files(directory, "", resolver))
 
 
