@@ -156,6 +156,20 @@ def test_the_center_that_is_outside_of_its_shapes(side: str) -> None:
     assert f"'{side}_leg_c': y of the" in found.message
 
 
+def test_the_tensor_that_others_with_the_mesh_do_not_have() -> None:
+    """Dyna1: a left foot has the tensor of the right one; the other left foot has its own."""
+    text = leg_pairs(*[(IMAGE, CENTER)] * 3)
+    before, name, after = text.partition('<link name="left_leg_c">')
+    text = before + name + after.replace('ixz="0.0008"', 'ixz="-0.0008"', 1)
+    assert ["'right_leg_c': ixz" in message for message in messages("INE012", text)] == [True]
+    for side in ("left", "right"):
+        mesh = f'<visual><geometry><mesh filename="{side}.stl"/></geometry></visual>'
+        for leg in "abc":
+            inside = f'<link name="{side}_leg_{leg}">'
+            text = text.replace(inside, inside + mesh)
+    assert ["'left_leg_c': ixz" in message for message in messages("INE012", text)] == [True]
+
+
 def test_copies_have_no_wrong_sign() -> None:
     copies = ((TENSOR, "0.01 0.02 -0.1"),) * 2
     assert messages("INE012", leg_pairs(*copies)) == []

@@ -11,8 +11,9 @@ all others, three or more.
 
 In the plane y = 0 of the root, the mirror image of a link has the y of its centre of mass, ixy and
 iyz with the other sign. One that would be the mirror image of its counterpart with another sign is
-reported if all other pairs are mirror images: of two centres of mass, the one that is outside the
-shapes. Weights that balance the robot may differ.
+reported if all other pairs are mirror images: of two tensors, the one that others with its mesh do
+not have; of two centres of mass, the one that is outside the shapes. Weights that balance the robot
+may differ.
 
 Sources:
     robotology/icub-models#269: https://github.com/robotology/icub-models/issues/269
@@ -22,6 +23,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from functools import partial
 
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Transform, Vector, rotate, vector
@@ -150,8 +152,9 @@ class _WrongSign(Record):
 def _wrong_signs(masses: Masses) -> Iterator[_WrongSign]:
     """The places with a wrong sign, if each is the only one of its kind in a robot."""
     mirrored = [pair for pair in masses.symmetric_pairs if _are_mirrored(masses, *pair)]
-    ordered = [sorted(pair, key=distance_outside) for pair in mirrored]
-    for find, counterparts in ((_product, mirrored), (_center, ordered)):
+    by_part = [sorted(pair, key=partial(_is_unlike_its_part, masses)) for pair in mirrored]
+    ordered = [sorted(pair, key=distance_outside) for pair in by_part]
+    for find, counterparts in ((_product, by_part), (_center, ordered)):
         found: list[_WrongSign] = []
         consistent: list[frozenset[str]] = []
         for left, right in counterparts:
@@ -166,6 +169,19 @@ def _wrong_signs(masses: Masses) -> Iterator[_WrongSign]:
         kind = _TURNED if found and found[0].what in _TURNED else _ALL
         if len(places) == 1 and sum(map(bool, map(kind.intersection, consistent))) > 1:
             yield found[0]
+
+
+def _is_unlike_its_part(masses: Masses, link: LinkInertia) -> bool:
+    """True if other links have the meshes of this one, and none of them has its tensor."""
+    meshes = _meshes(link)
+    others = (one for one in masses.by_name.values() if one is not link)
+    same = [one.tensor for one in others if _meshes(one) == meshes] if meshes else []
+    allowed = _TOLERANCE * link.moments[2]
+    return bool(same) and not any(_is_near(tensor, link.tensor, allowed) for tensor in same)
+
+
+def _meshes(link: LinkInertia) -> list[str]:
+    return [body.file.value for body in link.link.visuals if body.file]
 
 
 def _are_mirrored(masses: Masses, left: LinkInertia, right: LinkInertia) -> bool:
