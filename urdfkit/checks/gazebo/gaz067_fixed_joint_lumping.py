@@ -169,12 +169,12 @@ def _gets_tags(name: str, link: str, kind: str, *, is_merged: bool) -> bool:
 
 def _lost(shape: Element, link: str, top: str, tags: list[Element]) -> Finding:
     listed = ", ".join(dict.fromkeys(f"<{tag.tag}>" for tag in tags))
-    lost = f"{listed} of link '{link}'"
+    lost = f"Gazebo does not apply {listed} of link '{link}'"
     name = shape.attributes.get("name")
     if name is None:
-        message = f"{lost} has no effect: the name begins with '{top}', the link it is merged into"
+        message = f"{lost}: the name begins with '{top}', the link it is merged into"
         return Finding(tags[0], message, "rename the link")
-    message = f"{lost} does not apply to <{shape.tag}> '{name.value}', because of its name"
+    message = f"{lost} to <{shape.tag}> '{name.value}', because of its name"
     help = "remove the name, or begin it with the name of the link"
     fix = fix_value(name, f"{link}_{name.value}") if link == top else None
     return Finding(name, message, help, fix, (Related(tags[0].span, "set here"),), group_key="name")
