@@ -198,6 +198,9 @@ def test_without_a_robot_state_publisher_nothing_is_published_twice(tmp_path: Pa
             + SPAWNER.format("['joint_state_broadcaster']", ""),
             0,
         ),
+        (GUI.format("") + GUI.format("").replace("_gui", ""), 1),
+        (GUI.format("").replace("_gui", ""), 0),
+        (GUI.format(", namespace='arm'") + GUI.format("").replace("_gui", ""), 0),
         (GUI.format("") + SPAWNER.format("['joint_state_broadcaster']", ", namespace='arm'"), 0),
         (GUI.format("") + SPAWNER.format("['joint_state_broadcaster', '-c', '/arm/cm']", ""), 0),
         (

@@ -164,3 +164,25 @@ def test_arguments_of_a_launch_file_of_ros(tmp_path: Path, name: str, count: int
     )
     found = reported(tmp_path, "LAU005", "a.launch.xml", text)
     assert ["'slam_params_file'?" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("name", "suggested"),
+    [
+        ("paused", "pause"),
+        ("world_name", "world"),
+        ("pause", ""),
+        ("world", ""),
+        ("gui", ""),
+        ("use_sim_time", ""),
+        ("headless", ""),
+    ],
+)
+def test_arguments_of_gazebo_classic(tmp_path: Path, name: str, suggested: str) -> None:
+    text = (
+        '<include file="$(find-pkg-share gazebo_ros)/launch/gazebo.launch.py">\n'
+        f'<arg name="{name}" value="$(var x)"/>\n</include>'
+    )
+    found = reported(tmp_path, "LAU005", "a.launch.xml", text)
+    expected = [naming("gazebo.launch.py", "unknown", name, suggested)] if suggested else []
+    assert [one.message for one in found] == expected

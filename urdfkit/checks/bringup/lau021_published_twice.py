@@ -6,7 +6,8 @@
   base_link, or that of odom next to AMCL or slam_toolbox.
 - joint_state_publisher and joint_state_broadcaster of ros2_control (joint_state_controller in
   ROS 1) publish on the same `joint_states`: the model jumps between the real positions and those of
-  the sliders. The same holds for joint states that are bridged from Gazebo.
+  the sliders. The same holds for joint states that are bridged from Gazebo, and for
+  joint_state_publisher and joint_state_publisher_gui.
 - robot_localization and diff_drive_controller both publish the transform from odom to the robot,
   which jumps between the two: write `enable_odom_tf: false`. Or the `base_link_frame` of
   robot_localization is the child of a joint, which gives the link two parents. The same holds for
@@ -58,6 +59,7 @@ nodes = [
 GOOD = BAD.replace(BAD.splitlines(keepends=True)[3], "")
 
 _PUBLISHERS = ("joint_state_publisher", "joint_state_publisher_gui")
+_SLIDERS = "joint_state_publisher_gui/joint_state_publisher_gui"
 _TOPIC = "joint_states"
 _MESSAGE = "sensor_msgs/msg/JointState"
 _BROADCASTERS = ("joint_state_broadcaster", "joint_state_controller")
@@ -115,7 +117,7 @@ def _repeats_joint(transform: StaticTransform, joint: Joint, tree: KinematicTree
 
 
 def _joint_states(context: Context, programs: list[StartedProgram]) -> Findings:
-    """A joint_state_publisher on the topic of a joint_state_broadcaster or of the bridge."""
+    """A joint_state_publisher on the topic of a broadcaster, of the bridge or of the sliders."""
     publishers = [
         (f"{name.rpartition('/')[0]}/{_TOPIC}", f"controller {spawned.name}", spawned.word.span)
         for spawned in spawned_controllers(programs)
@@ -131,12 +133,15 @@ def _joint_states(context: Context, programs: list[StartedProgram]) -> Findings:
     ]
     others = {name: (who, span) for name, who, span in reversed(publishers)}
     for node in programs:
+        if node.key == _SLIDERS and (name := topic_name(_TOPIC, node)):
+            others.setdefault(name, (node.package, node.span))
+    for node in programs:
         other = others.get(topic_name(_TOPIC, node) or "") if node.package in _PUBLISHERS else None
-        if other and b"source_list" not in node.span.source.data:
+        if other and other[1] != node.span and b"source_list" not in node.span.source.data:
             yield Finding(
                 node.at,
                 f"{node.package} and {other[0]} both publish the joint states",
-                f"remove {node.package}",
+                "start one of the two" if other[0] in _PUBLISHERS else f"remove {node.package}",
                 related=(Related(other[1], "the other publisher"),),
             )
 

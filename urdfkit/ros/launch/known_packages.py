@@ -199,7 +199,8 @@ def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
         if argument in known or not is_reported:
             continue
         suggested = former[argument][0] if argument in former else _similar(argument, known)
-        suggested = "gz_args" if is_world and not is_ros_1 else suggested
+        if is_world and not is_ros_1:
+            suggested = "world" if "world" in known else "gz_args"
         message = f"'{name}': unknown argument '{argument}'{hint_for(suggested)}"
         severity = Severity.ERROR if is_ros_1 else Severity.WARNING
         yield Problem("LAU005", word.span, message, frame=included.frame, severity=severity)
