@@ -144,16 +144,19 @@ def test_one_wrong_sign(tensor: tuple[float, ...], center: str, wrong: str, valu
 def test_the_center_that_is_outside_of_its_shapes(side: str) -> None:
     """A foot of ROBOTIS OP3: the counterpart that has its centre in its box is the right one."""
     text = leg_pairs(*[(IMAGE, CENTER)] * 3)
-    sides = {"left": ("0.01 0.02 -0.1", "0.01 -0.02 -0.1"), "right": (CENTER, "0.01 0.02 -0.1")}
+    left, right = (TENSOR, "0.01 0.02 -0.1"), (IMAGE, CENTER)
+    own, other = (left, right) if side == "left" else (right, left)
+    wrong = (ONE_WRONG if side == "right" else (0.01, -0.001, 0.0008, 0.01, 0.001, 0.008), other[1])
     before, name, after = text.partition(f'<link name="{side}_leg_c">')
-    text = before + name + after.replace(*sides[side], 1)
+    text = before + name + after.replace(inertial(1, *own), inertial(1, *wrong), 1)
     shape = '<visual><origin xyz="0.01 {} -0.1"/>'
     shape += '<geometry><box size="0.1 0.03 0.1"/></geometry></visual>'
-    for name, y in (("left", "0.02"), ("right", "-0.02")):
-        inside = f'<link name="{name}_leg_c">'
+    for word, y in (("left", "0.02"), ("right", "-0.02")):
+        inside = f'<link name="{word}_leg_c">'
         text = text.replace(inside, inside + shape.format(y))
-    (found,) = reported("INE012", text)
-    assert f"'{side}_leg_c': y of the" in found.message
+    found = messages("INE012", text)
+    assert ["y of the" in message for message in found] == [True, False]
+    assert all(message.startswith(f"link '{side}_leg_c'") for message in found)
 
 
 def test_the_tensor_that_others_with_the_mesh_do_not_have() -> None:

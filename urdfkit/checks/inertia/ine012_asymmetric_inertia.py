@@ -152,12 +152,13 @@ class _WrongSign(Record):
 def _wrong_signs(masses: Masses) -> Iterator[_WrongSign]:
     """The places with a wrong sign, if each is the only one of its kind in a robot."""
     mirrored = [pair for pair in masses.symmetric_pairs if _are_mirrored(masses, *pair)]
+    # Of two counterparts, the one whose centre is outside of its shapes is wrong.
     by_part = [sorted(pair, key=partial(_is_unlike_its_part, masses)) for pair in mirrored]
     ordered = [sorted(pair, key=distance_outside) for pair in by_part]
-    for find, counterparts in ((_product, by_part), (_center, ordered)):
+    for find in (_product, _center):
         found: list[_WrongSign] = []
         consistent: list[frozenset[str]] = []
-        for left, right in counterparts:
+        for left, right in ordered:
             frames = masses.tree.frames[left.name], masses.tree.frames[right.name]
             result = find(left, right, *frames)
             if not isinstance(result, _WrongSign):
