@@ -110,6 +110,19 @@ def test_the_hull_holds_the_mesh_and_never_replaces_it(tmp_path: Path) -> None:
     assert DistanceQuery(one, two).distance(SAME, at, 0.0) == 0  # measures nothing in vain
 
 
+def test_vertices_within_the_hull_are_not_needed(tmp_path: Path) -> None:
+    """A hand of Unitree: 23,000 vertices of a finger, each against the hull of the palm."""
+    corners = np.array([(0, 0), (4, 0), (0, 4)])
+    ends = [np.column_stack((corners, np.full(3, z))) for z in (0, 4)]
+    inner = np.array([(1, 1, 1), (1.5, 1, 1), (1, 1.5, 1)])
+    path = tmp_path / "prism.stl"
+    path.write_bytes(stl([triangle.tolist() for triangle in (*ends, inner)]))
+    (prism,) = geometries(mesh(path))
+    assert {*map(tuple, prism.outermost)} == {*map(tuple, np.vstack(ends))}
+    (flat,) = geometries(mesh(path, "1 1 0.000000001"))
+    assert len(flat.outermost) == 9
+
+
 def test_the_volume_of_a_cube(tmp_path: Path) -> None:
     (one,) = geometries(mesh(cube(tmp_path / "c.stl", 0.5)))
     assert volume(one.arrays.vertices, one.arrays.faces) == pytest.approx(1)

@@ -54,6 +54,13 @@ class CollisionGeometry:
     radius: float  # of the bounding sphere about the center, in m
     same: "CollisionGeometry | None" = None  # another body with this mesh
 
+    @property
+    def outermost(self) -> Floats:
+        """(n, 3), the vertices of the hull, with others if the hull is flat or a box."""
+        # A box may stand for a hull that coal rejects; flat meshes have no hull.
+        points = getattr(self.hull, "num_points", len(_CORNERS))
+        return self.arrays.vertices if points == len(_CORNERS) else self.hull.points()
+
     @cached_property
     def exact(self) -> Any:
         """The hull, or the triangles of a mesh that is not convex.

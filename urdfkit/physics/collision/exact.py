@@ -91,11 +91,14 @@ class ExactDistances:
         return all(query.distance(np.eye(3), point, inf) < -2 * THINNEST for point in points)
 
     def vertices(self, body: CollisionBody) -> tuple[Vector, ...]:
-        """Vertices of a mesh, or corners of the bounding box of a primitive, in its frame."""
+        """Vertices of the hull of a mesh, or corners of the bounding box of a primitive.
+
+        In its frame; other vertices of the mesh may be among them.
+        """
         geometry = self._geometry(body)
         if body.kind != "mesh" or geometry is None:
             return body.points
-        return tuple((x, y, z) for x, y, z in geometry.arrays.vertices.tolist())
+        return tuple((x, y, z) for x, y, z in geometry.outermost.tolist())
 
     def _query(self, first: CollisionBody, second: CollisionBody) -> DistanceQuery | None:
         a, b = self._geometry(first), self._geometry(second)
