@@ -456,3 +456,33 @@ nodes += [
 def test_the_imu_of_navsat_transform(tmp_path: Path, more: str, count: int) -> None:
     found = messages(tmp_path, "LAU032", NODE.format(*NAVSAT, more) + GIVEN, {})
     assert ["'/imu'" in one for one in found] == [True] * count
+
+
+SCANS = """
+nodes += [
+    Node(package="ros_gz_bridge", executable="parameter_bridge", arguments=[{}]),
+]
+"""
+SCAN = "    - {{Class: rviz_default_plugins/LaserScan, Enabled: {}, Topic: {{Value: {}}}}}\n"
+TWO = "Visualization Manager:\n  Displays:\n{}" + SCAN
+
+
+@pytest.mark.parametrize(
+    ("published", "enabled", "count"),
+    [
+        (("/front", "/rear"), "true", 1),
+        (("/front", "/rear"), "false", 0),
+        (("/front", "/scan"), "true", 0),
+        (("/front",), "true", 0),  # perhaps the other one is for another robot
+    ],
+)
+def test_one_of_two_displays(
+    tmp_path: Path, published: tuple[str, ...], enabled: str, count: int
+) -> None:
+    bridged = ", ".join(
+        f"'{topic}@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan'" for topic in published
+    )
+    text = NODE.format("rviz2", "rviz2", ', arguments=["-d", "../a.rviz"]') + SCANS.format(bridged)
+    files = {"a.rviz": TWO.format(SCAN.format("true", "/front"), enabled, "/scan")}
+    found = messages(tmp_path, "LAU032", text, files)
+    assert ["'/scan'" in one and "'/rear'" in one for one in found] == [True] * count

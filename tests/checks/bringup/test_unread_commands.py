@@ -293,3 +293,16 @@ def test_output_next_to_remapped_smoothers(
     assert [one.help for one in found if "collision_monitor" in one.message] == [
         "write cmd_vel_nav"
     ] * count
+
+
+@pytest.mark.parametrize(("stamped", "who"), [("true", "twist_mux"), ("false", "teleop_node")])
+def test_a_mux_with_the_wrong_type(tmp_path: Path, stamped: str, who: str) -> None:
+    """Its inputs have the type of its output: only the mux, or only its input, is to be changed."""
+    yaml = "mux: {{ros__parameters: {{use_stamped: {}, topics: {{nav: {{topic: joy}}}}}}}}\n"
+    given = f"remappings=[('cmd_vel_out', '/drive/cmd_vel')], parameters=['{tmp_path}/mux.yaml']"
+    plain = "'publish_stamped_twist': " + ("False" if stamped == "true" else "True")
+    teleop = TELEOP.format(f"remappings=[('cmd_vel', 'joy')], parameters=[{{{plain}}}]")
+    files = {"mux.yaml": yaml.format(stamped)}
+    text = MUX.format(given) + COMMANDS + teleop
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    assert [one.message.split("'")[1] for one in found] == [who]

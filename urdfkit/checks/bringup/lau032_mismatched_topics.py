@@ -2,7 +2,8 @@
 
 - A filter, a costmap or all displays of RViz read odometry, an IMU, images or a scan from a topic
   that nothing publishes, while such messages are published on another topic. Reported only if all
-  programs of the workspace, and the publishers of the robot in RViz, are known.
+  programs of the workspace, and the publishers of the robot in RViz, are known. One of several
+  displays of scans is, too, if a scan is published that RViz does not show.
 - Such a topic is published in Gazebo by a sensor of the robot, but no bridge forwards it.
 - The mask of a filter, or its `filter_info_topic`, is on another topic than its server says.
 - robot_localization and the controller of the wheels both leave the transform from odometry to the
@@ -33,7 +34,7 @@ from urdfkit.checks.bringup.gz_bridges import may_bridge_transforms
 from urdfkit.checks.bringup.known_programs import are_topics_known
 from urdfkit.checks.bringup.navigation_commands import mistyped_navigation, unpublished_commands
 from urdfkit.checks.bringup.odometry import of_global_filters
-from urdfkit.checks.bringup.unpublished_topics import unpublished_inputs
+from urdfkit.checks.bringup.unpublished_topics import unpublished_inputs, unpublished_scans
 from urdfkit.checks.bringup.unread_commands import (
     DRIVE,
     is_known_reader,
@@ -71,6 +72,7 @@ _STILL, _MOVING = re.compile(r"topic_tools|twist_stamper"), ("tf2_ros", _FILTER)
 def check(context: Context) -> Findings:
     if are_topics_known(context):
         yield from unpublished_inputs(context)
+        yield from unpublished_scans(context)
         yield from unread_commands(context)
         yield from _unpublished_odometry(context)
         yield from _navigation_without_odometry(context)

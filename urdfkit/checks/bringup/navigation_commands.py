@@ -8,7 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from urdfkit.checks.bringup.unread_commands import command_readers, command_sources, is_known_reader
+from urdfkit.checks.bringup.unread_commands import (
+    command_readers,
+    command_sources,
+    is_known_reader,
+    trusted_readers,
+)
 from urdfkit.checks.bringup.workspace_launches import programs_of, workspace_launches
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import nearest
@@ -67,7 +72,9 @@ def _text(node: NodeParameters, key: str, default: str = "") -> str:
 
 def mistyped_navigation(context: Context, started: tuple[StartedProgram, ...]) -> Findings:
     """Commands of Nav2 without stamps for a drive that reads them with stamps."""
-    expected = {reader.topic: reader for reader in command_readers(context, started)}
+    is_trusted = trusted_readers(context, started)
+    readers = filter(is_trusted, command_readers(context, started))
+    expected = {reader.topic: reader for reader in readers}
     launches = workspace_launches(context) if expected else ()
     places: set[Span] = set()
     for output in (output for launch in launches for output in _outputs(launch, context.resolver)):

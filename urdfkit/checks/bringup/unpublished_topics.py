@@ -23,6 +23,7 @@ from urdfkit.checks.bringup.read_topics import (
     read_topics,
     topic_parameter,
 )
+from urdfkit.checks.bringup.rviz_displays import has_other_topics, read_by_rviz
 from urdfkit.checks.bringup.spawned_topics import SpawnedTopics, spawned_topics
 from urdfkit.checks.bringup.unbridged_sensors import (
     sensors_of_workspace,
@@ -43,7 +44,9 @@ from urdfkit.ros.launch.bridges import TO_GAZEBO, bridged_topics
 from urdfkit.ros.launch.cartographer import CARTOGRAPHER
 from urdfkit.ros.launch.contents import Launch, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter, topic_of_program
+from urdfkit.ros.launch.rviz import topic_of
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers, topic_name
+from urdfkit.text.located_yaml import Node, scalar
 from urdfkit.text.source import Span
 from urdfkit.workspace.program_strings import may_publish
 
@@ -65,7 +68,7 @@ _TOPICS_OF_NAVSAT = frozenset(
 )
 _BRIDGES = ("ros_gz_bridge", "ros_gz_image")
 _PUBLISHERS = (_CONTROLLERS, _FILTER)
-_ODOMETRY, _IMU = "Odometry", "Imu"
+_ODOMETRY, _IMU, _SCAN = "Odometry", "Imu", "LaserScan"
 #: Topics of programs of robot_localization, and the start of the help.
 _STARTED = {
     "odometry/gps": f"start {_NAVSAT}, or ",
@@ -115,6 +118,34 @@ def unpublished_inputs(context: Context) -> Findings:
                 "publishes",
                 f"set {read.switch}: false",
             )
+
+
+def unpublished_scans(context: Context) -> Findings:
+    """One of several displays of scans in RViz, while another scan is published and not shown."""
+    displays = [] if has_other_topics(context) or is_included(context) else read_by_rviz(context)
+    scans = [display for _, display, kind in displays if kind.endswith(f"/{_SCAN}")]
+    shown = [topic for display in scans if (topic := topic_of(display)) and _is_enabled(display)]
+    if len(shown) < 2:  # see unpublished_inputs
+        return
+    of_workspace = workspace_launches(context)
+    spawned = spawned_topics(context, (context.launch, *of_workspace))
+    published = _publishers(context, (context.launch,), of_workspace, _SCAN, spawned) or {}
+    names = {_absolute(topic.text) for topic in shown}
+    free = [name for name in published if name not in names]
+    for topic in shown if free and not names.isdisjoint(published) else ():
+        if (name := _absolute(topic.text)) not in published:
+            other = nearest(name, free, 0) or free[0]
+            yield Finding(
+                topic.span,
+                f"RViz shows '{name}', which nothing publishes; {_SCAN} messages are on '{other}'",
+                f"write {other}",
+                related=(Related(published[other].span, "the publisher is started here"),),
+            )
+
+
+def _is_enabled(display: dict[str, Node]) -> bool:
+    switch = scalar(display, "Enabled")
+    return switch is None or switch.boolean is not False
 
 
 def _names(read: ReadTopic) -> set[str]:

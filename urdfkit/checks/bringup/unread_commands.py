@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
 from urdfkit.checks.bringup.processes import is_silent_process
@@ -192,8 +192,24 @@ def _unread(publisher: str, topic: str, readers: Iterable[str]) -> tuple[str, st
 
 def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes whose velocity commands have another type than their readers expect."""
+    yield from _mistyped(context, programs, trusted_readers(context, programs))
+
+
+def trusted_readers(
+    context: Context, programs: tuple[StartedProgram, ...]
+) -> Callable[[Reader], bool]:
+    """A filter of readers: if a twist_mux publishes the wrong type, it also reads the wrong one."""
+    drives = _mistyped(context, programs, lambda reader: not reader.is_mux)
+    muxes = {node.at for node in programs if node.package == _MUX}
+    is_wrong = bool(muxes) and any(finding.at in muxes for finding in drives)
+    return lambda reader: not (is_wrong and reader.is_mux)
+
+
+def _mistyped(
+    context: Context, programs: tuple[StartedProgram, ...], is_trusted: Callable[[Reader], bool]
+) -> Findings:
     sources = list(command_sources(programs))
-    own = list(command_readers(context, programs)) if sources else []
+    own = list(filter(is_trusted, command_readers(context, programs))) if sources else []
     others: list[Reader] | None = None
     for node, topic in sources:
         switch, default = data("nodes")["stamped"].get(node.key, ("", ""))
@@ -206,7 +222,8 @@ def mistyped_commands(context: Context, programs: tuple[StartedProgram, ...]) ->
         readers = [reader for reader in own if reader.topic in topics]
         if not readers:
             if others is None:
-                others = list(command_readers(context, _programs_of_workspace(context)))
+                every = command_readers(context, _programs_of_workspace(context))
+                others = list(filter(is_trusted, every))
             readers = [reader for reader in others if reader.topic in topics]
         expected = [_TWIST_STAMPED if x.topic != topic else x.message for x in readers]
         if readers and message not in expected:
