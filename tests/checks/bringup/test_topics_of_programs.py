@@ -74,6 +74,16 @@ def test_another_lidar_publishes_the_topic(
     assert ["best effort" in one for one in found] == [True] * count
 
 
+def test_a_driver_that_an_argument_chooses_among_others(tmp_path: Path) -> None:
+    """linorobot2: seven lidars, of which one has best effort."""
+    rviz = 'rviz = Node(package="rviz2", executable="rviz2", arguments=["-d", "../a.rviz"])\n'
+    chosen = ', condition=LaunchConfigurationEquals("sensor", "kinect")'
+    for condition, count in (("", 1), (chosen, 0)):
+        text = NODE.format(*TO_SCAN, condition) + rviz
+        found = messages(tmp_path, "LAU027", text, {"a.rviz": RVIZ.format("Reliable", "scan")})
+        assert ["best effort" in one for one in found] == [True] * count
+
+
 BEHAVIORS = """behavior_server:
   ros__parameters:
     behavior_plugins: {}

@@ -131,7 +131,12 @@ def _may_start_sensors(launch: Launch) -> bool:
 
 
 def _best_effort(program: StartedProgram, context: Context) -> Iterator[str]:
-    """The topics that a program certainly publishes without reliability."""
+    """The topics that a program certainly publishes without reliability.
+
+    Of drivers of which an argument chooses one, others may be reliable.
+    """
+    if not program.is_sure:
+        return
     facts = data("nodes")["best_effort"].get(stock_key(program, context), "")
     names = facts.split()
     switches = [name[1:] for name in names if name.startswith("-")]
