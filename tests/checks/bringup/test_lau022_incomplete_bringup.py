@@ -121,6 +121,9 @@ JOINTS = NODE.format(
 )
 
 
+MAYBE = "condition=IfCondition(LaunchConfiguration('it')), "
+
+
 @pytest.mark.parametrize(
     ("kind", "system", "more", "help"),
     [
@@ -130,6 +133,14 @@ JOINTS = NODE.format(
         ("fixed", "diff-drive", JOINTS.format(""), ""),
         ("continuous", "diff-drive", "", ""),  # the bridge is started elsewhere
         ("continuous", "diff-drive", JOINTS.format("") + NODE.format("arm", "states", ""), ""),
+        ("continuous", "diff-drive", JOINTS.format("") + NODE.format("arm", "s", MAYBE), ""),
+        (
+            "continuous",
+            "diff-drive",
+            JOINTS.format("")
+            + NODE.format("joint_state_publisher", "joint_state_publisher", MAYBE),
+            "add gz-sim-joint-state-publisher-system",
+        ),
         (
             "continuous",
             "joint-state-publisher",

@@ -189,6 +189,8 @@ def _unpublished_joint_states(context: Context, programs: tuple[StartedProgram, 
     bridges = bridges_of_gz(programs)
     if publisher is None or "rviz2" not in packages or not bridges:
         return
+    # Controllers may have a condition; sliders with one are for other uses.
+    packages |= {node.package for node in programs if node.package not in _JOINT_STATES}
     has_states = _bridges_joint_states(context, bridges)
     if has_states or not all(map(_STATELESS.fullmatch, packages)) or is_included(context):
         return
