@@ -6,6 +6,7 @@ import pytest
 
 from tests.checks.bringup.nav2 import CONTROLLER, JAZZY, PARAMETERS, messages
 from tests.launched import reported
+from urdfkit import check
 
 
 @pytest.mark.parametrize(
@@ -119,3 +120,40 @@ def test_a_node_that_is_not_a_lifecycle_node(tmp_path: Path, package: str, count
     text += f"ekf = Node(package='{package}', executable='ekf_node', name='ekf')\n"
     found = reported(tmp_path / "arm", "LAU030", "a.launch.py", text)
     assert ["waits for 'ekf' for ever" in one.message for one in found] == [True] * count
+
+
+SERVERS = """launch:
+- arg: {{name: place, default: depot}}
+- node: {{pkg: nav2_amcl, exec: amcl, name: amcl{}}}
+- node: {{pkg: nav2_map_server, exec: map_server, name: map_server}}
+- node:
+    if: $(eval "'$(var place)' == 'yard'")
+    pkg: robot_localization
+    exec: ekf_node
+- node:
+    pkg: nav2_lifecycle_manager
+    exec: lifecycle_manager
+    param:
+    - {{name: autostart, value: true}}
+    - {{name: node_names, value: [{}]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("condition", "names", "count"),
+    [
+        ("", "map_server, amcl", 0),
+        ("", "map_server", 1),
+        (", if: $(var unknown)", "map_server", 0),
+    ],
+)
+def test_next_to_what_only_another_choice_starts(
+    tmp_path: Path, condition: str, names: str, count: int
+) -> None:
+    text = SERVERS.format(condition, names)
+    (tmp_path / "arm" / "launch").mkdir(parents=True)
+    (tmp_path / "arm" / "package.xml").write_text("<package><name>arm</name></package>")
+    file = tmp_path / "arm" / "launch" / "a.launch.yaml"
+    file.write_text(text)
+    found = check(file, select=["LAU030"]).diagnostics
+    assert ["'amcl' stays unconfigured" in one.message for one in found] == [True] * count

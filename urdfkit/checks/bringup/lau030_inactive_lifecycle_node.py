@@ -104,8 +104,8 @@ def _wrong_node_names(context: Context) -> Findings:
     launch = context.launch
     programs = launch.programs
     managers = [node for node in programs if node.package == _MANAGER]
-    is_whole = not launch.unread and all(node.is_sure for node in programs)
-    if not managers or not is_whole or b"omposable" in context.source.data:
+    is_known = not launch.unread and all(node.is_sure or node.package for node in programs)
+    if not managers or not is_known or b"omposable" in context.source.data:
         return
     is_part = is_included(context)
     others = workspace_launches(context) if is_part else ()
@@ -114,6 +114,8 @@ def _wrong_node_names(context: Context) -> Findings:
     if None in names or names.isdisjoint(nodes):
         return
     yield from _not_managed(nodes, names)
+    if not all(node.is_sure for node in programs):
+        return
     yield from _without_lifecycle(nodes, names)
     started = {*nodes, *(node.title for node in programs_of(others))}
     own = (name for name in _managed(launch) if name and name not in started)
@@ -131,7 +133,7 @@ def _not_managed(nodes: dict[str, StartedProgram], managed: set[str | None]) -> 
     executables = data("nodes")["lifecycle"].split()
     for name, node in nodes.items():
         is_of_nav2 = node.package.startswith("nav2_") and node.executable in executables
-        if is_of_nav2 and name not in managed:
+        if is_of_nav2 and node.is_sure and name not in managed:
             yield Finding(
                 node.at,
                 f"'{name}' stays unconfigured: no lifecycle manager has it in {_NAMES}",
