@@ -221,3 +221,13 @@ def test_a_default_that_names_no_file(tmp_path: Path, default: str, code: str) -
     (found,) = check(robot, select=["XAC001", "XAC010"]).diagnostics
     assert found.code == code
     assert ("'model'" in found.message) is (code == "XAC010")
+
+
+def test_a_default_with_which_a_file_does_not_exist(tmp_path: Path) -> None:
+    """Stretch 4: the argument has a default, and its own name is no other one."""
+    content = '<xacro:arg name="batch" default="none"/>'
+    content += '<xacro:include filename="a_$(arg batch)/r.xacro"/>'
+    content += '<link name="a"/>'
+    add_file(tmp_path / "r.xacro", XACRO.format(content).encode())
+    found = [one for one in check(tmp_path).diagnostics if one.code == "CFG003"]
+    assert [one.message.count("batch") for one in found] == [1]

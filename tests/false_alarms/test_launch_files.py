@@ -143,3 +143,17 @@ def test_templates_of_the_setup_assistant(tmp_path: Path, word: str, count: int)
     add_file(tmp_path / "b.urdf", b'<robot name="b"><link name="a"/></robot>')
     report = check(tmp_path, select=["LAU001", "LAU003", "URD017"])
     assert [one.code for one in report.diagnostics] == ["URD017", "LAU001", "LAU003"][: 3 * count]
+
+
+@pytest.mark.parametrize(
+    ("height", "count"), [("0.13 / 2", 0), ("-(0.1 + 0.2) * 2", 0), ("folder / 'a'", 1)]
+)
+def test_numbers_that_a_launch_file_computes(tmp_path: Path, height: str, count: int) -> None:
+    """tianracer: half of the diameter of a wheel is no path."""
+    program = (
+        "from launch_ros.actions import Node\n"
+        f"folder = 'b'\nheight = {height}\n"
+        "node = Node(package='tf2_ros', executable='static_transform_publisher',\n"
+        "            arguments=['0', '0', str(height), '0', '0', '0', 'base', 'laser'])\n"
+    )
+    assert len(reported(tmp_path / "arm", "LAU036", "a.launch.py", program)) == count

@@ -246,3 +246,15 @@ def test_plugins_that_an_argument_includes(tmp_path: Path, body: str, severity: 
     of_all = engine.check(tmp_path, select=["XAC001", "XAC010", "CFG003"]).diagnostics
     shown = [found for found in of_all if found.severity is not Severity.INFO]
     assert bool(shown) == (severity is Severity.ERROR)
+
+
+@pytest.mark.parametrize(("argument", "count"), [("tool_dir", 0), ("other", 1)])
+def test_a_part_that_an_argument_names(tmp_path: Path, argument: str, count: int) -> None:
+    """Stretch 4: a xacro two directories above includes the tool that an argument names."""
+    whole = b"""<xacro:arg name="tool" default="none"/><xacro:arg name="tool_dir" default=""/>
+  <xacro:include filename="$(arg tool_dir)/$(arg tool).urdf"/>"""
+    add_file(tmp_path / "rover.xacro", _whole(whole))
+    mesh = f'<mesh filename="$(arg {argument})/a.stl"/>'
+    part = f'<robot name="a"><link name="a"><visual><geometry>{mesh}</geometry></visual></link>'
+    path = add_file(tmp_path / "tools" / "a" / "a.urdf", f"{part}</robot>".encode())
+    assert len(check(path, select=["XAC003"]).diagnostics) == count

@@ -219,3 +219,42 @@ def test_a_collision_in_centimetres(edge: str, factor: str) -> None:
     )
     (found,) = reported("JNT012", text + link("tip", shape("visual", '<box size="0.1 0.1 0.1"/>')))
     assert found.help.startswith(f"divide by {factor}:")
+
+
+WHEEL = (
+    '<link name="{0}_wheel">{1}<collision><geometry><cylinder radius="0.1" length="0.05"/>'
+    '</geometry></collision></link><joint name="{0}_wheel_joint" type="continuous">'
+    '<parent link="base_link"/><child link="{0}_wheel"/><origin xyz="0 {2} 0.1"/>'
+    '<axis xyz="0 1 0"/></joint>'
+)
+UPRIGHT = '<visual><geometry><box size="0.2 0.05 0.2"/></geometry></visual>'
+BASE_LINK = (
+    '<robot name="r"><link name="base_link"><collision><origin xyz="0 0 0.2"/><geometry>'
+    '<box size="0.4 0.3 0.35"/></geometry></collision></link>'
+)
+
+
+def test_wheels_whose_cylinders_lie_flat() -> None:
+    """HAMAL: the axis of both wheels is right, and so are their visuals and their height."""
+    wheels = [WHEEL.format("left", UPRIGHT, 0.2), WHEEL.format("right", UPRIGHT, -0.2)]
+    text = BASE_LINK + "".join(wheels) + "</robot>"
+    turned = [found.help for found in reported("JNT033", text)]
+    assert len(turned) == 2
+    assert all(help.startswith("rotate the collision cylinder") for help in turned)
+    assert all("for the collision" in found.message for found in reported("GEO004", text))
+    assert reported("TRE008", text) == []
+    alone = BASE_LINK + wheels[0] + "</robot>"
+    assert [found.help.split(",")[0] for found in reported("JNT033", alone)] == [
+        "write the axis of the collision cylinder"
+    ]
+
+
+def test_a_visual_moved_away_from_the_centre_of_mass() -> None:
+    """ROV-Ricketts: the inertia is that of the collision, whose origin is the frame of the CAD."""
+    body = '<collision><origin xyz="0 0 0.1" rpy="0 0 {}"/><geometry>{}</geometry></collision>'
+    at = '<inertial><origin xyz="0 0 {}"/><mass value="1"/></inertial>'
+    seen = f"<visual><geometry>{BOX}</geometry></visual>"
+    for height, moved in ((0.1, "visual"), (0.07, "collision")):
+        parts = at.format(height) + seen + body.format(1.5707963, BOX)
+        (found,) = reported("GEO004", link("a", parts))
+        assert found.help.startswith(f"give the {moved}")

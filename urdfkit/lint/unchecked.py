@@ -36,7 +36,11 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
     why += f" (found for {tried}, with which it does not expand)" if tried else ""
     known = [name for name in names if candidates[name]] + list(reading.defaults)
     for name in names:
-        if not candidates[name] and (meant := nearest_word(name, known, TYPO)):
+        if (
+            name not in known
+            and not candidates[name]
+            and (meant := nearest_word(name, known, TYPO))
+        ):
             why += f"; no file gives '{name}' a value: did you mean '{meant}'?"
     config = nearest(source.path)
     directory = os.path.dirname(config) if config else resolver.packages.workspace(source.path)

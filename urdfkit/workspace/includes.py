@@ -14,6 +14,11 @@ MAX_BYTES = 4 * 1024 * 1024
 #: Most nested includes that are followed upwards.
 MAX_DEPTH = 10
 
+#: Directories above a file in which a xacro may include it by an argument.
+_MAX_LEVELS = 3
+_DECLARED = re.compile(rb"""<xacro:arg\b[^<>]*?\bname\s*=\s*["']([^"']+)["']""")
+_OF_ARGUMENTS = re.compile(rb"""<xacro:include\b[^<>]*[/"']\$\(arg\s+\w+\s*\)\.urdf["']""")
+
 _SUFFIXES = (".xacro", ".urdf", ".gazebo", ".xml", ".trans")
 
 
@@ -23,6 +28,26 @@ def is_included(path: str, packages: Packages) -> bool:
     Also True if there are too many files to search: a missed finding is better than a false one.
     """
     return includer(path, packages) is not None
+
+
+def is_named_by_arguments(path: str, arguments: set[str]) -> bool:
+    """True if a xacro in a directory above may include a file, and declares its arguments.
+
+    Such an include has a name that is an argument: ``$(arg tool_dir)/$(arg tool).urdf``.
+    """
+    directory = os.path.dirname(os.path.abspath(path))
+    for _ in range(_MAX_LEVELS):
+        directory = os.path.dirname(directory)
+        for name in sorted(disk.names_or_empty(directory)):
+            text = read_head(os.path.join(directory, name), MAX_BYTES) if _is_xacro(name) else b""
+            declared = {word.decode("utf-8", "replace") for word in _DECLARED.findall(text)}
+            if arguments and arguments <= declared and _OF_ARGUMENTS.search(text):
+                return True
+    return False
+
+
+def _is_xacro(name: str) -> bool:
+    return name.lower().endswith(".xacro")
 
 
 def includer(path: str, packages: Packages) -> str | None:

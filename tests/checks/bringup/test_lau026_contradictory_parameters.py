@@ -305,6 +305,14 @@ def test_a_relative_topic_in_the_namespace_of_nav2(
     assert found.help == f"write {topic}"
 
 
+def test_a_relative_topic_in_the_namespace_of_the_section(tmp_path: Path) -> None:
+    """yahboomcar_multi: `robot1/local_costmap` is the section of one of two robots."""
+    yaml = (RELATIVE + JAZZY).replace("local_costmap:", "robot1/local_costmap:", 1)
+    text = PROGRAM.format(CONTROLLER, '"controller_server"')
+    (found,) = reported(tmp_path / "arm", "LAU026", "a.launch.py", text, {"a.yaml": yaml})
+    assert found.help == "write /robot1/scan"
+
+
 def test_a_relative_topic_that_another_launch_file_remaps(tmp_path: Path) -> None:
     text = PROGRAM.format(CONTROLLER, '"controller_server"')
     files = {

@@ -61,6 +61,7 @@ def test_the_fix_keeps_the_digits_of_the_file() -> None:
         # mujoco_ros2_control: the frame of a camera in MuJoCo, which looks along -z
         ("3.14159 0 0", "camera", "camera_optical_frame"),
         ("0 0 0", "camera_optical_frame", "camera_optical_frame_2"),
+        ("0 0 0", "overhead_camera_link", "overhead_camera_optical_frame"),  # above a table
         ("0 0 0", "head", "camera_optical_frame"),  # the head may be turned as it likes
     ],
 )

@@ -24,6 +24,14 @@ BAD = [
         ),
         naming("e", "arm", "own"),
     ),
+    (  # Kawasaki's arms: one finding for the shared link, to which the effector is attached
+        (
+            '<group name="a"><link name="base"/><link name="arm"/></group><group name="h">'
+            '<link name="arm"/></group>'
+            '<end_effector name="e" group="h" parent_link="arm" parent_group="a"/>'
+        ),
+        naming("e", "a", "arm"),
+    ),
 ]
 GOOD = [
     (

@@ -81,3 +81,10 @@ def test_a_lost_remapping_of_a_topic_of_another_plugin() -> None:
     text = CAMERA.format("<ros><remapping>~/depth/disparity:=disparity</remapping></ros>")
     (use,) = context(sensor("camera", text)).plugins
     assert [lost.topic for lost in lost_remappings(use)] == [""]
+
+
+def test_an_image_is_not_proposed_for_a_depth_image() -> None:
+    """tianracer: a camera without depth, whose remapping of `image_depth` has no effect."""
+    text = CAMERA.format("<ros><remapping>image_depth:=depth</remapping></ros>")
+    (use,) = context(sensor("camera", text)).plugins
+    assert [lost.topic for lost in lost_remappings(use)] == [""]

@@ -127,14 +127,15 @@ def relative_topics(context: Context, sections: list[NodeParameters]) -> Finding
 
 
 def _namespace(node: NodeParameters, context: Context) -> str:
-    """The namespace that a launch file passes to that of Nav2 with the parameters of a costmap."""
+    """The namespace of a costmap: a launch file passes it to Nav2, or its section has it."""
     for file in context.launch.includes:
         words = dict(file.arguments or {})
         if any(word.text == node.at.source.path for word in words.values()):
             namespace = words.get("namespace")
             name = namespace.name if namespace and namespace.text is not None else ""
             return f"/{name}/" if name else "/"
-    return "/"
+    above = node.namespace.strip("/").rpartition("/")[0]
+    return f"/{above}/" if above and "*" not in above else "/"
 
 
 def _is_renamed(topic: str, context: Context) -> bool:

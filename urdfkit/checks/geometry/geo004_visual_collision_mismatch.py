@@ -31,6 +31,7 @@ Sources:
 """
 
 import os
+from math import inf
 
 from urdfkit.checks.geometry.link_meshes import mesh_of_another_link, other_scale
 from urdfkit.checks.geometry.other_side import (
@@ -40,7 +41,7 @@ from urdfkit.checks.geometry.other_side import (
     meshes_of_the_other_side,
 )
 from urdfkit.checks.geometry.radii import different_radii, radius_of_mesh
-from urdfkit.core.spatial import Z_AXIS, Transform, cross, length, minus, rotate
+from urdfkit.core.spatial import Z_AXIS, Transform, Vector, cross, dot, length, minus, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.robot.assets.collision_mismatches import Mismatch, VisualCollisionPairs
@@ -49,7 +50,7 @@ from urdfkit.robot.assets.visual_collision import LEAST_OVERLAP, VisualCollision
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Body, Link
 from urdfkit.robot.samples import collision_xml, link_xml, visual_xml
-from urdfkit.robot.shapes import BoundingBox
+from urdfkit.robot.shapes import BoundingBox, LinkSolid
 from urdfkit.text.diagnostic import Edit
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import insert_first, remove_element
@@ -94,7 +95,7 @@ def check(context: Context) -> Findings:
         if not _is_in_millimetres(wrong, context):
             yield _of_size(pair, wrong)
     for pair in compared.mismatches.get(Mismatch.ROTATION, ()):
-        yield _rotated(pair, compared.of_another_link(pair))
+        yield _rotated(pair, context, compared.of_another_link(pair))
     yield from other_scale(context)
     reported = {pair.link.name for of_kind in compared.mismatches.values() for pair in of_kind}
     yield from mesh_of_another_link(context, reported)
@@ -206,8 +207,13 @@ def _of_another_link(body: Body, link: str) -> str:
     return f"; the {body.at.tag} is the mesh of '{link}'"
 
 
-def _rotated(pair: VisualCollisionPair, foreign: tuple[Body, str] | None) -> Finding:
-    turn = pair.turn
+def _rotated(
+    pair: VisualCollisionPair, context: Context, foreign: tuple[Body, str] | None
+) -> Finding:
+    joints = context.tree.parents[pair.link.name]
+    bodies = (*pair.link.collisions, *pair.link.visuals)
+    across = [body for body in bodies if any(_lies_across(body, joint) for joint in joints)]
+    turn = pair.best_turn(across) or pair.turn
     assert turn is not None
     is_visual = turn.body in pair.link.visuals
     role, other = ("visual", "collision") if is_visual else ("collision", "visual")
@@ -232,13 +238,18 @@ def _misplaced(pair: VisualCollisionPair, context: Context) -> tuple[Body, Body,
     """The body that is probably misplaced, the other body, and whether nothing contradicts that.
 
     The misplaced body is the collision, unless the inertia has the same origin, and the joint
-    another one, which the two would repeat. If the tensor fits the collision and not the visual,
+    another one, which the two would repeat, or unless the centre of mass is that of the collision.
+    If the tensor fits the collision and not the visual,
     either the tensor was not updated, like the collision, or the visual is wrong: only a cylinder
     on a joint shows which, as it turns about its own axis.
     """
     link = pair.link
     collision, visual = link.collisions[0], link.visuals[0]
     inertial = link.inertial.origin if link.inertial else Transform()
+    if pair.has_one_shape and any(inertial.position):
+        gaps = [_distance(solid, inertial.position) for solid in (pair.collision, pair.visual)]
+        if gaps[0] < _SAME_CENTER * gaps[1]:
+            return visual, collision, True
     joints = context.tree.parents[link.name]
     is_of_joint = any(joint.origin == collision.origin for joint in joints)
     if Transform() != inertial == collision.origin != visual.origin and not is_of_joint:
@@ -249,6 +260,21 @@ def _misplaced(pair: VisualCollisionPair, context: Context) -> tuple[Body, Body,
     if any(_turns_about_own_axis(collision, joint) for joint in joints):
         return visual, collision, True
     return collision, visual, any(_turns_about_own_axis(visual, joint) for joint in joints)
+
+
+def _distance(solid: LinkSolid, point: Vector) -> float:
+    """Distance of the centre of mass of a solid from a point, in m; none without a volume."""
+    center = solid.properties(1).center if solid.volume > 0 else None
+    return inf if center is None else length(minus(center, point))
+
+
+def _lies_across(body: Body, joint: Joint) -> bool:
+    """True for a cylinder that is turned without end about an axis across its own."""
+    is_cylinder = body.shape is not None and body.shape.kind == "cylinder"
+    if not is_cylinder or joint.kind != "continuous" or joint.axis is None:
+        return False
+    axis, own = joint.axis.value, rotate(body.origin.rotation, Z_AXIS)
+    return abs(dot(axis, own)) < _PARALLEL * length(axis)
 
 
 def _turns_about_own_axis(body: Body, joint: Joint) -> bool:

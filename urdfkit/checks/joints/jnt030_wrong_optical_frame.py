@@ -46,7 +46,7 @@ _OPTICAL_DOWN: Rotation = ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 #: From the frame of a camera in MuJoCo, OpenGL or USD, which looks along -z with y up.
 _OPTICAL_OF_OPENGL: Rotation = ((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0))
 #: Beginnings of words in the names of cameras that do not look forward.
-_ELSEWHERE = ("down", "bottom", "belly", "nadir", "upward", "ceiling")
+_ELSEWHERE = ("down", "bottom", "belly", "nadir", "overhead", "bird", "upward", "ceiling")
 #: Beginnings of words in the names of sensors without an optical frame, and of what cameras see.
 _NO_CAMERAS = (
     "lidar", "laser", "radar", "imu", "gyro", "accel",

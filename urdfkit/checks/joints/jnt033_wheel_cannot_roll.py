@@ -14,9 +14,9 @@ Sources:
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
-from urdfkit.core.spatial import AXES, Z_AXIS, Vector, dot, rotate
+from urdfkit.core.spatial import AXES, Z_AXIS, Vector, dot, length, minus, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import Joint
@@ -57,11 +57,29 @@ def check(context: Context) -> Findings:
     links = context.model.links_by_name
     for joint in context.model.joints:
         if link := links.get(joint.child_name):
-            yield from _across(joint, link, context.mesh_solid)
+            is_across_robot = _is_across_robot(joint, context.model.joints)
+            yield from _across(joint, link, context.mesh_solid, is_across_robot)
             yield from _limited(joint, link)
 
 
-def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | None]) -> Findings:
+def _is_across_robot(joint: Joint, joints: Iterable[Joint]) -> bool:
+    """True if a wheel is beside another one, along its axis: the axis is right."""
+    axis = rotate(joint.origin.rotation, direction(joint))
+    for other in joints:
+        shift = minus(other.origin.position, joint.origin.position)
+        is_along = any(shift) and abs(dot(axis, shift)) > _MIN_COSINE_ALONG * length(shift)
+        is_wheel = other.kind == "continuous" and "wheel" in other.child_name.lower()
+        if is_along and is_wheel and other.parent_name == joint.parent_name:
+            return True
+    return False
+
+
+def _across(
+    joint: Joint,
+    link: Link,
+    mesh_solid: Callable[[Body], MeshSolid | None],
+    is_across_robot: bool,
+) -> Findings:
     """A wheel whose joint turns about another axis than its shape."""
     kind = _kind(joint, link) if joint.kind == "continuous" else ""
     if not kind:
@@ -80,7 +98,9 @@ def _across(joint: Joint, link: Link, mesh_solid: Callable[[Body], MeshSolid | N
             joint.at.child_or_self("axis"),
             f"joint '{joint.name}' turns {kind} '{link.name}' about {rounded(axis, 3)}, but the "
             f"axis of its {shape_name} is {rounded(axle, 3)}",
-            f"write the axis of the {shape_name}, or rotate the shapes with their <origin>"
+            f"rotate the {shape_name} with its <origin>: the axis is across the robot"
+            if is_across_robot and kind == "wheel"
+            else f"write the axis of the {shape_name}, or rotate the shapes with their <origin>"
             + (_STEERED if is_vertical and kind == "wheel" else ""),
             related=(Related(body.at.span, f"the {shape_name}"),),
         )

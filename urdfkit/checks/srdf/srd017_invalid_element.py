@@ -126,12 +126,13 @@ def _end_effectors(srdf: Srdf) -> Findings:
         if not any(joint.child_name in hand for joint in moving):
             continue  # the group names only the tip of the arm, as moveit_visual_tools needs it
         arm = srdf.links_of(parent) if parent else set()
-        if shared := sorted(hand & arm):
+        shared = sorted(hand & arm)
+        if shared:
             links = ", ".join(f"'{link}'" for link in shared)
             message = f"end effector '{name}' and group '{parent}' share {links}"
             yield _warning(effector, message, help)
         link = effector.get("parent_link")
-        if link in hand:
+        if link in hand and link not in shared:
             message = f"end effector '{name}' is attached to '{link}', its own link"
             yield _warning(effector, message, help)
 

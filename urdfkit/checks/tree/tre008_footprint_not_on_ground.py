@@ -249,10 +249,20 @@ def _gaps(context: Context, footprint: str, robot: list[str], height: float) -> 
         wheel = wheels[name]
         for body in tree.model.links_by_name[name].collisions:
             bottom = _bottom(context, body, tree.frames[name], up)
-            if bottom is not None:
+            if bottom is not None and not _lies_flat(body, tree.parents[name]):
                 gap = bottom - dot(up, ground.position) - height
                 gaps[wheel] = min(gap, gaps.get(wheel, gap))
     return gaps
+
+
+def _lies_flat(body: Body, joints: list[Joint]) -> bool:
+    """True for a cylinder across the axle, which JNT033 reports: its height is another one."""
+    axis = rotate(body.origin.rotation, Z_AXIS)
+    is_cylinder = body.shape is not None and body.shape.kind == "cylinder"
+    return is_cylinder and any(
+        joint.kind == "continuous" and abs(dot(axis, direction(joint))) <= _MAX_COSINE_LEVEL
+        for joint in joints
+    )
 
 
 def _wheels(tree: KinematicTree, up: Vector) -> dict[str, str]:

@@ -24,6 +24,7 @@ from urdfkit.text.document import Attribute, Element
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.file_kinds import is_extension
 from urdfkit.text.grammar import is_expression
+from urdfkit.workspace.includes import is_named_by_arguments
 from urdfkit.xacro import Xacro
 
 NAME = "example.urdf.xacro"
@@ -59,8 +60,16 @@ def check(context: Context) -> Findings:
     data = context.source.data
     if context.reading.xacro:
         yield from _without_dollar(context.document.root, _names(context.reading.xacro))
-    elif b"${" in data or b"$(" in data:
+    elif (b"${" in data or b"$(" in data) and not _is_part(context):
         yield from _expressions(context.document.root)
+
+
+def _is_part(context: Context) -> bool:
+    """True for a URDF whose only expressions are arguments of a xacro that includes it by name."""
+    expressions = set(re.findall(rb"\$(?:\(|\{)[^)}]*[)}]", context.source.data))
+    arguments = [re.fullmatch(rb"\$\(\s*arg\s+(\w+)\s*\)", each) for each in expressions]
+    names = {match.group(1).decode() for match in arguments if match}
+    return len(names) == len(expressions) and is_named_by_arguments(context.source.path, names)
 
 
 def _expressions(root: Element) -> Findings:

@@ -6,7 +6,7 @@ axes of the link are compared, in m.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cached_property
 from itertools import permutations, product
 from math import log
@@ -136,8 +136,13 @@ class VisualCollisionPair:
     @cached_property
     def turn(self) -> QuarterTurn | None:
         """The best rotation by right angles; None if it hardly increases the overlap."""
+        return self.best_turn((*self.link.visuals, *self.link.collisions))
+
+    def best_turn(self, bodies: Collection[Body]) -> QuarterTurn | None:
+        """The best rotation of one of some bodies; None if it hardly increases the overlap."""
         turns = [*self._turns(self.link.visuals, self.visual, self.collision)]
         turns += self._turns(self.link.collisions, self.collision, self.visual)
+        turns = [turn for turn in turns if turn.body in bodies]
         best = max(turns, key=lambda turn: (round(turn.overlap, 3), turn.is_written), default=None)
         least = max(SAME_OVERLAP, self.overlap + MIN_GAIN)
         if self._has_meshes:

@@ -82,12 +82,18 @@ def lost_remappings(use: PluginUse) -> Iterator[LostRemapping]:
             yield LostRemapping(item, _likely(old, written), new)
 
 
+#: Words of topics whose messages are of another kind than those of an image.
+_KINDS = {"depth", "points"}
+
+
 def _likely(old: str, written: list[str]) -> str:
     """The topic that a wrong name stands for: that which ends with it, or has most of its words."""
     words, ending = _words(old.rpartition("/")[2]), "/" + old.lstrip("~/")
     common = {name: len(words & _words(name.partition("/")[2])) for name in written}
     likely = max(written, key=lambda name: (name.endswith(ending), common[name]))
-    return likely if len(written) == 1 or common[likely] else ""
+    is_of_other_kind = (words & _KINDS) - _words(likely)
+    is_likely = len(written) == 1 or common[likely]
+    return likely if is_likely and not is_of_other_kind else ""
 
 
 def _words(topic: str) -> set[str]:

@@ -1,6 +1,7 @@
 """Values of constant expressions in a Python launch file."""
 
 import ast
+import operator
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator
@@ -50,6 +51,13 @@ _SEPARATORS = {"pathsep": ":", "sep": "/"}
 _ASSUMED = {"ROS_DISTRO": "jazzy"}
 #: Variables that are always set, so that a default is never the value.
 _ALWAYS_SET = ("HOME", "LOGNAME", "PATH", "PWD", "USER")
+#: Operators between numbers; between other values, ``+`` joins texts, and ``/`` paths.
+_ARITHMETIC: dict[type[ast.operator], Callable[[float, float], float]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+}
 #: Substitutions whose result is computed: the name in XML, and the names of the arguments.
 COMPUTED = {
     "PythonExpression": ("eval", ("expression",)),
@@ -102,6 +110,8 @@ class Values:
             return self.text(self._scopes.value(node), depth + 1)
         if isinstance(node, (ast.List, ast.Tuple)):
             return self._of_parts(_joined, node.elts, depth)
+        if (value := self._number(node, depth)) is not None:
+            return str(value)
         if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Div)):
             join = _path if isinstance(node.op, ast.Div) else _joined
             return join(self.text(n, depth + 1) for n in (node.left, node.right))
@@ -117,6 +127,28 @@ class Values:
         """The joined texts of expressions, and of those that ``*`` unpacks."""
         every = (one for part in parts for one in self._unpacked(part, depth))
         return join(self.text(one, depth + 1) for one in every)
+
+    def _number(self, node: ast.expr | None, depth: int) -> float | None:
+        """The value of a number, or of a sum, difference, product or quotient of numbers."""
+        self._steps += 1
+        node = self.resolved(node)
+        if depth > MAX_DEPTH or self._steps > _MAX_STEPS:
+            return None
+        if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
+            return None if isinstance(node.value, bool) else node.value
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            value = self._number(node.operand, depth + 1)
+            return None if value is None else -value
+        if not isinstance(node, ast.BinOp) or type(node.op) not in _ARITHMETIC:
+            return None
+        left = self._number(node.left, depth + 1)
+        right = None if left is None else self._number(node.right, depth + 1)
+        if left is None or right is None:
+            return None
+        try:
+            return _ARITHMETIC[type(node.op)](left, right)
+        except ArithmeticError:
+            return None
 
     def _of_expression(self, node: ast.expr, depth: int) -> str | None:
         """The text of an attribute, a condition, an item or a call."""
