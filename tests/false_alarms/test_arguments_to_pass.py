@@ -226,8 +226,8 @@ def test_a_default_that_names_no_file(tmp_path: Path, default: str, code: str) -
 def test_a_default_with_which_a_file_does_not_exist(tmp_path: Path) -> None:
     """Stretch 4: the argument has a default, and its own name is no other one."""
     content = '<xacro:arg name="batch" default="none"/>'
-    content += '<xacro:include filename="a_$(arg batch)/r.xacro"/>'
-    content += '<link name="a"/>'
+    content += '<xacro:property name="kind" value="$(arg batch)"/><link name="a"/>'
+    content += '<xacro:include filename="${kind}.xacro"/>'
     add_file(tmp_path / "r.xacro", XACRO.format(content).encode())
     found = [one for one in check(tmp_path).diagnostics if one.code == "CFG003"]
     assert [one.message.count("batch") for one in found] == [1]
