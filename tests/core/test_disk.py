@@ -96,6 +96,7 @@ READERS = {
     "cli/expand.py": NAMED,
     "cli/init.py": NAMED,
     "core/atomic.py": "what is about to be replaced",
+    "lint/argument_values.py": IN_PACKAGE,
     "lint/baseline.py": NAMED,
     "lint/config_reader.py": "named by the user, or the nearest above a file",
     "lint/discovery.py": IN_PACKAGE,

@@ -251,6 +251,7 @@ def test_plugins_that_an_argument_includes(tmp_path: Path, body: str, severity: 
 @pytest.mark.parametrize(("argument", "count"), [("tool_dir", 0), ("other", 1)])
 def test_a_part_that_an_argument_names(tmp_path: Path, argument: str, count: int) -> None:
     """Stretch 4: a xacro two directories above includes the tool that an argument names."""
+    (tmp_path / ".git").mkdir()
     whole = b"""<xacro:arg name="tool" default="none"/><xacro:arg name="tool_dir" default=""/>
   <xacro:include filename="$(arg tool_dir)/$(arg tool).urdf"/>"""
     add_file(tmp_path / "rover.xacro", _whole(whole))

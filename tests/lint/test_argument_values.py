@@ -196,3 +196,21 @@ def test_fixes_hold_for_all_values(package: Path) -> None:
     fixes = fix(robot, unsafe=True)
     assert [one.arguments["kind"] for one in fixes.report.launched] == ["big", "small"]
     assert fixes.report.crashed == ()
+
+
+@pytest.mark.parametrize(
+    ("command", "sides"),
+    [
+        ('foreach(S IN ITEMS left right)\n  xacro(arm.xacro "side:=${S}")', ["left", "right"]),
+        ("xacro(arm.xacro side:=left)", ["left"]),
+        ("xacro(arm.xacro side:=${S})", []),
+        ("xacro(other.xacro side:=left)", []),
+    ],
+)
+def test_the_values_that_cmake_passes(package: Path, command: str, sides: list[str]) -> None:
+    """Orca3: the build expands the robot once for each mode of the simulation."""
+    add_file(package / "arm.xacro", WANTING)
+    add_file(package / "CMakeLists.txt", f"{command}\n# side:=none\n")
+    report = check(package)
+    assert taken(report) == [({"side": side}, "CMakeLists.txt") for side in sides]
+    assert ("CFG003" in codes(report)) is not bool(sides)

@@ -1,8 +1,9 @@
 """Values for missing xacro arguments of a description, found in other files.
 
 A robot's file may require arguments that a launch file sets. If no launch file sets all of them,
-likely values are those that are declared for the same name, and names of directories in a path with
-the argument: ``config/$(arg ur_type)/limits.yaml``. Such values are assumptions.
+likely values are those that are declared for the same name, names of directories in a path with the
+argument: ``config/$(arg ur_type)/limits.yaml``, and those that CMake passes to xacro. Such values
+are assumptions.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from urdfkit.ros.launch.robot_arguments import declared, passed_arguments
 from urdfkit.text.comments import without_comments
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Source, shown
+from urdfkit.workspace.cmake import cmake_text
 from urdfkit.workspace.package_references import FIND
 from urdfkit.workspace.resolve import Resolver
 from urdfkit.xacro import Xacro
@@ -33,6 +35,8 @@ _ATTRIBUTE = rb"""\s%s\s*=\s*["']([^"'<>]*)["']"""
 #: A path in which a directory's name is the value of an argument, or a parameter of that name.
 _PATH = r"""["']([^"'<>\n]*/)(?:\$\(arg\s+%s\s*\)|\$\{\s*%s\s*\})(/[^"'<>\n]*)["']"""
 _PACKAGE = rf"{FIND}|^package://([\w.-]+)"
+#: The items of a loop in a CMakeLists.txt.
+_FOREACH = r"foreach\(\s*%s\s+(?:IN\s+ITEMS\s+)?([\w\s.-]+)\)"
 _EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
 
 
@@ -71,7 +75,11 @@ def found_values(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues 
     for launch, choices in declared(robot, resolver):
         if name in choices:
             return ArgumentValues(tuple(choices[name]), launch)
-    return _of_includes(name, xacro, resolver) or _of_directories(name, xacro, resolver)
+    return (
+        _of_includes(name, xacro, resolver)
+        or _of_directories(name, xacro, resolver)
+        or _of_build(name, robot, resolver)
+    )
 
 
 def combinations(
@@ -142,6 +150,22 @@ def _of_directories(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValu
             else:
                 common &= existing
     return ArgumentValues(tuple(sorted(common)), origin) if common else None
+
+
+def _of_build(name: str, robot: str, resolver: Resolver) -> ArgumentValues | None:
+    """The values that CMake passes to xacro for a robot, with those of a ``foreach``."""
+    package = resolver.packages.enclosing(robot)
+    path = os.path.join(package[1], "CMakeLists.txt") if package else ""
+    text = cmake_text(path) if path else ""
+    if os.path.basename(robot) not in text:
+        return None
+    values: dict[str, None] = {}
+    for value in re.findall(rf"(?<!\w){re.escape(name)}:=([^\s\"'()<>]+)", text):
+        variable = value.removeprefix("${").removesuffix("}")
+        loop = re.search(_FOREACH % re.escape(variable), text) if "$" in value else None
+        values.update(dict.fromkeys(loop.group(1).split() if loop else [value]))
+    plain = tuple(value for value in values if "$" not in value)
+    return ArgumentValues(plain, path) if plain else None
 
 
 def plain_path(text: str, source: Source, resolver: Resolver) -> str:

@@ -30,13 +30,15 @@ def is_included(path: str, packages: Packages) -> bool:
     return includer(path, packages) is not None
 
 
-def is_named_by_arguments(path: str, arguments: set[str]) -> bool:
-    """True if a xacro in a directory above may include a file, and declares its arguments.
+def is_named_by_arguments(path: str, arguments: set[str], packages: Packages) -> bool:
+    """True if a xacro above a file in its workspace may include it, and declares its arguments.
 
     Such an include has a name that is an argument: ``$(arg tool_dir)/$(arg tool).urdf``.
     """
-    directory = os.path.dirname(os.path.abspath(path))
+    directory, top = os.path.dirname(os.path.abspath(path)), packages.workspace(path)
     for _ in range(_MAX_LEVELS):
+        if directory == top:
+            break
         directory = os.path.dirname(directory)
         for name in sorted(disk.names_or_empty(directory)):
             text = read_head(os.path.join(directory, name), MAX_BYTES) if _is_xacro(name) else b""

@@ -246,12 +246,12 @@ def _misplaced(pair: VisualCollisionPair, context: Context) -> tuple[Body, Body,
     link = pair.link
     collision, visual = link.collisions[0], link.visuals[0]
     inertial = link.inertial.origin if link.inertial else Transform()
-    if pair.has_one_shape and any(inertial.position):
+    joints = context.tree.parents[link.name]
+    is_of_joint = any(joint.origin == collision.origin for joint in joints)
+    if pair.has_one_shape and any(inertial.position) and not is_of_joint:
         gaps = [_distance(solid, inertial.position) for solid in (pair.collision, pair.visual)]
         if gaps[0] < _SAME_CENTER * gaps[1]:
             return visual, collision, True
-    joints = context.tree.parents[link.name]
-    is_of_joint = any(joint.origin == collision.origin for joint in joints)
     if Transform() != inertial == collision.origin != visual.origin and not is_of_joint:
         return visual, collision, True
     inertia = context.masses.by_name.get(link.name)

@@ -69,7 +69,8 @@ def _is_part(context: Context) -> bool:
     expressions = set(re.findall(rb"\$(?:\(|\{)[^)}]*[)}]", context.source.data))
     arguments = [re.fullmatch(rb"\$\(\s*arg\s+(\w+)\s*\)", each) for each in expressions]
     names = {match.group(1).decode() for match in arguments if match}
-    return len(names) == len(expressions) and is_named_by_arguments(context.source.path, names)
+    path, packages = context.source.path, context.resolver.packages
+    return len(names) == len(expressions) and is_named_by_arguments(path, names, packages)
 
 
 def _expressions(root: Element) -> Findings:
