@@ -98,6 +98,17 @@ def test_missing_space_in_a_command(tmp_path: Path, pieces: str, word: str, help
     assert (found.span.text, found.help) == (word, help)
 
 
+@pytest.mark.parametrize(("mode", "count"), [(0o644, 1), (0o755, 0)])
+def test_a_description_that_is_run_as_a_program(tmp_path: Path, mode: int, count: int) -> None:
+    """mini_pupper_ros: the description's path is the whole command."""
+    robot = tmp_path / "r.urdf.xacro"
+    robot.write_text('<robot name="r"><link name="base"/></robot>')
+    robot.chmod(mode)
+    text = f"path = LaunchConfiguration('m', default={str(robot)!r})\nCommand([path])"
+    found = reported(tmp_path, "LAU036", "a.launch.py", text)
+    assert [one.message for one in found] == [naming("r.urdf.xacro", "xacro ")] * count
+
+
 @pytest.mark.parametrize(
     "command",
     [

@@ -4,7 +4,8 @@
   `ros2 topic list`. Or a comma is missing between two words, which Python joins.
 - The parts of a `Command` have no space between them. launch concatenates them:
   `["xacro", path]` runs a program called `xacro/home/...`; in `["xacro ", path, "sim:=true"]` the
-  argument becomes part of the file name. Write `["xacro ", path, " sim:=true"]`.
+  argument becomes part of the file name. Write `["xacro ", path, " sim:=true"]`. Or it has no
+  program: `Command([path])` tries to run the description itself.
 - ROS arguments are not as rcl reads them: `-p name=value`. ROS 2 ignores the parameters of ROS 1,
   `_name:=value` (warning).
 - An option of the spawner, of static_transform_publisher or of the agent of micro-ROS, or a verb or

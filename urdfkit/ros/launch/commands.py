@@ -1,8 +1,10 @@
 """Commands that a Python launch file joins from pieces without spaces."""
 
 import ast
+import os
 import re
 
+from urdfkit.core import disk
 from urdfkit.ros.launch.values import Values
 from urdfkit.text.diagnostic import Problem
 
@@ -32,6 +34,17 @@ def missing_space(values: Values, command: ast.expr | None) -> Problem | None:
         is_first_word = is_first_word and re.search(r"\s", text) is None
         before = text
     return None
+
+
+def missing_program(values: Values, command: ast.expr | None, text: str) -> Problem | None:
+    """A ``Command`` that runs the description itself, which is no program, instead of xacro."""
+    path = text.strip().split(" ")[0]
+    if command is None or not path.lower().endswith((".xacro", ".urdf")):
+        return None
+    if disk.is_file(path) and disk.state(path).st_mode & 0o111:
+        return None
+    message = f"'{os.path.basename(path)}' is run as a program: 'xacro ' is missing before it"
+    return values.problem("LAU036", command, message, "write 'xacro ' with a space")
 
 
 def _text(values: Values, piece: ast.expr | None) -> str:

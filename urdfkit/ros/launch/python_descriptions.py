@@ -5,7 +5,7 @@ import os
 from collections.abc import Collection, Iterator
 
 from urdfkit.ros.launch.command_line import UNKNOWN_PART
-from urdfkit.ros.launch.commands import missing_space
+from urdfkit.ros.launch.commands import missing_program, missing_space
 from urdfkit.ros.launch.python_file import PythonLaunchFile
 from urdfkit.ros.launch.values import argument, called
 
@@ -34,6 +34,9 @@ def run_command(file: PythonLaunchFile, call: ast.Call, untyped: Collection[ast.
         text = "".join(UNKNOWN_PART if piece is None else piece for piece in pieces)
     if text:
         span, frame = file.values.span(call), file.call_frame(call)
+        if mistake := missing_program(file.values, command, text):
+            file.collector.problems.append(mistake)
+            text = f"xacro {text}"
         file.collector.command(text, span, frame, is_yaml=call in untyped)
 
 
