@@ -50,6 +50,7 @@ def test_a_plain_robot_needs_nothing_but_python() -> None:
     modules = loaded("check", str(GRIPPER))
     assert external(modules) == set()
     assert slow(modules) == set()
+    assert not [name for name in modules if name.startswith("urdfkit.xacro")]
 
 
 @pytest.mark.parametrize("robot", [GRIPPER, ARM, MISSION], ids=lambda path: path.stem)

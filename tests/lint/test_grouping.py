@@ -8,7 +8,7 @@ from urdfkit import Diagnostic, Source, check
 from urdfkit.lint.grouping import MAX_NOTES, MAX_SINGLE, grouped
 from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.output import formats
-from urdfkit.xacro.errors import NOT_CREATED
+from urdfkit.text.diagnostic import NOT_CREATED
 
 
 def shown(code: str, robot: str) -> tuple[Diagnostic, ...]:

@@ -9,8 +9,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 
 from urdfkit.core.words import more_like_this
-from urdfkit.text.diagnostic import Diagnostic, Fix, Related, Severity
-from urdfkit.xacro.errors import NOT_BUILT, NOT_CREATED
+from urdfkit.text.diagnostic import (
+    NOT_BUILT,
+    NOT_CREATED,
+    Diagnostic,
+    Fix,
+    Related,
+    Severity,
+)
 
 #: Largest group whose findings are shown separately.
 MAX_SINGLE = 2

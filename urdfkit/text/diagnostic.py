@@ -44,6 +44,11 @@ class Confidence(str, Enum):
 
 _CONFIDENCE_RANKS = {level: rank for rank, level in enumerate(Confidence)}
 
+#: Start of the message about a file that CMake creates: ``configure_file``, ``xacro_add_files``.
+NOT_BUILT = "the build has not created the file"
+#: Start of the message about a file that a script creates, as git ignores it.
+NOT_CREATED = "git ignores the file, which does not exist"
+
 
 class Edit(Record):
     """Replacement of the text of a span; an empty span inserts."""

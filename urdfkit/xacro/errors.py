@@ -15,12 +15,6 @@ class FailedValue(str):
     __slots__ = ()
 
 
-#: Start of the message about a file that CMake creates: ``configure_file``, ``xacro_add_files``.
-NOT_BUILT = "the build has not created the file"
-
-#: Start of the message about a file that a script creates, as git ignores it.
-NOT_CREATED = "git ignores the file, which does not exist"
-
 #: Start of the message about a file that xacrodoc finds from the directory where it is run.
 ONLY_XACRODOC = "xacro looks next to the including file: not found"
 

@@ -6,12 +6,13 @@ from itertools import pairwise
 
 from urdfkit.core import disk
 from urdfkit.core.suggest import nearest_file_name
+from urdfkit.text.diagnostic import NOT_BUILT, NOT_CREATED
 from urdfkit.text.source import shown
 from urdfkit.workspace.gitignore import GitIgnored
 from urdfkit.workspace.install_rules import is_built, is_expanded
 from urdfkit.workspace.manifest import nearest_manifest
 from urdfkit.workspace.package_directories import package_name
-from urdfkit.xacro.errors import NOT_BUILT, NOT_CREATED, ONLY_XACRODOC, MessageText
+from urdfkit.xacro.errors import ONLY_XACRODOC, MessageText
 
 #: Most directories or files in a help text.
 _MAX_NAMED = 10

@@ -38,7 +38,8 @@ from urdfkit.lint.rules import (
     rule,
 )
 from urdfkit.robot.samples import xacro_xml
-from urdfkit.xacro.errors import IN_CONDITION, NOT_BUILT, NOT_CREATED, ONLY_XACRODOC, VARIABLE
+from urdfkit.text.diagnostic import NOT_BUILT, NOT_CREATED
+from urdfkit.xacro.errors import IN_CONDITION, ONLY_XACRODOC, VARIABLE
 
 BAD = xacro_xml('<link name="${prefix}base"/>')
 GOOD = xacro_xml('<xacro:property name="prefix" value="left_"/>', '<link name="${prefix}base"/>')
