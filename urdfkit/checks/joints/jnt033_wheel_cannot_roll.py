@@ -16,6 +16,7 @@ Sources:
 import re
 from collections.abc import Callable, Iterable
 
+from urdfkit.core.grouping import by_key
 from urdfkit.core.spatial import AXES, Z_AXIS, Vector, dot, length, minus, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
@@ -55,21 +56,26 @@ _ROUND, _FLAT = 0.94, 0.75
 @rule(Severity.WARNING, confidence=Confidence.INFERRED)
 def check(context: Context) -> Findings:
     links = context.model.links_by_name
+    wheels = by_key(
+        (joint.parent_name, joint) for joint in context.model.joints if _is_wheel(joint)
+    )
     for joint in context.model.joints:
         if link := links.get(joint.child_name):
-            is_across_robot = _is_across_robot(joint, context.model.joints)
+            is_across_robot = _is_across_robot(joint, wheels.get(joint.parent_name, ()))
             yield from _across(joint, link, context.mesh_solid, is_across_robot)
             yield from _limited(joint, link)
 
 
-def _is_across_robot(joint: Joint, joints: Iterable[Joint]) -> bool:
-    """True if a wheel is beside another one, along its axis: the axis is right."""
+def _is_wheel(joint: Joint) -> bool:
+    return joint.kind == "continuous" and "wheel" in joint.child_name.lower()
+
+
+def _is_across_robot(joint: Joint, wheels: Iterable[Joint]) -> bool:
+    """True if a wheel is beside another one of its parent, along its axis: the axis is right."""
     axis = rotate(joint.origin.rotation, direction(joint))
-    for other in joints:
+    for other in wheels:
         shift = minus(other.origin.position, joint.origin.position)
-        is_along = any(shift) and abs(dot(axis, shift)) > _MIN_COSINE_ALONG * length(shift)
-        is_wheel = other.kind == "continuous" and "wheel" in other.child_name.lower()
-        if is_along and is_wheel and other.parent_name == joint.parent_name:
+        if any(shift) and abs(dot(axis, shift)) > _MIN_COSINE_ALONG * length(shift):
             return True
     return False
 
