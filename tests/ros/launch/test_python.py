@@ -325,6 +325,31 @@ def test_values_that_double_at_each_level_end(package, step):
     assert program.executable in ("", None)
 
 
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [
+        ("0.13 / 2", "0.065"),
+        ("-(2 + 3) * 2", "-10"),
+        ("1 / 0", None),
+        ("1e308 * 10", None),
+        ("9" * 4000, None),  # Python has no text for an integer of more than 4,300 digits
+        ("9" * 4000 + " * 2", None),
+    ],
+)
+def test_numbers(package: Path, number: str, text: str | None) -> None:
+    words = f"Node(package='joy', executable='joy_node', arguments=[str({number})])"
+    (program,) = read(package, words).programs
+    assert [word.text for word in program.words] == [text]
+
+
+def test_numbers_that_double_their_digits_end(package: Path) -> None:
+    """2 to the power of 30 times 4,000 digits; the product of two such takes minutes."""
+    names = "".join(f"v{n + 1} = v{n} * v{n}\n" for n in range(30))
+    body = f"v0 = {'9' * 4000}\n{names}Node(package='joy', executable='e', arguments=[v30])"
+    (program,) = read(package, body).programs
+    assert [word.text for word in program.words] == [None]
+
+
 @pytest.mark.parametrize("mappings", ["{'side': unknown(), 'up': 'z'}", "unknown()"])
 def test_unknown_arguments(package, mappings):
     path = "FindPackageShare('arm').find('arm') + '/urdf/arm.xacro'"

@@ -46,6 +46,9 @@ _FLAT_THINGS = {"wheel": "wheel", "propeller": "propeller|(?<![a-z])(prop|rotor)
 #: Cosine of the angle between two axes, below which they differ, and above which they are equal.
 _MAX_COSINE_ACROSS, _MIN_COSINE_ALONG = 0.5, 0.9
 
+#: Most wheels of a link with which another one is compared.
+_MAX_COMPARED = 16
+
 #: In rad: limits of wheels that are written as revolute joints without stops.
 _MIN_UNLIMITED = 100.0
 
@@ -61,8 +64,8 @@ def check(context: Context) -> Findings:
     )
     for joint in context.model.joints:
         if link := links.get(joint.child_name):
-            is_across_robot = _is_across_robot(joint, wheels.get(joint.parent_name, ()))
-            yield from _across(joint, link, context.mesh_solid, is_across_robot)
+            beside = wheels.get(joint.parent_name, [])[:_MAX_COMPARED]
+            yield from _across(joint, link, context.mesh_solid, beside)
             yield from _limited(joint, link)
 
 
@@ -70,23 +73,17 @@ def _is_wheel(joint: Joint) -> bool:
     return joint.kind == "continuous" and "wheel" in joint.child_name.lower()
 
 
-def _is_across_robot(joint: Joint, wheels: Iterable[Joint]) -> bool:
-    """True if a wheel is beside another one of its parent, along its axis: the axis is right."""
-    axis = rotate(joint.origin.rotation, direction(joint))
-    for other in wheels:
-        shift = minus(other.origin.position, joint.origin.position)
-        if any(shift) and abs(dot(axis, shift)) > _MIN_COSINE_ALONG * length(shift):
-            return True
-    return False
-
-
 def _across(
     joint: Joint,
     link: Link,
     mesh_solid: Callable[[Body], MeshSolid | None],
-    is_across_robot: bool,
+    beside: Iterable[Joint],
 ) -> Findings:
-    """A wheel whose joint turns about another axis than its shape."""
+    """A wheel whose joint turns about another axis than its shape.
+
+    Args:
+        beside: the joints of wheels on the same parent.
+    """
     kind = _kind(joint, link) if joint.kind == "continuous" else ""
     if not kind:
         return
@@ -98,18 +95,30 @@ def _across(
     (body, axle), axis = wheel, direction(joint)
     shape = "cylinder" if body.shape and body.shape.kind == "cylinder" else "mesh"
     shape_name = f"{'collision' if body in link.collisions else 'visual'} {shape}"
-    is_vertical = abs(rotate(joint.origin.rotation, axis)[2]) > _MIN_COSINE_ALONG
     if abs(dot(axis, axle)) < _MAX_COSINE_ACROSS:
         yield Finding(
             joint.at.child_or_self("axis"),
             f"joint '{joint.name}' turns {kind} '{link.name}' about {rounded(axis, 3)}, but the "
             f"axis of its {shape_name} is {rounded(axle, 3)}",
-            f"rotate the {shape_name} with its <origin>: the axis is across the robot"
-            if is_across_robot and kind == "wheel"
-            else f"write the axis of the {shape_name}, or rotate the shapes with their <origin>"
-            + (_STEERED if is_vertical and kind == "wheel" else ""),
+            _help(joint, shape_name, beside if kind == "wheel" else None),
             related=(Related(body.at.span, f"the {shape_name}"),),
         )
+
+
+def _help(joint: Joint, shape: str, beside: Iterable[Joint] | None) -> str:
+    """Whether the axis of the joint or the shape is wrong; ``beside`` is None for a propeller."""
+    axis = rotate(joint.origin.rotation, direction(joint))
+    if beside is not None and any(_is_along(axis, joint, other) for other in beside):
+        return f"rotate the {shape} with its <origin>: the axis is across the robot"
+    is_steered = beside is not None and abs(axis[2]) > _MIN_COSINE_ALONG
+    help = f"write the axis of the {shape}, or rotate the shapes with their <origin>"
+    return help + (_STEERED if is_steered else "")
+
+
+def _is_along(axis: Vector, joint: Joint, other: Joint) -> bool:
+    """True if a joint is beside another one in the direction of an axis."""
+    shift = minus(other.origin.position, joint.origin.position)
+    return any(shift) and abs(dot(axis, shift)) > _MIN_COSINE_ALONG * length(shift)
 
 
 def _limited(joint: Joint, link: Link) -> Findings:

@@ -8,9 +8,9 @@ import re
 from collections.abc import Iterator
 
 from urdfkit.ros.launch import is_python
+from urdfkit.ros.launch.calls import argument
 from urdfkit.ros.launch.markup import parsed
 from urdfkit.ros.launch.signature import arguments_in, declares
-from urdfkit.ros.launch.values import argument
 from urdfkit.text import python_source
 from urdfkit.text.source import Source
 

@@ -12,9 +12,10 @@ from urdfkit.ros.launch.argument_checks import (
     undeclared,
     unknown_to_included,
 )
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.contents import Word
 from urdfkit.ros.launch.signature import Signature, declares, signature
-from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.ros.launch.values import Values
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Span
 

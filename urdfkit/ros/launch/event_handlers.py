@@ -4,9 +4,10 @@ import ast
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.launch_description import ACTIONS, TRIGGERS
 from urdfkit.ros.launch.scopes import is_read
-from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.ros.launch.values import Values
 from urdfkit.text.diagnostic import Problem, Severity
 
 #: Event handlers of the process of an action.

@@ -5,7 +5,8 @@ import re
 from collections.abc import Collection, Iterator
 
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
-from urdfkit.ros.launch.values import Values, called
+from urdfkit.ros.launch.calls import called
+from urdfkit.ros.launch.values import Values
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import own_nodes
 from urdfkit.text.source import Source, Span

@@ -12,9 +12,10 @@ from urdfkit.core import disk
 from urdfkit.core.suggest import CLOSE_TYPO, did_you_mean, nearest
 from urdfkit.errors import PackageNotFound, UnreadableFile
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.collect import UNKNOWN, Collector, frame_at
 from urdfkit.ros.launch.contents import MOVEIT, PARAMETERS, FileUse, LaunchedDescription
-from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.ros.launch.values import Values
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.document import Tag
 from urdfkit.text.located_yaml import items, load, mapping

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 
 from urdfkit.core import disk
 from urdfkit.errors import UrdfkitError
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.python_file import PythonLaunchFile
-from urdfkit.ros.launch.values import argument, called
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.located_yaml import Node, load, mapping
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from itertools import filterfalse
 
+from urdfkit.ros.launch.calls import argument, called, parts_of_path
 from urdfkit.ros.launch.collect import SIM_TIME, Collector
 from urdfkit.ros.launch.command_line import UNKNOWN_PART, command_words
 from urdfkit.ros.launch.configurations import Configurations
@@ -42,7 +43,6 @@ from urdfkit.ros.launch.repeated_calls import with_copies
 from urdfkit.ros.launch.scopes import overwritten, unread, with_items
 from urdfkit.ros.launch.signature import of_python
 from urdfkit.ros.launch.unrolled_loops import without_loops
-from urdfkit.ros.launch.values import argument, called, parts_of_path
 from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Span

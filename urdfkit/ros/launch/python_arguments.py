@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch import is_python
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.launch_description import ACTIONS, HOLDERS
 from urdfkit.ros.launch.python_expressions import missing_slash
-from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.ros.launch.values import Values
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import string
 

@@ -5,10 +5,11 @@ from collections.abc import Iterator
 
 from urdfkit.core.suggest import is_typo, nearest
 from urdfkit.ros.catalog import data
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.components import wrong_component, wrong_container
 from urdfkit.ros.launch.launch_description import HOLDERS
 from urdfkit.ros.launch.python_names import modules_with
-from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.ros.launch.values import Values
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import dotted_name, nodes, own_nodes, string
 

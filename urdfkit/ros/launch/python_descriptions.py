@@ -4,10 +4,10 @@ import ast
 import os
 from collections.abc import Collection, Iterator
 
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.command_line import UNKNOWN_PART
 from urdfkit.ros.launch.commands import missing_program, missing_space
 from urdfkit.ros.launch.python_file import PythonLaunchFile
-from urdfkit.ros.launch.values import argument, called
 
 
 def untyped_commands(file: PythonLaunchFile) -> Iterator[ast.expr]:

@@ -8,7 +8,8 @@ import ast
 from collections.abc import Collection, Iterable, Iterator
 from itertools import pairwise
 
-from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values, called, parts_of_path
+from urdfkit.ros.launch.calls import called, parts_of_path
+from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, Values
 from urdfkit.text.diagnostic import Problem, Severity
 from urdfkit.text.python_source import dotted_name, string
 

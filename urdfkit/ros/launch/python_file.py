@@ -7,10 +7,11 @@ from functools import cached_property
 
 from urdfkit.core import disk
 from urdfkit.ros.launch.branches import decided_calls
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.collect import Collector, frame_at, path_from
 from urdfkit.ros.launch.contents import LaunchedFile
 from urdfkit.ros.launch.launch_description import TRIGGERS
-from urdfkit.ros.launch.values import COMPUTED, Values, argument, called
+from urdfkit.ros.launch.values import COMPUTED, Values
 from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import CallFrame, Tag

@@ -7,8 +7,9 @@ import ast
 import os
 from collections.abc import Iterator
 
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.python_file import PythonLaunchFile
-from urdfkit.ros.launch.values import PACKAGE_DIRECTORY, argument, called
+from urdfkit.ros.launch.values import PACKAGE_DIRECTORY
 
 #: The parameters of such a function: a package, and a path in it.
 _PACKAGE_AND_PATH = 2

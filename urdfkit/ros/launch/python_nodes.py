@@ -3,6 +3,7 @@
 import ast
 from itertools import pairwise
 
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.components import executable_of
 from urdfkit.ros.launch.contents import (
     PARAMETERS,
@@ -20,7 +21,6 @@ from urdfkit.ros.launch.moveit_parameters import (
 )
 from urdfkit.ros.launch.python_descriptions import named_by_argument, record_unexpanded
 from urdfkit.ros.launch.python_file import PythonLaunchFile
-from urdfkit.ros.launch.values import argument, called
 from urdfkit.text.source import Span
 
 _COMPONENT = "ComposableNode"

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.argument_checks import is_included
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.collect import UNKNOWN, path_from
 from urdfkit.ros.launch.signature import declares, signature
-from urdfkit.ros.launch.values import Values, argument, called
+from urdfkit.ros.launch.values import Values
 from urdfkit.text.diagnostic import Problem
 
 #: Actions whose arguments launch asks for when it comes to them.

@@ -9,8 +9,8 @@ from copy import deepcopy
 from functools import lru_cache
 
 from urdfkit.core.grouping import by_key
+from urdfkit.ros.launch.calls import called
 from urdfkit.ros.launch.returned_values import returned_value
-from urdfkit.ros.launch.values import called
 from urdfkit.text.python_source import nodes
 
 _ACTIONS = frozenset(

@@ -279,7 +279,7 @@ def _declared(source: Source, *, with_defaults: bool) -> dict[str, list[str]]:
 def _of_python(source: Source) -> Iterator[_Argument]:
     import ast
 
-    from urdfkit.ros.launch.values import argument, called
+    from urdfkit.ros.launch.calls import argument, called
     from urdfkit.text import python_source
 
     try:

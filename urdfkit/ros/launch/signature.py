@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from functools import lru_cache
 
 from urdfkit.core.record import Record
+from urdfkit.ros.launch.calls import argument, called
 from urdfkit.ros.launch.markup import parsed
-from urdfkit.ros.launch.values import argument, called
 from urdfkit.text import python_source
 from urdfkit.text.document import Element
 from urdfkit.text.python_source import CACHE_SIZE

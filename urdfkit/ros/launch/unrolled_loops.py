@@ -11,8 +11,8 @@ from copy import deepcopy
 from functools import lru_cache, reduce
 
 from urdfkit.ros.launch.bound_parameters import bound_parameters
+from urdfkit.ros.launch.calls import called
 from urdfkit.ros.launch.repeated_calls import MAX_NODES, creates_actions
-from urdfkit.ros.launch.values import called
 from urdfkit.text.python_source import nodes
 
 #: Most items of a list.

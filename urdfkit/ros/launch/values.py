@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 
+from urdfkit.ros.launch.calls import argument, called, parts_of_path
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
 from urdfkit.ros.launch.computed import computed
 from urdfkit.ros.launch.contents import LaunchedFile, Word
@@ -20,6 +21,9 @@ MAX_DEPTH = 40
 #: Most expressions that are evaluated for one text, and its greatest length: lists of lists double
 #: both at each level.
 _MAX_STEPS, _MAX_LENGTH = 10_000, 100_000
+
+#: Greatest number that is computed with.
+_MAX_NUMBER = 1e15
 
 PACKAGE_DIRECTORY = ("get_package_share_directory", "FindPackageShare", "get_package_share_path")
 #: Calls whose value is that of an argument, with its name.
@@ -102,24 +106,33 @@ class Values:
         self._steps = self._steps + 1 if depth else 0
         if node is None or depth > MAX_DEPTH or self._steps > _MAX_STEPS:
             return None
-        if isinstance(node, ast.Constant):
-            return str(node.value) if isinstance(node.value, (str, int, float)) else None
+        if isinstance(node, ast.Constant) and isinstance(node.value, (str, bool)):
+            return str(node.value)
         if isinstance(node, ast.Name):
             if node.id == "__file__":
                 return os.path.abspath(self.source.path)
             return self.text(self._scopes.value(node), depth + 1)
         if isinstance(node, (ast.List, ast.Tuple)):
             return self._of_parts(_joined, node.elts, depth)
+        if isinstance(node, ast.BinOp):
+            return self._of_operation(node, depth)
         if (value := self._number(node, depth)) is not None:
             return str(value)
-        if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Div)):
-            join = _path if isinstance(node.op, ast.Div) else _joined
-            return join(self.text(n, depth + 1) for n in (node.left, node.right))
         if isinstance(node, ast.JoinedStr):
             return _joined(self.text(part, depth + 1) for part in node.values)
         if isinstance(node, ast.FormattedValue):
             return self.text(node.value, depth + 1)
         return self._of_expression(node, depth)
+
+    def _of_operation(self, node: ast.BinOp, depth: int) -> str | None:
+        """The text of a number that is computed, of joined texts or of a path."""
+        value = self._number(node, depth)
+        if value is not None or not isinstance(node.op, (ast.Add, ast.Div)):
+            return None if value is None else str(value)
+        if self._number(node.left, depth + 1) is not None:
+            return None  # a number that cannot be computed
+        join = _path if isinstance(node.op, ast.Div) else _joined
+        return join(self.text(n, depth + 1) for n in (node.left, node.right))
 
     def _of_parts(
         self, join: Callable[[Iterable[str | None]], str | None], parts: list[ast.expr], depth: int
@@ -135,7 +148,7 @@ class Values:
         if depth > MAX_DEPTH or self._steps > _MAX_STEPS:
             return None
         if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
-            return None if isinstance(node.value, bool) else node.value
+            return None if isinstance(node.value, bool) else _bounded(node.value)
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
             value = self._number(node.operand, depth + 1)
             return None if value is None else -value
@@ -146,7 +159,7 @@ class Values:
         if left is None or right is None:
             return None
         try:
-            return _ARITHMETIC[type(node.op)](left, right)
+            return _bounded(_ARITHMETIC[type(node.op)](left, right))
         except ArithmeticError:
             return None
 
@@ -411,40 +424,9 @@ def _is_of_context(node: ast.expr) -> bool:
     return isinstance(node, ast.Attribute) and node.attr == "launch_configurations"
 
 
-def called(node: ast.AST | None) -> str:
-    """The name of the function or method that an expression calls; empty for another one."""
-    function = node.func if isinstance(node, ast.Call) else None
-    if isinstance(function, ast.Attribute):
-        return function.attr
-    return function.id if isinstance(function, ast.Name) else ""
-
-
-def argument(call: ast.Call, position: int | None, name: str) -> ast.expr | None:
-    """An argument of a call, by name or position."""
-    for keyword in call.keywords:
-        if keyword.arg == name:
-            return keyword.value
-    if position is not None and position < len(call.args):
-        return call.args[position]
-    return None
-
-
-def parts_of_path(call: ast.Call) -> list[ast.expr]:
-    """The parts that a call joins to a path; empty for other calls.
-
-    ``join`` of a text, as in ``os.pathsep.join([...])``, takes one argument.
-    """
-    name, function, parts = called(call), call.func, call.args
-    if name == "PathJoinSubstitution":
-        return parts[0].elts if parts and isinstance(parts[0], (ast.List, ast.Tuple)) else []
-    if name == "joinpath" and isinstance(function, ast.Attribute):
-        return [function.value, *parts]
-    if name == "Path":
-        return parts if len(parts) > 1 else []
-    is_path = name == "join" and (
-        len(parts) > 1 or python_source.dotted_name(function) == "os.path.join"
-    )
-    return parts if is_path else []
+def _bounded(number: float) -> float | None:
+    """A number of ordinary size, else None: integers of Python have any number of digits."""
+    return number if abs(number) < _MAX_NUMBER else None
 
 
 def _joined(parts: Iterable[str | None]) -> str | None:
