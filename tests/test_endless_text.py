@@ -157,6 +157,7 @@ LAUNCH = f"<launch><node pkg='cartographer_ros' exec='cartographer_node' args='{
         ("r.urdf.xacro", f"{XACRO}{PROPERTY}<!-- ", "${", " --></robot>"),
         ("a.launch.xml", f'{LAUNCH}<node pkg="a" exec="b" args="', "$(eval ", '"/></launch>'),
         ("a.lua", "options = {", "x", ""),
+        ("a.launch.py", "generate_launch_description('", " '/home/a/b'", ""),
     ],
 )
 def test_a_workspace(file: str, head: str, piece: str, tail: str, tmp_path: Path) -> None:
@@ -192,3 +193,18 @@ def test_a_manifest_of_many_dependencies_is_read_once_for_many_packages(tmp_path
     report = check(robot, select=["XAC011"])
     assert len(report.diagnostics) == 1000
     assert time.process_time() - start < 15
+
+
+@pytest.mark.parametrize("piece", [" ", "foreach(a", "a:=${a} ", "foreach(a b)"])
+def test_a_build_that_passes_arguments(piece: str, tmp_path: Path) -> None:
+    robot = f"{XACRO}<link name='$(arg a)'/></robot>"
+
+    def reading(many: int) -> Callable[[], object]:
+        directory = tmp_path / str(many)
+        text = "xacro(r.xacro a:=left)\nforeach(S " + piece * many
+        add_files(directory, {"package.xml": f"{MANIFEST}</package>", "CMakeLists.txt": text})
+        add_file(directory / "r.xacro", robot)
+        assert "CFG003" not in {one.code for one in check(directory / "r.xacro").diagnostics}
+        return lambda: check(directory / "r.xacro", select=["CFG"])
+
+    assert_linear(reading, MANY)

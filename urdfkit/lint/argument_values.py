@@ -35,8 +35,8 @@ _ATTRIBUTE = rb"""\s%s\s*=\s*["']([^"'<>]*)["']"""
 #: A path in which a directory's name is the value of an argument, or a parameter of that name.
 _PATH = r"""["']([^"'<>\n]*/)(?:\$\(arg\s+%s\s*\)|\$\{\s*%s\s*\})(/[^"'<>\n]*)["']"""
 _PACKAGE = rf"{FIND}|^package://([\w.-]+)"
-#: The items of a loop in a CMakeLists.txt.
-_FOREACH = r"foreach\(\s*%s\s+(?:IN\s+ITEMS\s+)?([\w\s.-]+)\)"
+#: The variable and items of a loop in a CMakeLists.txt.
+_FOREACH = r"foreach\(\s*(\w+)\s([\w\s.-]*)\)"
 _EXPRESSION = re.compile(r"\$\{[^{}]*\}|\$\([^()]*\)")
 
 
@@ -159,11 +159,12 @@ def _of_build(name: str, robot: str, resolver: Resolver) -> ArgumentValues | Non
     text = cmake_text(path) if path else ""
     if os.path.basename(robot) not in text:
         return None
-    values: dict[str, None] = {}
-    for value in re.findall(rf"(?<!\w){re.escape(name)}:=([^\s\"'()<>]+)", text):
-        variable = value.removeprefix("${").removesuffix("}")
-        loop = re.search(_FOREACH % re.escape(variable), text) if "$" in value else None
-        values.update(dict.fromkeys(loop.group(1).split() if loop else [value]))
+    loops: dict[str, list[str]] = {}
+    for variable, items in re.findall(_FOREACH, text):
+        words = items.split()
+        loops.setdefault(f"${{{variable}}}", words[2:] if words[:2] == ["IN", "ITEMS"] else words)
+    passed = re.findall(rf"(?<!\w){re.escape(name)}:=([^\s\"'()<>]+)", text)
+    values = dict.fromkeys(item for value in passed for item in loops.get(value, [value]))
     plain = tuple(value for value in values if "$" not in value)
     return ArgumentValues(plain, path) if plain else None
 

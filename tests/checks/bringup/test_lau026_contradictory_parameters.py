@@ -116,14 +116,17 @@ SQUARE = "footprint: '[[0.3, 0.2], [0.3, -0.2], [-0.3, -0.2], [-0.3, 0.2]]'"
 @pytest.mark.parametrize(
     ("values", "words"),
     [
-        (OBSTACLES.format(SOURCE.format("clearing: false, marking: true")), "are never cleared"),
+        (
+            OBSTACLES.format(SOURCE.format("clearing: false, marking: true")),
+            "of obstacles are never cleared",
+        ),
         (OBSTACLES.format(SOURCE.format("marking: true")), ""),  # the default, if unwanted
         (OBSTACLES.format(SOURCE.format("clearing: true, raytrace_max_range: 2.0")), ""),
         (
             OBSTACLES.format(
                 SOURCE.format("clearing: true, obstacle_max_range: 3.0, raytrace_max_range: 2.0")
             ),
-            "raytrace_max_range 2 is below obstacle_max_range 3",
+            "obstacles: raytrace_max_range 2 is below obstacle_max_range 3",
         ),
         (f"{SQUARE}, {INFLATION.format(0.1)}", "radius of the robot, 0.2 m"),
         (f"{SQUARE}, {INFLATION.format(0.2)}", ""),

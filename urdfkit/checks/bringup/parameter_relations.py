@@ -44,9 +44,9 @@ def contradictions(node: NodeParameters) -> Findings:
     yield from _no_transform(node)
     yield from _missing_rows(node)
     yield from _gravity(node)
-    for layer in map(mapping, node.values.values()):
-        yield from _never_cleared(node, layer)
-        yield from _not_reversing(node, layer)
+    for key, section in node.values.items():
+        yield from _never_cleared(node, key, mapping(section))
+        yield from _not_reversing(node, mapping(section))
 
 
 def held_sideways(sections: list[NodeParameters]) -> Findings:
@@ -192,23 +192,23 @@ def _gravity(node: NodeParameters) -> Findings:
             yield Finding(given[-1].span, message, f"write {switch}: true", severity=Severity.INFO)
 
 
-def _never_cleared(node: NodeParameters, layer: dict[str, Node]) -> Findings:
+def _never_cleared(node: NodeParameters, layer: str, values: dict[str, Node]) -> Findings:
     """Sources of an obstacle layer that mark cells which no ray clears."""
-    sources = [mapping(layer, name) for name in words(layer, "observation_sources")]
+    sources = [mapping(values, name) for name in words(values, "observation_sources")]
     for source in sources:
         for marked, cleared in _RANGES:
             farthest, ray = _number(source.get(marked)), _number(source.get(cleared))
             if farthest and ray and ray < farthest and _is_on(source, "clearing"):
                 yield _finding(
                     source[cleared],
-                    f"'{node.name}': {cleared} {ray:g} is below {marked} {farthest:g}: obstacles "
-                    "behind it are never cleared",
+                    f"'{node.name}', {layer}: {cleared} {ray:g} is below {marked} {farthest:g}: "
+                    "obstacles behind it are never cleared",
                     f"write more than {farthest:g}",
                 )
     switches = [source.get("clearing") for source in sources]
     if switches and all(_is_off(source, "clearing") for source in sources):
-        message = f"'{node.name}': obstacles are never cleared: no source has clearing: true"
-        yield _finding(switches[0], message, "write clearing: true")
+        message = f"'{node.name}': the obstacles of {layer} are never cleared: no source has "
+        yield _finding(switches[0], f"{message}clearing: true", "write clearing: true")
 
 
 def _not_reversing(node: NodeParameters, section: dict[str, Node]) -> Findings:

@@ -43,10 +43,13 @@ def _home_paths(context: Context) -> Iterator[Span]:
         return
     is_python = context.source.path.endswith(".py")
     text = data if is_python else blank_comments(data)
-    for match in (_IN_PYTHON if is_python else _IN_XML).finditer(text):
-        line = text[text.rfind(b"\n", 0, match.start()) + 1 : match.start()]
-        if not is_python or b"#" not in line:
-            yield Span(context.source, *match.span())
+    start = 0
+    for line in text.splitlines(keepends=True):
+        comment = line.find(b"#") if is_python else -1
+        for match in (_IN_PYTHON if is_python else _IN_XML).finditer(line):
+            if comment < 0 or match.start() < comment:
+                yield Span(context.source, start + match.start(), start + match.end())
+        start += len(line)
 
 
 def _in_package(context: Context, path: str) -> tuple[Manifest, str] | None:
