@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 
 from urdfkit.core import libraries
-from urdfkit.core.record import Record
 from urdfkit.core.static_typing import TYPE_CHECKING
-from urdfkit.errors import NotApplicable, Unavailable, UrdfkitError
-from urdfkit.lint.description_file import DescriptionFile, Reading
-from urdfkit.lint.requirements import dynamics_of, need_coal, need_few_bodies
+from urdfkit.errors import NotApplicable, Unavailable
+from urdfkit.lint.description_file import DescriptionFile
+from urdfkit.lint.requirements import dynamics_of, need_coal, need_few_bodies, simulation_of
+from urdfkit.lint.run_state import RunState
 from urdfkit.text.document import CallFrame, Document
 from urdfkit.text.file_kinds import has_srdf_tags, is_extension, is_list_of_joints
 from urdfkit.text.source import Source
@@ -41,24 +41,11 @@ if TYPE_CHECKING:
     from urdfkit.ros.moveit.srdf import Srdf
     from urdfkit.ros.mujoco import Compiler
     from urdfkit.ros.targets import TargetFacts, Targets
-    from urdfkit.text.diagnostic import Diagnostic
     from urdfkit.text.grammar import Deviation
     from urdfkit.workspace.resolve import Resolver
 
     #: Simulates a robot, as `urdfkit.simulate` does. It is passed in, as it is above this package.
     Simulate = Callable[["Context"], Simulation]
-
-__all__ = ["Context", "NotApplicable", "Reading", "RunState", "Unavailable"]
-
-
-class RunState(Record):
-    """State of the check that the rules are part of."""
-
-    #: Configured options of rules, by code and name.
-    rule_options: Mapping[str, Mapping[str, float]] = {}
-    #: Findings of the other rules, before suppression; for the rules about the checking.
-    diagnostics: tuple[Diagnostic, ...] = ()
-    chosen: frozenset[str] | None = None  # codes of all rules; None until the others have run
 
 
 class Context(DescriptionFile):
@@ -174,9 +161,7 @@ class Context(DescriptionFile):
     @cached_property
     def targets(self) -> Targets:
         """The targets to check for: those that the user named, otherwise the detected ones."""
-        if self._given_targets is not None:
-            return self._given_targets
-        return self.inferred_targets
+        return self._given_targets or self.inferred_targets
 
     @property
     def inferred_targets(self) -> Targets:
@@ -330,13 +315,13 @@ class Context(DescriptionFile):
 
     def names_in_robot(self, path: str) -> frozenset[str]:
         """Names of the links and joints of another description, read with the same arguments."""
-        source, arguments = self.resolver.read(path), tuple(sorted(self.arguments.items()))
-        return _names_in_robot(source, self.resolver, arguments, self.trust)
+        arguments = tuple(sorted(self.arguments.items()))
+        return _names(self.resolver.read(path), self.resolver, arguments, self.trust)[1]
 
     def name_of_robot(self, path: str, arguments: Mapping[str, str]) -> str | None:
         """Name of another description; None if it cannot be read."""
-        source = self.resolver.read(path)
-        return _name_of_robot(source, self.resolver, tuple(arguments.items()), self.trust)
+        given = tuple(arguments.items())
+        return _names(self.resolver.read(path), self.resolver, given, self.trust)[0]
 
     @property
     def described_robots(self) -> Iterator[tuple[LaunchedDescription, Context]]:
@@ -391,14 +376,7 @@ class Context(DescriptionFile):
         """
         if self._simulate is None or self.is_part or not self.tree.is_sound:
             return None
-        names = [body.file for body in self.model.collisions if body.file]
-        if any(self.files.locate(name).path is None for name in names):
-            raise Unavailable("not simulated: mesh files of collisions are missing")
-        try:
-            return self._simulate(self)
-        except UrdfkitError as error:
-            reason = str(error).partition("; see 'urdfkit check ")[0]
-            raise Unavailable(f"not simulated: {reason}") from error
+        return simulation_of(self.model, self.files, partial(self._simulate, self))
 
     @cached_property
     def collisions(self) -> Collisions:
@@ -459,19 +437,13 @@ def _robot(
     return Context(source, resolver, dict(arguments), trust=trust, cache=cache)
 
 
-@lru_cache(maxsize=64)  # robots of a package that share its SRDFs are needed for each SRDF
-def _names_in_robot(
+@lru_cache(maxsize=64)  # robots that share launch files and SRDFs ask for the same ones
+def _names(
     source: Source, resolver: Resolver, arguments: tuple[tuple[str, str], ...], trust: bool
-) -> frozenset[str]:
+) -> tuple[str | None, frozenset[str]]:
+    """The names of a robot, and of its links and joints; none if it cannot be read."""
     robot = Context(source, resolver, dict(arguments), trust=trust)
     if not robot.is_readable:
-        return frozenset()
-    return frozenset({*robot.model.links_by_name, *robot.model.joints_by_name})
-
-
-@lru_cache(maxsize=64)  # the robots of launch files are needed for each robot with an SRDF
-def _name_of_robot(
-    source: Source, resolver: Resolver, arguments: tuple[tuple[str, str], ...], trust: bool
-) -> str | None:
-    robot = Context(source, resolver, dict(arguments), trust=trust)
-    return robot.model.name if robot.is_readable else None
+        return None, frozenset()
+    model = robot.model
+    return model.name, frozenset({*model.links_by_name, *model.joints_by_name})

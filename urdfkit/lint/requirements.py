@@ -1,4 +1,4 @@
-"""Requirements of the rules about dynamics and collisions, which are otherwise skipped."""
+"""Requirements of the rules about dynamics, collisions and simulations, otherwise skipped."""
 
 from __future__ import annotations
 
@@ -6,10 +6,14 @@ from importlib import import_module
 
 from urdfkit.core import libraries
 from urdfkit.core.static_typing import TYPE_CHECKING
-from urdfkit.errors import Unavailable
+from urdfkit.errors import Unavailable, UrdfkitError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from urdfkit.physics.dynamics.robot import Dynamics
+    from urdfkit.physics.verdicts import Simulation
+    from urdfkit.robot.assets.mesh_files import MeshFiles
     from urdfkit.robot.model import RobotModel
     from urdfkit.robot.tree import KinematicTree
 
@@ -53,6 +57,24 @@ def dynamics_of(tree: KinematicTree) -> Dynamics:
         return Dynamics(tree)
     except Unsuitable as reason:
         raise Unavailable(str(reason)) from reason
+
+
+def simulation_of(
+    model: RobotModel, files: MeshFiles, simulate: Callable[[], Simulation]
+) -> Simulation:
+    """The results of simulations of a robot.
+
+    Raises:
+        Unavailable: the robot cannot be simulated.
+    """
+    names = [body.file for body in model.collisions if body.file]
+    if any(files.locate(name).path is None for name in names):
+        raise Unavailable("not simulated: mesh files of collisions are missing")
+    try:
+        return simulate()
+    except UrdfkitError as error:
+        reason = str(error).partition("; see 'urdfkit check ")[0]
+        raise Unavailable(f"not simulated: {reason}") from error
 
 
 def need_few_bodies(model: RobotModel) -> None:

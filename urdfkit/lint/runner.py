@@ -10,11 +10,12 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.core.suggest import is_typo
 from urdfkit.errors import Cancelled, NotApplicable, Unavailable
 from urdfkit.lint import rule_index
-from urdfkit.lint.context import Context, RunState
+from urdfkit.lint.context import Context
 from urdfkit.lint.findings import bounded, diagnose
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Skipped, Superseded, crash
 from urdfkit.lint.rules import Finding, Rule
+from urdfkit.lint.run_state import RunState
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.document import Attribute, Element
 from urdfkit.text.file_kinds import is_launch
