@@ -60,6 +60,7 @@ def test_several_controllers_of_one_spawner(tmp_path: Path) -> None:
     [
         ("spawner", "arm_controller --namespace ns"),
         ("spawner", "ns/arm_controller"),
+        ("spawner", "$(find arm)/config/c.yaml"),  # all controllers of the file
         ("spawner", "$(env CONTROLLERS)"),
         ("controller_manager", "unspawn x"),
         ("unspawner", "x"),

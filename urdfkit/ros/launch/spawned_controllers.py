@@ -27,6 +27,8 @@ _VALUED = frozenset(
 )
 #: Options and words that load controllers without starting them.
 _LEFT_INACTIVE = ("--inactive", "--stopped", "--load-only", "load")
+#: Suffixes of the files that the spawner of ROS 1 takes instead of a name.
+_FILES = (".yaml", ".yml")
 #: Options that define the type of a controller.
 _DEFINING = frozenset(("-t", "--controller-type"))
 
@@ -64,7 +66,10 @@ def spawns_controllers(program: StartedProgram) -> bool:
 
 
 def _controllers(program: StartedProgram) -> Iterator[Word]:
-    """The names of controllers in the command line of a program."""
+    """The names of controllers in the command line of a program.
+
+    The spawner of ROS 1 also takes parameter files, and loads all that they define.
+    """
     words = _arguments(program)
     texts = [(word.text or "").partition("=")[0] for word in words]
     if not _DEFINING.isdisjoint(texts):
@@ -73,7 +78,9 @@ def _controllers(program: StartedProgram) -> Iterator[Word]:
     for word, text in zip(words, texts, strict=True):
         if text == "--ros-args":
             return
-        if not is_value and word.text and not text.startswith("-"):
+        is_option = text.startswith("-")
+        is_file = text.endswith(_FILES) and not program.is_ros_2
+        if not is_value and word.text and not is_option and not is_file:
             yield word
         is_misspelt = text.startswith("--") and bool(nearest(text, _VALUED, CLOSE_TYPO))
         is_value = (has_value(text) or is_misspelt) and "=" not in (word.text or "")
