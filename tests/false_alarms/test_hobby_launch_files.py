@@ -6,6 +6,7 @@ import pytest
 
 from tests.launched import launch
 from tests.launched import reported as of_launch
+from tests.naming import naming
 
 _IMPORTS = "from launch_ros.actions import Node\n"
 _ACTIONS = """\
@@ -170,15 +171,16 @@ def test_the_view_of_several_launch_files(tmp_path: Path, shown: str, count: int
 
 
 @pytest.mark.parametrize(
-    ("parameters", "help"),
-    [("{PATH}", "braces"), ("{'use_sim_time', True}", "colon"), ("{'use_sim_time'}", "colon")],
+    ("parameters", "count"),
+    [("{PATH}", 0), ("{PATH, PATH}", 1), ("{'use_sim_time', True}", 1), ("{'use_sim_time'}", 1)],
 )
-def test_a_parameter_file_in_braces(tmp_path: Path, parameters: str, help: str) -> None:
-    """vikings_bot: a file in a set, which is no name without its value."""
+def test_a_parameter_file_in_braces(tmp_path: Path, parameters: str, count: int) -> None:
+    """vikings_bot, NeuronBot: launch_ros reads a set of one path, as any iterable, as a file."""
     program = f"{_IMPORTS}PATH = __file__ + '.yaml'\n"
     program += f"nodes = [Node(package='p', executable='e', parameters=[{parameters}])]\n"
-    (found,) = of_launch(tmp_path / "arm", "LAU033", "a.launch.py", program)
-    assert help in (found.help or "")
+    found = of_launch(tmp_path / "arm", "LAU033", "a.launch.py", program)
+    message = naming("set", "dictionary")
+    assert [one.message for one in found] == [message] * count
 
 
 @pytest.mark.parametrize(("function", "count"), [("print", 0), ("log.info", 0), ("Node", 1)])

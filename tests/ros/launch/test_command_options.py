@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 
 from tests.launched import reported
+from tests.naming import naming
+from urdfkit import Severity
 
 AGENT = """from launch_ros.actions import Node
 
@@ -32,6 +34,19 @@ nodes = [Node(package="micro_ros_agent", executable="micro_ros_agent", arguments
 def test_the_agent_of_micro_ros(tmp_path: Path, words: str, message: str) -> None:
     found = reported(tmp_path / "arm", "LAU036", "a.launch.py", AGENT.format(words))
     assert [message in one.message for one in found] == [True] * bool(message)
+
+
+@pytest.mark.parametrize(
+    ("transport", "severity"),
+    [("serail", Severity.ERROR), ("can", Severity.WARNING), ("spi", Severity.WARNING)],
+)
+def test_a_transport_that_a_team_has_added(
+    tmp_path: Path, transport: str, severity: Severity
+) -> None:
+    """Underwater robots of students: their agent speaks CAN."""
+    text = AGENT.format(f'["{transport}", "--dev", "can0"]')
+    (found,) = reported(tmp_path / "arm", "LAU036", "a.launch.py", text)
+    assert (found.message, found.severity) == (naming("micro_ros_agent", transport), severity)
 
 
 @pytest.mark.parametrize(

@@ -133,8 +133,12 @@ def _agent(program: StartedProgram) -> Iterator[Problem]:
         help = f"write {first.split()}"
         yield _error(program.words[0], f"'{first}' is one word for micro_ros_agent", help)
     elif first and not first.startswith("-") and first not in transports:
-        help = f"write one of {', '.join(transports)}"
-        yield _error(program.words[0], f"micro_ros_agent has no transport '{first}'", help)
+        help = f"write one of {', '.join(transports)}, unless your agent has its own"
+        message = f"micro_ros_agent has no transport '{first}'"
+        # Teams extend the agent, for example with CAN.
+        is_typo = nearest(first, transports, TYPO) is not None
+        severity = Severity.ERROR if is_typo else Severity.WARNING
+        yield Problem("LAU036", program.words[0].span, message, help, severity=severity)
     texts = [word.text for word in program.words]
     required = facts["required"].get(first, "").split()
     is_given = None in texts or any((text or "").split("=")[0] in required for text in texts)

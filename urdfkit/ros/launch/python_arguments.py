@@ -156,15 +156,15 @@ def _lists(call: ast.Call, values: Values) -> Iterator[Problem]:
 
 
 def _sets(node: ast.expr | None, values: Values) -> Iterator[Problem]:
-    """A set of a name and its value among the parameters, or of a file."""
+    """A set of a name and its value among the parameters; one of a path is that of a file."""
     for item in values.items(node) if node else ():
         members = values.resolved(item) if item is not None else None
-        if item is not None and isinstance(members, ast.Set):
+        if item is None or not isinstance(members, ast.Set):
+            continue
+        # launch joins the texts of any iterable to the path of a parameter file.
+        if len(members.elts) > 1 or isinstance(members.elts[0], ast.Constant):
             message = "this is a set, but launch expects a dictionary of parameters"
-            help = 'write a colon: {"name": value}'
-            if len(members.elts) == 1 and not isinstance(members.elts[0], ast.Constant):
-                help = "remove the braces: a parameter file stands without them"
-            yield values.problem("LAU033", item, message, help)
+            yield values.problem("LAU033", item, message, 'write a colon: {"name": value}')
 
 
 def _without_package(call: ast.Call, values: Values) -> Iterator[Problem]:
