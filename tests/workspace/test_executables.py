@@ -11,6 +11,7 @@ CMAKE = "project(arm)\nfind_package(ament_cmake REQUIRED)\n"
 INSTALL = "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"
 BUILT = "add_executable(talker src/talker.cpp)\n"
 SETUP = "from setuptools import setup\nsetup(name='arm', entry_points={})\n"
+_ALL_OF_SCRIPTS = "data_files=[(os.path.join('lib', package), glob('scripts/*'))], name="
 TALKER = "{'console_scripts': ['talker = arm.talker:main']}"
 
 
@@ -81,6 +82,17 @@ def test_cmake(tmp_path: Path, text: str, name: str, expected: MissingExecutable
         (SETUP.format("{}"), "listener", MissingExecutable(False, ())),
         (SETUP.format("{'console_scripts': names()}"), "listener", None),
         (SETUP.format("{}").replace("name=", "scripts=all(), name="), "listener", None),
+        (SETUP.format("{}").replace("name=", _ALL_OF_SCRIPTS), "light.bash", None),
+        (
+            SETUP.format("{}").replace("name=", _ALL_OF_SCRIPTS.replace("'lib'", "'share'")),
+            "light.bash",
+            MissingExecutable(False, ()),
+        ),
+        (
+            SETUP.format("{}").replace("name=", _ALL_OF_SCRIPTS.replace("glob('scripts/*')", "[]")),
+            "light.bash",
+            MissingExecutable(False, ()),
+        ),
         ("setup(", "listener", None),
     ],
 )

@@ -120,7 +120,19 @@ def _of_python(text: str, name: str) -> MissingExecutable | None:
     entries = entry_points(text)
     if entries is None or re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", text):
         return None
+    if any(map(_installs_executables, ast.walk(python_source.parse(text)))):
+        return None
     return MissingExecutable(False, tuple(entry.name for entry in entries))
+
+
+def _installs_executables(node: ast.AST) -> bool:
+    """True for a pair of data_files that copies files with computed names to ``lib/PACKAGE``."""
+    if not isinstance(node, ast.Tuple) or len(node.elts) != 2:
+        return False
+    place, files = node.elts
+    texts = [part.value for part in ast.walk(place) if isinstance(part, ast.Constant)]
+    is_lib = any(isinstance(text, str) and text.partition("/")[0] == "lib" for text in texts)
+    return is_lib and not isinstance(files, (ast.List, ast.Tuple))
 
 
 def entry_points(text: str) -> list[EntryPoint] | None:
