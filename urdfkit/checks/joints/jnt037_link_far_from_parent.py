@@ -3,7 +3,8 @@
 - The gap between the shapes of the two links is four times as long as either shape, and no link
   that fixed joints connect to one of them is in between. Usually a decimal point is misplaced, 2.45
   for 0.245, or the origin is measured from the root of the robot instead of the parent link. The
-  second of two arms on one base may stand far away.
+  second of two arms on one base may stand far away, and so may a camera that is fixed to `world`
+  with the base of an arm.
 - A link with a collision that is fixed to the end of a limb, such as a foot, does not touch it: the
   gap is 0.6 times as long as either shape. Tools that are only frames or markers may be anywhere.
 - The links or joints of an arm are numbered, but `link_3` and `link_4` are both children of
@@ -64,7 +65,10 @@ def check(context: Context) -> Findings:
     body_of = {name: body for body in bodies for name in body.names}
     for joint, parent, child, (gap, longest) in far:
         is_near = _is_bridged(context, parent, child, body_of, _least_gaps(context, joint, child))
-        if not (is_near or _is_second_arm(context, joint)):
+        # What stands in the world with a robot, such as a camera above it, stands anywhere.
+        body = body_of.get(parent.name)  # none in a loop
+        is_in_world = joint.kind == "fixed" and body is not None and body.is_ground
+        if not (is_near or is_in_world or _is_second_arm(context, joint)):
             yield Finding(
                 joint.at.child_or_self("origin"),
                 f"joint '{joint.name}': '{child.name}' is {gap:.3g} m away from '{parent.name}'; "
