@@ -10,7 +10,7 @@ from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.errors import NotApplicable, Unavailable
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Attribute, CallFrame, Document, Element, Tag
-from urdfkit.text.file_kinds import is_launch, is_xacro
+from urdfkit.text.file_kinds import is_launch, is_parameter_file, is_xacro
 from urdfkit.text.source import Source
 from urdfkit.text.xml_reader import read_xml
 
@@ -101,7 +101,7 @@ class DescriptionFile:
 
     @cached_property
     def reading(self) -> Reading:
-        if is_launch(self.source.path):
+        if self.is_bringup:
             return Reading(None, tuple(self.launch.problems), None)
         if not is_xacro(self.source) and not self._is_passed_to_xacro:
             document, xml_problems = read_xml(self.source, self._frame)
@@ -137,10 +137,15 @@ class DescriptionFile:
 
         return is_passed_to_xacro(self.source, self.resolver)
 
+    @cached_property
+    def is_bringup(self) -> bool:
+        """True for a launch file or a parameter file, which describe no robot themselves."""
+        return is_launch(self.source.path) or is_parameter_file(self.source)
+
     @property
     def is_readable(self) -> bool:
         """False for a description that cannot be read, which few rules can check."""
-        return is_launch(self.source.path) or self.reading.document is not None
+        return self.is_bringup or self.reading.document is not None
 
     def problems(self, code: str) -> list[Problem]:
         """The problems with the code of a rule, in a description or a launch file."""
@@ -235,14 +240,14 @@ class DescriptionFile:
 
     @cached_property
     def launch(self) -> Launch:
-        """The contents of the launch file.
+        """The contents of the launch file, or the programs that read the parameter file.
 
         Raises:
-            NotApplicable: the file is not a launch file.
+            NotApplicable: the file is neither of them.
         """
         from urdfkit.ros.launch import read_launch
 
-        if not is_launch(self.source.path):
+        if not self.is_bringup:
             raise NotApplicable("not a launch file")
         return read_launch(self.source, self.resolver, self.arguments)
 

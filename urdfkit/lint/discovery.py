@@ -34,6 +34,8 @@ _NO_ROBOTS = frozenset(
     ".png .py .rst .rviz .sdf .sh .srdf .srv .step .stl .stp .svg .tga .toml .ttf .txt .usd .webp "
     ".world .yaml .yml .zip".split()
 )
+#: Suffixes of files that programs of launch files read.
+_LAUNCHED = (".lua", ".rviz", ".sdf", ".world", ".yaml", ".yml")
 #: Number of bytes at the start of a file that are searched for the root element.
 _HEAD = 4096
 _MARK = b"\xef\xbb\xbf"
@@ -167,7 +169,7 @@ def srdf_files_below(directory: str, config: Config, resolver: Resolver) -> Iter
 
 
 def affected(files: Iterable[str], config: Config, resolver: Resolver) -> DirectoryContents:
-    """The entry points that use changed files, and the changed launch files.
+    """The entry points that use changed files, and the launch files that changed or name one.
 
     A robot uses the descriptions that it includes, directly or not, anywhere in the repository.
     Any other file (mesh, YAML file, launch file) is assumed to be used by every robot of its
@@ -196,8 +198,22 @@ def affected(files: Iterable[str], config: Config, resolver: Resolver) -> Direct
         )
         robots += sorted(uses, key=lambda robot: robot[:2])
         libraries += [path for path in contents.libraries if path in here]
-        launches += [path for path in here if _is_readable_launch(path, config)]
+        launches += _launches(directory, here, config, resolver)
     return DirectoryContents(tuple(robots), tuple(libraries), launches=tuple(launches))
+
+
+def _launches(
+    directory: str, files: list[str], config: Config, resolver: Resolver
+) -> Iterator[str]:
+    """The launch files among some files, and those that name another one of them."""
+    yield from (path for path in files if _is_readable_launch(path, config))
+    names = [os.path.basename(path).encode() for path in files if path.endswith(_LAUNCHED)]
+    if not names or resolver.packages.is_shared(directory):
+        return
+    for path in launch_files(directory, config, resolver.directories):
+        head = read_head(path)
+        if path not in files and any(name in head for name in names):
+            yield path
 
 
 def _robots(contents: DirectoryContents, directory: str, config: Config) -> tuple[RobotEntry, ...]:

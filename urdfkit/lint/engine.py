@@ -18,7 +18,6 @@ from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job, Plan, planned
 from urdfkit.lint.report import Report
 from urdfkit.text.diagnostic import Diagnostic
-from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
@@ -147,16 +146,16 @@ def contexts(
 ) -> Iterator[Context | None]:
     """The descriptions that a check with the same options reads, in the same order.
 
-    None stands for a launch file, for a duplicate of another description, for which only some rules
-    run, and for a robot with another value of an argument, of which only the additions are
-    reported.
+    None stands for a launch file or parameter file, for a duplicate of another description, for
+    which only some rules run, and for a robot with another value of an argument, of which only the
+    additions are reported.
     Descriptions are read one by one, as the iterator advances.
     """
     options = options.with_config()
     resolver = Resolver(options.packages, texts=options.texts)
     for planned_job in planned(files, resolver, options).jobs:
         for job, context in as_checked(planned_job, reader(options, resolver)):
-            is_partial = is_launch(job.path) or job.codes or job.switched
+            is_partial = context.is_bringup or job.codes or job.switched
             yield None if is_partial else context
 
 

@@ -8,10 +8,11 @@ from collections.abc import Iterable, Mapping
 from urdfkit.core import disk, expansion_limits
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import TYPE_CHECKING
+from urdfkit.core.words import counted, listed
 from urdfkit.errors import UnreadableFile, UrdfkitError
 from urdfkit.lint.config import ConfigError, matches
 from urdfkit.lint.report import Crashed, Launched, Skipped, crash
-from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.file_kinds import is_launch, is_parameter_file
 from urdfkit.text.source import Source, shown
 from urdfkit.workspace.resolve import Resolver
 
@@ -126,6 +127,8 @@ class Plan:
         self._launch_sets: dict[str, tuple[str, list[RobotArguments]]] = {}
         #: Paths of the robots that are also checked with the arguments of launch files.
         self._with_launch_files: set[str] = set()
+        self._loaded: set[str] = set()  # real paths of the parameter files of launch files
+        self._parameter_files = 0  # number of the others
 
     def add(self, file: str | os.PathLike[str] | Source) -> None:
         """Add a file with its variants in the configuration, or a directory."""
@@ -138,11 +141,11 @@ class Plan:
             directory, config = os.fspath(file), self.config
             self.resolver.admit(os.path.join(directory, "x"))
             launches = list(launch_files(directory, config, self.resolver.directories))
+            without_robot: UnreadableFile | None = None
             try:
                 self._add_contents(discover(directory, config, self.resolver), directory)
-            except UnreadableFile:
-                if not launches:  # launch files may start robots of other directories
-                    raise
+            except UnreadableFile as error:
+                without_robot = error
             except UrdfkitError:
                 raise
             except Exception as error:  # a bug in urdfkit must not prevent the other checks
@@ -155,8 +158,26 @@ class Plan:
                     self._add_launch(source, in_directory=True)
                 except UnreadableFile:  # a link to a file outside of the directory
                     self._add_closed(path)
+            files = self.resolver.directories.walk(directory)
+            has_parameters = self._add_parameter_files(files, directory)
+            # Launch files may start robots of other directories.
+            if without_robot and not (launches or has_parameters):
+                raise without_robot
         else:
             self._add_source(self.resolver.admit_and_read(os.fspath(file)))
+
+    def _add_parameter_files(self, files: Iterable[str], start: str) -> bool:
+        """Add those among some files that are parameter files which no launch file loads.
+
+        Returns:
+            True if there are any.
+        """
+        from urdfkit.lint.parameter_files import unloaded_parameter_files
+
+        before = len(self.jobs)
+        for path in unloaded_parameter_files(files, self._loaded, self.config, self.resolver):
+            self._add_source(self.resolver.read(_relative_as(path, start)))
+        return len(self.jobs) > before
 
     def add_changed(self, files: Iterable[str | os.PathLike[str] | Source]) -> None:
         """Add the entry points that use changed files."""
@@ -169,6 +190,7 @@ class Plan:
         self._add_contents(contents, *paths[:1])
         for path in contents.launches:
             self._add_launch(self.resolver.read(_relative_as(path, paths[0])), in_directory=True)
+        self._add_parameter_files(map(os.path.abspath, paths), *paths[:1])
 
     def _add_contents(self, contents: DirectoryContents, start: str = "") -> None:
         """Add the entry points of a directory, or of changed files.
@@ -198,21 +220,28 @@ class Plan:
         """Add a finding if directories contain no robot, even if launch files are checked."""
         directories = list(filter(disk.is_directory, files))
         launches = [job.path for job in self.jobs if is_launch(job.path)]
-        if not directories or len(launches) < len(self.jobs) or self.unchecked or self.crashed:
+        others = [job.path for job in self.jobs if not is_launch(job.path)]
+        has_robot = len(others) > self._parameter_files
+        if not directories or has_robot or self.unchecked or self.crashed:
             return
-        if launches:
-            contents = f"only {len(launches)} launch file{'s'[len(launches) == 1 :]}"
+        if self.jobs:
+            kinds = {"launch file": len(launches), "parameter file": len(others)}
+            contents = f"only {listed([counted(n, kind) for kind, n in kinds.items() if n])}"
             help = "check the package of the robot, too, or pass --package NAME=DIRECTORY"
         else:
             contents = "".join(f"{shown(skip.path)} {skip.reason}" for skip in self.skipped[:1])
             help = "name a robot to check; urdfkit check --show-files lists the files"
         named = ", ".join(f"'{shown(directory)}'" for directory in directories)
-        first = [*launches, *(skip.path for skip in self.skipped), *directories][0]
+        first = [*launches, *others, *(skip.path for skip in self.skipped), *directories][0]
         self.unchecked.append((first, f"no robot checked in {named}: {contents}", help))
 
     def _add_source(self, source: Source) -> None:
         if is_launch(source.path):
             self._add_launch(source)
+            return
+        if is_parameter_file(source):
+            self._parameter_files += 1
+            self.jobs.append(Job(source.path, "", {}, False, source=source))
             return
         for robot in self.config.entries(source.path, self.arguments, self.variant):
             job = Job(source.path, robot.name, robot.arguments, False, source=source)
@@ -234,6 +263,7 @@ class Plan:
             raise
         except Exception:  # a bug in urdfkit, which the check of the launch file reports
             return
+        self._loaded.update(disk.real(file.path) for file in launch.parameters)
         for path, robot in started_robots(launch, source.path):
             if not in_directory:
                 self.jobs.append(self._started_by_launch(_relative_as(path, source.path), robot))

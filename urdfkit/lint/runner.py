@@ -18,7 +18,6 @@ from urdfkit.lint.rules import Finding, Rule
 from urdfkit.lint.run_state import RunState
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.document import Attribute, Element
-from urdfkit.text.file_kinds import is_launch
 
 if TYPE_CHECKING:
     from urdfkit.lint.ignore_comments import Ignore
@@ -149,7 +148,7 @@ class _RuleRun:
     def _applicable(self, family: str, codes: list[str]) -> list[str]:
         """The rules of a family that may apply to the context."""
         path = self.context.source.path
-        if is_launch(path) and family not in LAUNCH_FAMILIES:
+        if self.context.is_bringup and family not in LAUNCH_FAMILIES:
             return []
         if self.context.given_targets and self.context.targets.ignore(family):
             return []

@@ -18,7 +18,6 @@ from urdfkit.robot.kinematics import frames
 from urdfkit.robot.shapes import primitive
 from urdfkit.scan.models import Model
 from urdfkit.text.diagnostic import Diagnostic, Severity
-from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import shown, without_directory
 from urdfkit.workspace.resolve import Resolver
 
@@ -93,7 +92,7 @@ def _row(model: Model, options: Options, resolver: Resolver) -> ModelRow:
         return ModelRow(model.name, "unreadable", model.problem)
     try:
         report, contexts = check_robots(options, model.path, resolver)
-        robots = [context for context in contexts if not is_launch(context.source.path)]
+        robots = [context for context in contexts if not context.is_bringup]
         row = _measured(model, robots[0]) if robots else ModelRow(model.name, "ok")
     except UrdfkitError as error:
         status = "memory" if isinstance(error, NotEnoughMemory) else "unreadable"

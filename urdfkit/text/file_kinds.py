@@ -53,6 +53,12 @@ def has_launch_name(path: str) -> bool:
     return path.endswith(_LAUNCH)
 
 
+def is_parameter_file(source: Source) -> bool:
+    """True for a YAML file with parameters of nodes of ROS 2."""
+    is_yaml = source.path.endswith((".yaml", ".yml")) and not has_launch_name(source.path)
+    return is_yaml and b"ros__parameters" in source.data
+
+
 def generates_launch(data: bytes) -> bool:
     """True for a launch file in Python, unlike a module that launch files import."""
     return b"def generate_launch_description" in data

@@ -120,6 +120,7 @@ SQUARE = "footprint: '[[0.3, 0.2], [0.3, -0.2], [-0.3, -0.2], [-0.3, 0.2]]'"
             OBSTACLES.format(SOURCE.format("clearing: false, marking: true")),
             "of obstacles are never cleared",
         ),
+        (OBSTACLES.format(SOURCE.format("clearing: false") + ", enabled: false"), ""),
         (OBSTACLES.format(SOURCE.format("marking: true")), ""),  # the default, if unwanted
         (OBSTACLES.format(SOURCE.format("clearing: true, raytrace_max_range: 2.0")), ""),
         (

@@ -194,6 +194,8 @@ def _gravity(node: NodeParameters) -> Findings:
 
 def _never_cleared(node: NodeParameters, layer: str, values: dict[str, Node]) -> Findings:
     """Sources of an obstacle layer that mark cells which no ray clears."""
+    if _is_off(values, "enabled"):
+        return
     sources = [mapping(values, name) for name in words(values, "observation_sources")]
     for source in sources:
         for marked, cleared in _RANGES:

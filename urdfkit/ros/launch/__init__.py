@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 from urdfkit.core.static_typing import TYPE_CHECKING
-from urdfkit.text.file_kinds import generates_launch
+from urdfkit.text.file_kinds import generates_launch, is_parameter_file
 from urdfkit.text.source import Source
 from urdfkit.workspace.resolve import Resolver
 
@@ -25,7 +25,7 @@ KEPT = 4096
 def read_launch(
     source: Source, resolver: Resolver, arguments: Mapping[str, str] | None = None
 ) -> Launch:
-    """Read a launch file, and those that it includes.
+    """Read a launch file, and those that it includes; or a parameter file that nothing loads.
 
     Args:
         arguments: of the launch file, ``name:=value``.
@@ -39,8 +39,15 @@ def _launch(source: Source, resolver: Resolver, arguments: tuple[tuple[str, str]
     from urdfkit.ros.launch.contents import LaunchedFile
 
     collector = Collector(resolver, _read)
-    _read(collector, LaunchedFile(source, dict(arguments)))
+    read = _read_parameters if is_parameter_file(source) else _read
+    read(collector, LaunchedFile(source, dict(arguments)))
     return collector.launch()
+
+
+def _read_parameters(collector: Collector, file: LaunchedFile) -> None:
+    from urdfkit.ros.launch.parameter_file import read
+
+    read(collector, file)
 
 
 def _read(collector: Collector, file: LaunchedFile) -> None:

@@ -51,17 +51,16 @@ def shipped_nodes(included: IncludedFile) -> Iterator[StartedProgram]:
     package, name = _name(included)
     shipped = data("launch")["shipped"].get(f"{package}/launch/{name}")
     arguments = included.arguments
-    if (
-        shipped is None
-        or arguments is None
-        or not arguments.keys().isdisjoint(shipped["unless"].split())
-    ):
+    if shipped is None or arguments is None:
         return
     file, time = arguments.get(shipped["parameters"]), arguments.get(_SIM_TIME)
     files = (file.text,) if file and file.text and os.path.isabs(file.text) else ()
     values = {_SIM_TIME: time.text if time else None}
     is_whole = bool(files) or (file is None and shipped["is_default"])
     for node in shipped["nodes"].split():
+        conditions: dict[str, str] = shipped["only_if"].get(node, {})
+        if any(_differs(arguments.get(name), value) for name, value in conditions.items()):
+            continue
         path, _, name_of_node = node.partition("=")
         package_of_node, _, executable = path.partition("/")
         yield StartedProgram(
@@ -74,6 +73,11 @@ def shipped_nodes(included: IncludedFile) -> Iterator[StartedProgram]:
             parameters=GivenParameters(values, files, is_whole),
             name=name_of_node,
         )
+
+
+def _differs(argument: Word | None, default: str) -> bool:
+    """True for an argument that has, or may have, another value than its default."""
+    return argument is not None and (argument.text or "").lower() != default
 
 
 def _is_own(package: str, by: StartedProgram | IncludedFile, resolver: Resolver) -> bool:
