@@ -300,7 +300,7 @@ def _words(name: str) -> set[str]:
 
 
 def _letters(name: str) -> str:
-    return re.sub(r"[-_]", "", name).casefold()
+    return name.replace("-", "").replace("_", "").casefold()
 
 
 def _sorted_words(name: str) -> tuple[list[str], list[str]]:

@@ -106,7 +106,7 @@ def combinations(
 def _of_includes(name: str, xacro: Xacro, resolver: Resolver) -> ArgumentValues | None:
     """The default in a file that is included after the use of the argument, or not reached."""
     for source in xacro.sources:
-        for file in INCLUDE.findall(without_comments(source.data)):
+        for file in re.findall(INCLUDE, without_comments(source.data)):
             path = plain_path(file.decode("utf-8", "replace"), source, resolver)
             if not path or not resolver.allows(path, source.path):
                 continue

@@ -111,7 +111,7 @@ class EntryPoints:
             return False
         texts = [without_comments(self.graph.text(file)) for file in files]
         for file, text in zip(files, texts, strict=True):
-            if not all(self.graph.targets([name], file) for name in INCLUDE.findall(text)):
+            if not all(self.graph.targets([name], file) for name in re.findall(INCLUDE, text)):
                 return False
         links = {name for text in texts for name in _LINK_NAME.findall(text)}
         parents = {name for text in texts for name in _PARENT.findall(text)}
@@ -169,10 +169,10 @@ class EntryPoints:
     def _is_library(self, path: str) -> bool:
         """True for a file with definitions only: no links, joints, includes or macro calls."""
         data = self.graph.text(disk.real(path))
-        if not ROBOT.search(data):
+        if not re.search(ROBOT, data):
             return False
         data = without_comments(data)
         outside = _MACRO.sub(b"", data)
         # XAC002 reports calls without the prefix.
         calls = set(_TAG.findall(outside)).intersection(_MACRO_NAME.findall(data)) - _URDF_TAGS
-        return not calls and not _CONTENT.search(outside) and not INCLUDE.search(outside)
+        return not calls and not _CONTENT.search(outside) and not re.search(INCLUDE, outside)

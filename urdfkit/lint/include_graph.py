@@ -16,11 +16,11 @@ from urdfkit.workspace.srdf_files import are_for
 SUFFIXES = (".urdf", ".xacro")
 #: Suffixes of xacros that do not describe a robot.
 OTHER_MODELS = (".srdf.xacro", ".sdf.xacro")
-INCLUDE = re.compile(rb"""<xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
-_DISABLED = re.compile(rb"""xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']""")
-ROBOT = re.compile(rb"<robot[\s>]")
-_ROOT_TAG = re.compile(rb"\s*(?:<[?!][^>]*>\s*)*<(\w+)")
-_EXPRESSION = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)")
+_DISABLED = rb"""xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']"""
+INCLUDE = b"<" + _DISABLED
+ROBOT = rb"<robot[\s>]"
+_ROOT_TAG = rb"\s*(?:<[?!][^>]*>\s*)*<(\w+)"
+_EXPRESSION = r"\$\{[^}]*\}|\$\([^)]*\)"
 
 
 def _is_broken_robot(path: str, data: bytes) -> bool:
@@ -31,7 +31,7 @@ def _is_broken_robot(path: str, data: bytes) -> bool:
     name = path.lower()
     if not name.endswith(".urdf.xacro"):
         return name.endswith(".urdf")
-    root = _ROOT_TAG.match(without_comments(data))
+    root = re.match(_ROOT_TAG, without_comments(data))
     tag = root.group(1).decode().lower() if root else ""
     return tag != "root" and is_typo(tag, "robot")
 
@@ -53,7 +53,7 @@ class IncludeGraph:
             if source is None:
                 self.closed += [path] if is_description(path) else []
                 continue
-            if ROBOT.search(source.data) or _is_broken_robot(path, source.data):
+            if re.search(ROBOT, source.data) or _is_broken_robot(path, source.data):
                 real = disk.real(path)
                 if real not in self.names or is_description(path):  # prefers links with a suffix
                     self.names[real] = path
@@ -67,14 +67,14 @@ class IncludeGraph:
         return self._including.get(path) or self.resolver.read(self.names[path]).data
 
     def _includes(self, path: str) -> frozenset[str]:
-        return self.targets(INCLUDE.findall(without_comments(self._including[path])), path)
+        return self.targets(re.findall(INCLUDE, without_comments(self._including[path])), path)
 
     def disabled(self) -> set[str]:
         """The files of includes in comments."""
         files: set[str] = set()
         for path, data in self._including.items():
             text = b"".join(comment[1] for comment in comments(data))
-            files |= self.targets(_DISABLED.findall(text), path)
+            files |= self.targets(re.findall(_DISABLED, text), path)
         return files
 
     def targets(self, names: Iterable[bytes], path: str) -> frozenset[str]:
@@ -94,7 +94,7 @@ class IncludeGraph:
                 found = path if disk.exists(path) else self.resolver.installed(path)
                 yield disk.real(found or path)
             return
-        yield from self._alike(os.path.basename(_EXPRESSION.sub("*", text)), near)
+        yield from self._alike(os.path.basename(re.sub(_EXPRESSION, "*", text)), near)
 
     def _alike(self, pattern: str, near: str) -> Iterator[str]:
         """The files of a package that a pattern may mean; ``*`` stands for expressions, too."""

@@ -21,13 +21,12 @@ _DEFINITION = (
 )
 
 #: A macro with its name and body.
-_MACRO = re.compile(
-    rb"""<xacro:macro\b[^<>]*?\bname\s*=\s*["'](?:xacro:)?([^"'<>]+)["'][^<>]*>"""
-    rb"""(.*?)</xacro:macro>""",
-    re.DOTALL,
+_MACRO = (
+    rb"""(?s)<xacro:macro\b[^<>]*?\bname\s*=\s*["'](?:xacro:)?([^"'<>]+)["'][^<>]*>"""
+    rb"""(.*?)</xacro:macro>"""
 )
 #: A call with the name of its macro, or one whose macro an expression names.
-_CALL = re.compile(rb"<xacro:(?:[\w-]+\.)?([\w-]+)")
+_CALL = rb"<xacro:(?:[\w-]+\.)?([\w-]+)"
 
 
 def is_switched_off(context: Context, name: str) -> bool:
@@ -60,7 +59,7 @@ def _with_unread(sources: tuple[Source, ...], resolver: Resolver) -> tuple[Sourc
     queue = list(sources)
     while queue:
         source = queue.pop()
-        for name in INCLUDE.findall(without_comments(source.data)):
+        for name in re.findall(INCLUDE, without_comments(source.data)):
             path = _included(name.decode("utf-8", "replace"), source.path, resolver)
             if path and disk.real(path) not in found and (own := resolver.readable(path)):
                 found[disk.real(path)] = own
@@ -90,16 +89,16 @@ def _defined(sources: tuple[Source, ...]) -> frozenset[str]:
 def _in_uncalled_macros(sources: tuple[Source, ...]) -> dict[str, str]:
     """The links and joints that only uncalled macros define, with the macro of each."""
     texts = [blank_comments(source.data) for source in sources]
-    called = {name for text in texts for name in _CALL.findall(text)}
+    called = {name for text in texts for name in re.findall(_CALL, text)}
     if b"call" in called:  # of a macro that an expression names
         return {}
     found: dict[bytes, bytes] = {}
     elsewhere = set[bytes]()
     for text in texts:
-        for macro in _MACRO.finditer(text):
+        for macro in re.finditer(_MACRO, text):
             if macro[1] not in called:
                 found.update(dict.fromkeys(re.findall(_DEFINITION, macro[2]), macro[1]))
-        rest = _MACRO.sub(lambda macro: macro[0] if macro[1] in called else b"", text)
+        rest = re.sub(_MACRO, lambda macro: macro[0] if macro[1] in called else b"", text)
         elsewhere.update(re.findall(_DEFINITION, rest))
     return {
         name.decode("utf-8", "replace"): macro.decode("utf-8", "replace")

@@ -1,6 +1,7 @@
 """Reasons why robots are not checked, with instructions."""
 
 import os
+import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core import disk
@@ -71,7 +72,7 @@ def _unread(xacro: Xacro, resolver: Resolver) -> Iterator[str]:
     """The paths without expressions in include tags that were not evaluated."""
     sources = {source.path: source for source in xacro.sources}
     for path, start in xacro.unread_includes:
-        if match := INCLUDE.match(sources[path].data, start):
+        if match := re.compile(INCLUDE).match(sources[path].data, start):
             name = match.group(1).decode("utf-8", "replace")
             if file := plain_path(name, sources[path], resolver):
                 yield file

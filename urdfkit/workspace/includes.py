@@ -16,8 +16,8 @@ MAX_DEPTH = 10
 
 #: Directories above a file in which a xacro may include it by an argument.
 _MAX_LEVELS = 3
-_DECLARED = re.compile(rb"""<xacro:arg\b[^<>]*?\bname\s*=\s*["']([^"']+)["']""")
-_OF_ARGUMENTS = re.compile(rb"""<xacro:include\b[^<>]*[/"']\$\(arg\s+\w+\s*\)\.urdf["']""")
+_DECLARED = rb"""<xacro:arg\b[^<>]*?\bname\s*=\s*["']([^"']+)["']"""
+_OF_ARGUMENTS = rb"""<xacro:include\b[^<>]*[/"']\$\(arg\s+\w+\s*\)\.urdf["']"""
 
 _SUFFIXES = (".xacro", ".urdf", ".gazebo", ".xml", ".trans")
 
@@ -42,8 +42,8 @@ def is_named_by_arguments(path: str, arguments: set[str], packages: Packages) ->
         directory = os.path.dirname(directory)
         for name in sorted(disk.names_or_empty(directory)):
             text = read_head(os.path.join(directory, name), MAX_BYTES) if _is_xacro(name) else b""
-            declared = {word.decode("utf-8", "replace") for word in _DECLARED.findall(text)}
-            if arguments and arguments <= declared and _OF_ARGUMENTS.search(text):
+            declared = {word.decode("utf-8", "replace") for word in re.findall(_DECLARED, text)}
+            if arguments and arguments <= declared and re.search(_OF_ARGUMENTS, text):
                 return True
     return False
 
@@ -75,10 +75,9 @@ def includers(path: str, packages: Packages) -> list[str] | None:
     package = packages.enclosing(path)
     path = os.path.abspath(path)
     directory = package[1] if package else os.path.dirname(path)
-    own_name = re.escape(os.path.basename(path).encode())
-    pattern = re.compile(
-        rb"""<(?:(?:xacro:)?include|xacro:arg)\b[^<>]*[/"'\s]""" + own_name + rb"""[)"'\s]"""
-    )
+    own_name = os.path.basename(path).encode()
+    before = rb"""<(?:(?:xacro:)?include|xacro:arg)\b[^<>]*[/"'\s]"""
+    pattern = before + re.escape(own_name) + rb"""[)"'\s]"""
     found: list[str] = []
     entries = searched = 0
     for parent, directories, files in disk.walk(directory):
@@ -90,7 +89,8 @@ def includers(path: str, packages: Packages) -> list[str] | None:
         for name in sorted(files):
             if name.lower().endswith(_SUFFIXES) and (file := os.path.join(parent, name)) != path:
                 searched += 1
-                if pattern.search(read_head(file, MAX_BYTES)):
+                text = read_head(file, MAX_BYTES)
+                if own_name in text and re.search(pattern, text):
                     found.append(file)
         if entries > MAX_ENTRIES or searched > MAX_FILES:
             return None

@@ -52,7 +52,7 @@ def build_file(directory: str) -> str:
     """
     names = ["CMakeLists.txt", "setup.py"]
     manifest = read_head(os.path.join(directory, "package.xml"))
-    if re.search(_IS_PYTHON, without_comments(manifest)):
+    if b"ament_python" in manifest and re.search(_IS_PYTHON, without_comments(manifest)):
         names.reverse()
     paths = (os.path.join(directory, name) for name in names)
     return next(filter(disk.is_file, paths), "")

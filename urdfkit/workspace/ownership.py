@@ -15,8 +15,8 @@ READ_ONLY = "the file is read-only"
 
 #: Part of a file that is searched for a notice that it is generated: comments around the root tag.
 _HEAD_BYTES = 4096
-_FIRST_CHILD = re.compile(rb"<(?!robot\b)[A-Za-z]")
-_GENERATED = re.compile(
+_FIRST_CHILD = rb"<(?!robot\b)[A-Za-z]"
+_GENERATED = (
     rb"\bauto-?generated\b|\bautomatically generated\b|\bdo not edit\b"
     rb"|\b(?:file|document|urdf) (?:is|was) generated\b|\bediting this file by hand\b"
 )
@@ -30,9 +30,9 @@ def is_generated(source: Source) -> bool:
     edit it afterwards.
     """
     head = source.data[:_HEAD_BYTES]
-    child = _FIRST_CHILD.search(blank_comments(head))
+    child = re.search(_FIRST_CHILD, blank_comments(head))
     end = child.start() if child else len(head)
-    return any(_GENERATED.search(comment[1].lower()) for comment in comments(head[:end]))
+    return any(re.search(_GENERATED, comment[1].lower()) for comment in comments(head[:end]))
 
 
 class Ownership:

@@ -33,8 +33,8 @@ _NAMES = (
 _GOES_ON = rb" (?!(?:and|as|else|for|if|in|is|not|or)\b)[a-z]"
 _TYPE = rb"\(\s*(?:self,\s*)?(?:[\w.]+\.)?\w+,"
 #: The same, and where a program reads them, or where it makes and publishes them.
-_READS = re.compile(_NAMES + rb"|\b(?:create_subscription|Subscriber|Subscription)" + _TYPE)
-_PUBLISHES = re.compile(_NAMES + rb"|\b(?:create_publisher|Publisher)" + _TYPE + rb"|\b[A-Z]\w*\(")
+_READS = _NAMES + rb"|\b(?:create_subscription|Subscriber|Subscription)" + _TYPE
+_PUBLISHES = _NAMES + rb"|\b(?:create_publisher|Publisher)" + _TYPE + rb"|\b[A-Z]\w*\("
 
 
 def xml_readers(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, str]:
@@ -103,12 +103,12 @@ def _of_package(package: str, near: str, resolver: Resolver) -> tuple[str, ...]:
 
 @lru_cache(maxsize=16)  # the messages of one launch file are asked in turn
 def _may_name(
-    message: str, directories: tuple[str, ...], without: re.Pattern[bytes], resolver: Resolver
+    message: str, directories: tuple[str, ...], without: bytes, resolver: Resolver
 ) -> bool:
     """True if programs below directories name a type of messages; also if not all can be read.
 
     Args:
-        without: parts of a program in Python that do not count.
+        without: a regular expression of parts of a program in Python that do not count.
     """
     files = (path for top in directories for path in resolver.directories.walk(top))
     programs = (path for path in files if path.endswith(_SUFFIXES) and not is_launch(path))
@@ -121,7 +121,7 @@ def _may_name(
         size += max(len(data), 1)
         is_long = len(data) >= MAX_BYTES or size > _MOST_OF_PROGRAMS
         if path.endswith(".py"):
-            data = prose.sub(b"", without.sub(b"", data))
+            data = prose.sub(b"", re.sub(without, b"", data))
         if is_long or named.search(data):
             return True
     return size == 0

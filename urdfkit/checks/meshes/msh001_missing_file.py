@@ -67,15 +67,15 @@ FILES = {
 
 _SCHEMES = ("package", "model", "file")
 #: A scheme without its colon or one of its slashes.
-_CUT_SCHEME = re.compile(r"(package|model)(?::/?|//)(?=[^/:])")
+_CUT_SCHEME = r"(package|model)(?::/?|//)(?=[^/:])"
 #: A drive of Windows, also as a URI.
-_DRIVE = re.compile(r"(?:file:/*)?[A-Za-z]:[\\/]")
+_DRIVE = r"(?:file:/*)?[A-Za-z]:[\\/]"
 #: Number of parent directories to search for relative paths: description/urdf/parts.
 _MAX_LEVELS = 3
 #: Installation directories of ROS packages: `/opt/ros/humble`, `/opt/pal/ferrum`.
 _INSTALLATION = r"/+(opt/[^/]+/[^/]+|usr/(local/)?share/[^/]+)/"
 #: A variable that ``configure_file`` of CMake replaces.
-_VARIABLE = re.compile(r"@[A-Za-z_]\w*@")
+_VARIABLE = r"@[A-Za-z_]\w*@"
 #: Schemes that some programs download, and urdfkit does not.
 _REMOTE = ("http", "https", "ftp", "fuel")
 
@@ -91,9 +91,9 @@ def check(context: Context) -> Findings:
     suggestions = MeshSuggestions(context.files)
     for mesh in context.files.meshes:
         scheme, colon, rest = mesh.at.value.partition("://")
-        if "\\" in mesh.at.value or (_DRIVE.match(mesh.at.value) and id(mesh) in missing):
+        if "\\" in mesh.at.value or (id(mesh) in missing and re.match(_DRIVE, mesh.at.value)):
             yield _of_windows(context, mesh, suggestions)
-        elif (match := _CUT_SCHEME.match(mesh.at.value)) and id(mesh) in missing:
+        elif id(mesh) in missing and (match := re.match(_CUT_SCHEME, mesh.at.value)):
             yield _cut_scheme(mesh, match)
         elif colon and scheme not in _SCHEMES and scheme.lower() not in _REMOTE:
             yield _unknown_scheme(mesh, scheme, rest)
@@ -116,7 +116,7 @@ def check(context: Context) -> Findings:
 def _of_windows(context: Context, mesh: MeshReference, suggestions: MeshSuggestions) -> Finding:
     """Finding about a path with backslashes, or on a drive."""
     path = mesh.at.value.replace("\\", "/")
-    drive = _DRIVE.match(path)
+    drive = re.match(_DRIVE, path)
     located = context.resolver.locate(path[drive.end() - 1 :] if drive else path, context.files.top)
     what = "is on a drive of Windows" if drive else "has backslashes"
     message = f"{mesh.who} {what}: not found on Linux"
@@ -198,7 +198,7 @@ def _of_submodule(context: Context, mesh: MeshReference) -> Finding | None:
 
 def _of_cmake(mesh: MeshReference) -> Finding | None:
     """Finding about a path with a variable that CMake replaces; else None."""
-    match = _VARIABLE.search(mesh.at.value)
+    match = re.search(_VARIABLE, mesh.at.value)
     if match is None:
         return None
     message = f"{mesh.who} has {match[0]}, which CMake replaces: not checked"

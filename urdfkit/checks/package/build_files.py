@@ -17,7 +17,7 @@ from urdfkit.workspace.package_references import have_references
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: The call that generates messages, services and actions.
-INTERFACES = re.compile(rb"\brosidl_generate_interfaces\s*\(\s*[^\s()]+\s+([^()]*)\)")
+INTERFACES = rb"\brosidl_generate_interfaces\s*\(\s*[^\s()]+\s+([^()]*)\)"
 #: Where each build file gives the name, as far as it is written out.
 _NAMES = {
     # No part of a name, such as that in front of a variable.
@@ -59,7 +59,7 @@ def packages_with_interfaces(context: Context) -> Iterator[str]:
     known = context.resolver.packages.known(context.source.path) if names else {}
     for directory in filter(None, map(known.get, names)):
         build = package_file(directory, "CMakeLists.txt")
-        if build and INTERFACES.search(build.data) and not _is_ignored(directory):
+        if build and re.search(INTERFACES, build.data) and not _is_ignored(directory):
             yield directory
 
 

@@ -14,12 +14,12 @@ from urdfkit.workspace.cmake import blank_cmake_comments
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.resolve import Resolver
 
-_CALL = re.compile(rb"\brclcpp_components_register_nodes?\s*\(([^()]*)\)")
+_CALL = rb"\brclcpp_components_register_nodes?\s*\(([^()]*)\)"
 #: A class that is written out, without a variable of CMake.
-_CLASS = re.compile(rb"(?<![\w${}:])[A-Za-z_]\w*(?:::\w+)+(?![\w${}:])")
+_CLASS = rb"(?<![\w${}:])[A-Za-z_]\w*(?:::\w+)+(?![\w${}:])"
 _MACRO = rb"RCLCPP_COMPONENTS_REGISTER_NODE"
-_REGISTERED = re.compile(rb"\b" + _MACRO + rb"\s*\(\s*([\w:]+)\s*\)")
-_COMMENTS = re.compile(rb"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
+_REGISTERED = rb"\b" + _MACRO + rb"\s*\(\s*([\w:]+)\s*\)"
+_COMMENTS = rb"(?s)//[^\n]*|/\*.*?(?:\*/|\Z)"
 _MAX_BYTES = 1_000_000  # of a source
 _SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 
@@ -27,14 +27,16 @@ _SUFFIXES = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 def unregistered_components(directory: str, resolver: Resolver) -> Findings:
     """Classes of CMakeLists.txt that no source registers, so that no container loads them."""
     build = package_file(directory, "CMakeLists.txt")
-    calls = list(_CALL.finditer(blank_cmake_comments(build.data))) if build else []
+    if build is None or b"rclcpp_components" not in build.data:
+        return
+    calls = list(re.finditer(_CALL, blank_cmake_comments(build.data)))
     registered = _registered(directory, resolver) if calls else set()
     for call in calls:
-        for match in _CLASS.finditer(call[1]) if registered else ():
+        for match in re.finditer(_CLASS, call[1]) if registered else ():
             name = match[0].decode()
             others = [other for other in registered if _last(other) == _last(name)]
             meant = others[0] if others else nearest(name, registered, TYPO)
-            if build and name not in registered and meant:
+            if name not in registered and meant:
                 start = call.start(1) + match.start()
                 yield Finding(
                     Span(build, start, start + len(match[0])),
@@ -55,7 +57,7 @@ def _registered(directory: str, resolver: Resolver) -> set[str]:
         data = read_head(path, _MAX_BYTES)
         if len(data) == _MAX_BYTES or (_MACRO in data and _defines_macro(data)):
             return set()
-        names |= {name.decode() for name in _REGISTERED.findall(_COMMENTS.sub(b" ", data))}
+        names |= {name.decode() for name in re.findall(_REGISTERED, re.sub(_COMMENTS, b" ", data))}
     return names
 
 

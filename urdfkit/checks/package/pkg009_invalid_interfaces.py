@@ -53,9 +53,9 @@ ament_package()
     "meshes/base.stl": PLATE,
 }
 
-_FOUND = re.compile(rb"\bfind_package\s*\(\s*([\w-]+)")
+_FOUND = rb"\bfind_package\s*\(\s*([\w-]+)"
 #: What finds packages in another way, or creates files.
-_OTHER = re.compile(rb"\b(ament_auto_\w+|configure_file|file|foreach|include|macro)\s*\(")
+_OTHER = rb"\b(ament_auto_\w+|configure_file|file|foreach|include|macro)\s*\("
 _KEYWORDS = (
     "ADD_LINTER_TESTS", "DEPENDENCIES", "LIBRARY_NAME", "SKIP_GROUP_MEMBERSHIP_CHECK",
     "SKIP_INSTALL",
@@ -63,7 +63,7 @@ _KEYWORDS = (
 _SUFFIXES = (".action", ".idl", ".msg", ".srv")
 _GROUP = "rosidl_interface_packages"
 #: Packages that bring no messages along, or only those of time and of actions.
-_WITHOUT_OTHERS = re.compile(r"ament_\w+|rosidl_\w+|builtin_interfaces|std_msgs|action_msgs")
+_WITHOUT_OTHERS = r"ament_\w+|rosidl_\w+|builtin_interfaces|std_msgs|action_msgs"
 _BROUGHT = ("action_msgs", "builtin_interfaces", "service_msgs", "unique_identifier_msgs")
 
 
@@ -77,22 +77,22 @@ def check(context: Context) -> Findings:
 def _not_generated(directory: str) -> Findings:
     """What stops the build of a package with interfaces."""
     build, manifest = (package_file(directory, file) for file in ("CMakeLists.txt", "package.xml"))
-    if build is None or manifest is None:
+    if build is None or manifest is None or b"rosidl_" not in build.data:
         return
     text = blank_cmake_comments(build.data)
-    call = INTERFACES.search(text)
+    call = re.search(INTERFACES, text)
     if call is None:
         return
     words = list(_words(call, build))
     names = [word for word, _ in words]
     if "SKIP_INSTALL" not in names and "SKIP_GROUP_MEMBERSHIP_CHECK" not in names:
         yield from _not_in_group(manifest, Span(build, call.start(), call.start(1)))
-    if _OTHER.search(text) or any("$" in name for name in names):
+    if re.search(_OTHER, text) or any("$" in name for name in names):
         return
     yield from _missing_files(directory, words)
     if "DEPENDENCIES" in names:
         listed = words[names.index("DEPENDENCIES") + 1 :]
-        found = {match[1].decode() for match in _FOUND.finditer(text)}
+        found = {match[1].decode() for match in re.finditer(_FOUND, text)}
         yield from _not_found(listed, found)
 
 
@@ -110,7 +110,7 @@ def _missing_files(directory: str, words: list[tuple[str, Span]]) -> Findings:
 
 def _not_found(listed: list[tuple[str, Span]], found: set[str]) -> Findings:
     """Packages on which the interfaces depend, and which CMakeLists.txt does not find."""
-    are_known = all(map(_WITHOUT_OTHERS.fullmatch, found))
+    are_known = all(re.fullmatch(_WITHOUT_OTHERS, name) for name in found)
     for name, span in _until_keyword(listed) if are_known else ():
         if name not in found and name not in _BROUGHT:
             message = f"CMakeLists.txt does not find {name}, on which the interfaces depend"

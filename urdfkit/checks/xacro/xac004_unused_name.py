@@ -34,10 +34,10 @@ FIXED = BAD.replace('  <xacro:property name="width" value="0.3"/>\n', "")
 _COMMON_NUMBERS = (-1.0, 0.0, 1.0)
 #: Most names that nothing defines that are compared with each unused one.
 _MAX_UNDEFINED = 100
-_COLOUR = re.compile(rb"""\brgba\s*=\s*(["'])[^"']*\1""")
+_COLOUR = rb"""\brgba\s*=\s*(["'])[^"']*\1"""
 #: A use without the dollar, which XAC003 reports.
-_WITHOUT_DOLLAR = re.compile(rb"(?<![$\w}])\{([A-Za-z_]\w*)\}")
-_NUMBER = re.compile(rb"(?<![\w.])[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
+_WITHOUT_DOLLAR = rb"(?<![$\w}])\{([A-Za-z_]\w*)\}"
+_NUMBER = rb"(?<![\w.])[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 
 
 @rule(Severity.WARNING, needs=(Need.XACRO, Need.MODEL, Need.FILES), help="delete it, or use it")
@@ -112,7 +112,7 @@ def _macros(context: Context) -> Findings:
 def _is_written_out(definition: Definition, written: set[float]) -> bool:
     """True for a number that is written elsewhere instead of the property."""
     value = definition.attributes.get("value", "").strip().encode()
-    return _NUMBER.fullmatch(value) is not None and float(value) in written
+    return re.fullmatch(_NUMBER, value) is not None and float(value) in written
 
 
 def _undefined(xacro: Xacro) -> frozenset[str]:
@@ -137,5 +137,5 @@ def _numbers_written(context: Context) -> set[float]:
         if span.source is context.source:
             data[span.start : span.end] = b" " * (span.end - span.start)
     body = data.find(b"?>") + 1  # excludes the XML version
-    text = _COLOUR.sub(b"", bytes(data[body:]))
-    return {float(number) for number in _NUMBER.findall(text)}.difference(_COMMON_NUMBERS)
+    text = re.sub(_COLOUR, b"", bytes(data[body:]))
+    return {float(number) for number in re.findall(_NUMBER, text)}.difference(_COMMON_NUMBERS)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Collection, Iterable
 from enum import Enum
 from math import dist
@@ -141,7 +140,7 @@ def _is_of_unknown_size(link: LinkInertia) -> bool:
 
 
 #: Names of links that are filled with gas.
-_BALLOON = re.compile(r"(?i)balloon|blimp|airship")
+_BALLOONS = ("balloon", "blimp", "airship")
 
 
 def implausible_density(link: LinkInertia) -> float | None:
@@ -152,7 +151,7 @@ def implausible_density(link: LinkInertia) -> float | None:
 
 def density_outside(link: LinkInertia) -> float | None:
     """The density in kg/m³ if it is implausible; the bound nearer to a plausible one."""
-    if link.densities is None or _BALLOON.search(link.link.name):
+    if link.densities is None or any(word in link.name.lower() for word in _BALLOONS):
         return None
     low, high = link.densities
     if low > MAX_PART_DENSITY * DENSITY_TOLERANCE:

@@ -8,10 +8,10 @@ from urdfkit.text.document import Element
 #: A decimal or hexadecimal number, as C's ``strtod`` accepts.
 _FLOAT = r"\s*([-+]?(?:0x[\da-f]+|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|inf(?:inity)?|nan))"
 _INTEGER = r"\s*([-+]?(?:0x[\da-f]+|\d+))"
+_PLACEHOLDER = r"__\w+__|@\w+@|\{\{[^{}]*\}\}"
 
 #: SDF's own units, which can be ignored.
 _UNITS = ("hz", "m", "s", "rad", "kg", "n", "nm", "n/m", "m/s", "rad/s", "px", "pixel", "pixels")
-
 
 _TRUE = ("true", "yes", "1")
 
@@ -68,4 +68,4 @@ def corrected(text: str) -> str:
 
 def is_placeholder(text: str) -> bool:
     """True for ``__name__``, ``@NAME@`` and ``{{ name }}``, which a program replaces."""
-    return re.fullmatch(r"__\w+__|@\w+@|\{\{[^{}]*\}\}", text) is not None
+    return text[:1] in ("_", "@", "{") and bool(re.fullmatch(_PLACEHOLDER, text))

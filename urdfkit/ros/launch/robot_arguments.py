@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from urdfkit.ros.launch.contents import FileUse, Launch
 
 #: A launch file that loads YAML, or includes one that does, contains one of these words.
-_LOADING = re.compile(rb"(?i)yaml|yml|include|moveit")
+_LOADING = (b"yaml", b"yml", b"include", b"moveit")
 #: In a configuration of MoveIt Pro, the package whose configuration it extends.
 _BASE = rb"(?m)^based_on_package:\s*['\"]?([\w-]+)"
 
@@ -222,7 +222,7 @@ def _started(
     return tuple(
         robot
         for source in launch_files(directory, mentioned, resolver)
-        if not only_parameters or _LOADING.search(source.data)
+        if not only_parameters or any(word in source.data.lower() for word in _LOADING)
         for choice in _choices(source)
         for robot in started_robots(read_launch(source, resolver, choice), source.path)
     )
