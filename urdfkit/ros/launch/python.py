@@ -166,6 +166,7 @@ class _PythonReader(PythonLaunchFile):
             if call not in self._idle:
                 problems += wrong_arguments(call, self.values)
         problems += wrong_expressions(self._expressions, self.values)
+        used = self.calls
         if self._is_complete:
             problems += not_started(self._idle - self._overwritten, self.values)
             idle = {node for call in self._idle for node in ast.walk(call)}
@@ -175,7 +176,7 @@ class _PythonReader(PythonLaunchFile):
             problems += wrong_names(self.tree, self.values)
         problems += wrong_calls(self.tree, self.calls, self.values)
         problems += declared_late(self.calls, self.values)
-        problems += wrong_handlers(self.calls, self.values)
+        problems += wrong_handlers(used, self.values)
 
     def _declare(self, call: ast.Call) -> None:
         name = self.values.text(argument(call, 0, "name"))
