@@ -168,3 +168,23 @@ def test_the_same_place_as_the_other_side_with_its_rotation() -> None:
         other = PART.format(side="rear_right", xyz=xyz, rpy="3.14 0 0")
         text = f'<link name="base"/>{front}{rear}{other}'
         assert sum("same place" in one for one in messages("JNT025", text)) == count
+
+
+@pytest.mark.parametrize(
+    ("right", "count"),
+    [
+        ("0.05 -0.01 0", 0),
+        ("0.05 -0.02 0", 1),
+        ("-0.05 0.01 0", 0),  # to both sides of another plane of the palm
+    ],
+)
+def test_fingers_on_a_palm_that_is_turned(right: str, count: int) -> None:
+    """The gripper of a youBot: when all joints of its arm are zero, the palm looks aside."""
+    palm = '<parent link="base"/><child link="palm"/>'
+    text = legs(HIP, KNEE, ARM) + '<link name="palm"/>'
+    text += f'<joint name="wrist" type="fixed"><origin rpy="0.3 0.2 2.9"/>{palm}</joint>'
+    for side, xyz in (("left", "0.05 0.01 0"), ("right", right)):
+        inside = f'<origin xyz="{xyz}"/><parent link="palm"/><child link="{side}_finger"/>'
+        text += f'<link name="{side}_finger"/><joint name="{side}_finger" type="continuous">'
+        text += f"{inside}</joint>"
+    assert len(messages("JNT025", text)) == count

@@ -260,7 +260,9 @@ def _asymmetric(
     for pair in counterparts:
         is_shared = pair.left.parent_name == pair.right.parent_name
         above = 0.0 if is_shared else known.get(pair.right.parent_name, 0.0)
-        if pair.distance > _ASYMMETRY >= above and pair.right.child_name not in compensated:
+        is_alone = pair.distance > _ASYMMETRY >= above
+        is_alone = is_alone and pair.right.child_name not in compensated
+        if is_alone and not _are_sides_of_one_link(pair):
             asymmetric.append(pair)
     if single := _with_another_number(movable) if counterparts == movable else None:
         return [single]
@@ -280,6 +282,22 @@ def _asymmetric(
         or (exact and _has_copied_offset(pair, context, joints))
         or (is_single and exact > _SYMMETRIC_PAIRS and _has_copied_origin(pair, context))
     ]
+
+
+def _are_sides_of_one_link(pair: _Pair) -> bool:
+    """True for counterparts to both sides of a link, whose sides may not be those of the robot.
+
+    Such as the fingers of an arm that looks aside when all of its joints are zero.
+    """
+    place, other = _places(pair.left, pair.right)
+    opposite = [
+        axis
+        for axis, (a, b) in enumerate(zip(place, other, strict=True))
+        if abs(a + b) <= TOLERANCE < abs(a)
+    ]
+    mirrored = vector(-part if axis in opposite else part for axis, part in enumerate(place))
+    is_shared = pair.left.parent_name == pair.right.parent_name
+    return is_shared and len(opposite) == 1 and is_equal(mirrored, other)
 
 
 def _with_another_number(movable: list[_Pair]) -> _Pair | None:
