@@ -60,6 +60,14 @@ def test_lost_remappings(rule: str, topic: str) -> None:
     assert [lost.topic for lost in lost_remappings(use)] == [topic] * bool(topic)
 
 
+@pytest.mark.parametrize(("encoding", "count"), [("compressed", 0), ("zipped", 1)])
+def test_an_image_in_another_encoding(encoding: str, count: int) -> None:
+    """Reachy: image_transport publishes it as a topic of its own, which is remapped by itself."""
+    rule = f"<ros><remapping>s/image_raw/{encoding}:=image/{encoding}</remapping></ros>"
+    (use,) = context(sensor("camera", CAMERA.format(rule))).plugins
+    assert len(list(lost_remappings(use))) == count
+
+
 @pytest.mark.parametrize(
     ("old", "topic"),
     [

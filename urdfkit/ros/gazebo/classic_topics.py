@@ -17,6 +17,8 @@ from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 _CAMERA = "camera_name"
 _OTHER_CAMERAS = ("multicamera", "wideanglecamera")
 _TRUE = ("true", "1")
+#: Encodings of image_transport: ``image_raw/compressed``.
+_TRANSPORTS = ("compressed", "compressedDepth", "ffmpeg", "theora", "zstd")
 #: Topics that any node may have.
 _OF_ALL = ("tf", "tf_static", "clock", "diagnostics", "rosout", "parameter_events")
 
@@ -77,9 +79,15 @@ def lost_remappings(use: PluginUse) -> Iterator[LostRemapping]:
         old, _, new = (part.strip() for part in item.text.partition(":="))
         is_open = new in ("", old) or any(mark in item.text for mark in "${")
         is_open = is_open or old.strip("/") in _OF_ALL
-        resolved = {_resolved(old, space, use), _resolved(new, space, use)}
+        resolved = {_resolved(_base(name), space, use) for name in (old, new)}
         if not is_open and resolved.isdisjoint(names):
             yield LostRemapping(item, _likely(old, written), new)
+
+
+def _base(topic: str) -> str:
+    """The topic of an image, which image_transport also publishes in other encodings below it."""
+    base, _, last = topic.rpartition("/")
+    return base if last in _TRANSPORTS else topic
 
 
 #: Words of topics whose messages are of another kind than those of an image.
