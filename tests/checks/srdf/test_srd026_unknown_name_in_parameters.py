@@ -257,6 +257,7 @@ def test_a_planning_group_of_another_robot_in_rviz(tmp_path: Path, group: str, c
     assert [one.message for one in found] == [naming("RViz", "unknown", "panda_arm")] * count
 
 
-def test_limits_with_a_substitution(tmp_path: Path) -> None:
-    """ycheng517/ar4_ros_driver: a parameter file whose names launch substitutes."""
-    assert reported(tmp_path, "$(var tf_prefix)shoulder") == []
+@pytest.mark.parametrize("prefix", ["$(var tf_prefix)", "<prefix>"])
+def test_limits_with_a_substitution(tmp_path: Path, prefix: str) -> None:
+    """ar4_ros_driver, iRC_ROS: names that launch, or ReplaceString of Nav2, substitutes."""
+    assert reported(tmp_path, f"{prefix}shoulder") == []

@@ -15,6 +15,9 @@ from urdfkit.text.located_yaml import Value, items, mapping
 
 _FILE = "joint_limits.yaml"
 _ON = ("true", "yes", "on", "1")
+#: In a name that a launch file replaces: ``$(var tf_prefix)joint_1``, or ``<prefix>joint_1``, which
+#: is for ``ReplaceString`` of Nav2.
+_REPLACED = ("$(", "<")
 
 
 class PlannedLimit(Record):
@@ -45,8 +48,8 @@ def planned_limits(description: RosDescription) -> Iterator[PlannedLimit]:
         return
     root = description.moveit_config.parameter(_FILE, "robot_description_planning")
     entries = list(items(root, "joint_limits"))
-    if any("$(" in name for name, _ in entries):
-        return  # launch substitutes the prefix: $(var tf_prefix)joint_1
+    if any(mark in name for name, _ in entries for mark in _REPLACED):
+        return
     for name, entry in entries:
         given = {key: value for key, value in mapping(entry).items() if isinstance(value, Value)}
         if given:
