@@ -159,6 +159,22 @@ def test_settings_in_the_list_of_sensors(
     ] * count
 
 
+@pytest.mark.parametrize(("mentioned", "count"), [("arm", 1), ("hand", 0)])
+def test_a_launch_file_of_another_package_loads_other_sensors(
+    tmp_path: Path, mentioned: str, count: int
+) -> None:
+    """A workspace with several robots: that of Techman loads no sensors."""
+    manifest = "<package><name>{}</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    for name in ("arm", "hand"):
+        (tmp_path / "src" / name).mkdir(parents=True)
+        (tmp_path / "src" / name / "package.xml").write_text(manifest.format(name))
+    launch = f'load_yaml("{mentioned}", "config/sensors_3d.yaml")'
+    (tmp_path / "src" / "hand" / "demo.launch.py").write_text(launch)
+    text = "sensors:\n  - sensor_plugin: occupancy_map_monitor/PointCloudOctomapUpdater\n"
+    found = findings_in(tmp_path / "src" / "arm", "sensors_3d.yaml", text, "SRD027")
+    assert len(found) == count
+
+
 KDL = "g: {{kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin{}}}\n"
 
 

@@ -22,8 +22,10 @@ Sources:
 
 from __future__ import annotations
 
+import os
 import re
 
+from urdfkit.core.paths import is_within
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.samples import SHOULDER
@@ -128,10 +130,12 @@ def _loads_sensors(context: Context, srdf: Srdf) -> bool:
     package = resolver.packages.enclosing(srdf.path)
     if manifest is None or manifest.ros != 2 or package is None:
         return False
+    name, directory = package
     workspace = resolver.packages.workspace(srdf.path)
-    return any(launch_files(workspace, _SENSORS.partition(".")[0], resolver)) or any(
-        package[0].encode() in launch.data
-        for launch in launch_files(workspace, "MoveItConfigsBuilder", resolver)
+    return any(
+        name.encode() in launch.data or is_within(os.path.abspath(launch.path), directory)
+        for mentioned in (_SENSORS.partition(".")[0], "MoveItConfigsBuilder")
+        for launch in launch_files(workspace, mentioned, resolver)
     )
 
 
