@@ -17,6 +17,15 @@ def test_a_state_without_group_is_for_pinocchio(tmp_path: Path) -> None:
     assert finding.severity is Severity.WARNING
 
 
+def test_a_robot_without_a_name(tmp_path: Path) -> None:
+    """melfa_ros2_driver: srdfdom logs an error, and goes on with the groups."""
+    findings(tmp_path, "", "SRD017")
+    (tmp_path / "r.srdf").write_text("<robot/>")
+    (finding,) = check(tmp_path / "r.urdf", select=["SRD017"]).diagnostics
+    assert finding.message == naming("<robot>", "name", "MoveIt", "reads")
+    assert finding.severity is Severity.WARNING
+
+
 @pytest.mark.parametrize(("groups", "severity"), [("", "warning"), ('<group name="g"/>', "error")])
 def test_states_of_a_file_without_groups_are_for_pinocchio(
     tmp_path: Path, groups: str, severity: str

@@ -7,7 +7,8 @@
   programs may add their own elements.
 - An element without a required attribute, or with text instead of a number, is logged and ignored:
   the group has no chain, the state does not set the joint. A state without a group is a warning:
-  Pinocchio, which sets all joints of the robot, reads it.
+  Pinocchio, which sets all joints of the robot, reads it; so is a robot without a name, whose
+  elements srdfdom reads.
 - A virtual joint connects the root of the robot to a frame of the world, and is `fixed`, `planar`
   or `floating`. If its type or link is invalid, MoveIt prints a warning and treats the root as
   fixed: planning works, but the robot cannot be placed or driven (warning).
@@ -83,7 +84,9 @@ def _misspelt(srdf: Srdf) -> Findings:
 
 def _incomplete(srdf: Srdf) -> Findings:
     for element, name in missing_attributes(srdf.root):
-        if element.tag == "group_state" and name == "group":
+        if element.tag == "robot":
+            reader, severity = "MoveIt logs an error, and reads the rest", Severity.WARNING
+        elif element.tag == "group_state" and name == "group":
             reader, severity = "MoveIt ignores it", Severity.WARNING
         else:
             reader, severity = "ignored", Severity.ERROR
