@@ -290,3 +290,17 @@ def test_parameters_in_a_file_that_nothing_loads(
     assert [one.message for one in found] == [naming("arm_controller")] * count
     assert all(one.help == naming("--param-file", "own.yaml") for one in found)
     assert all(one.span.text == "'arm_controller'" for one in found)
+
+
+@pytest.mark.parametrize("value", ["true", "false"])
+def test_controllers_of_a_group_that_is_off(tmp_path: Path, value: str) -> None:
+    """Niryo: the group for Gazebo loads the controllers of another package, and starts them."""
+    files = {
+        "config/c.yaml": ROS_1["config/c.yaml"],
+        "../sim/package.xml": "<package><name>sim</name></package>",
+        "../sim/c.yaml": "grip_controller:\n  type: effort_controllers/X\n",
+    }
+    load = '<rosparam file="$(find sim)/c.yaml"/>'
+    group = f'<group if="$(arg sim)">{load}{SPAWN_1.format("spawner", "grip_controller")}</group>'
+    text = f'<arg name="sim" default="{value}"/>{LOAD_1}{group}'
+    assert reported(tmp_path / "src" / "arm", "LAU013", "a.launch", text, files) == []

@@ -181,6 +181,8 @@ class _XmlReader(XmlLaunchFile):
             attribute = element.attributes.get("file")
             if attribute and (path := self.path(attribute)):
                 self.collector.file(path, attribute.span, INCLUDED)
+        elif element.tag == "rosparam":
+            self._mentions(element)  # its file may define what a node next to it starts
         elif element.tag == "group" and self._level < MAX_LEVELS:
             self._level += 1
             for child in element.children:
