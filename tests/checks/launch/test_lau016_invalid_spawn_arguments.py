@@ -127,3 +127,13 @@ def test_a_file_that_git_ignores(tmp_path: Path, ignored: str, count: int) -> No
     words = "-file $(find arm)/urdf/arm.urdf -urdf -model arm"
     text = f'<node pkg="gazebo_ros" type="spawn_model" name="s" args="{words}"/>'
     assert len(reported(tmp_path / "arm", "LAU016", "a.launch", text)) == count
+
+
+@pytest.mark.parametrize(("default", "count"), [("''", 0), ("'m'", 1)])
+def test_a_directory_that_the_caller_names(tmp_path: Path, default: str, count: int) -> None:
+    """Dave: a launch file for any model, which another one includes with the name of one."""
+    text = "from launch.substitutions import LaunchConfiguration, PathJoinSubstitution\n"
+    text += f"DeclareLaunchArgument('model', default_value={default})\n"
+    model = "PathJoinSubstitution(['/models', LaunchConfiguration('model'), 'model.sdf'])"
+    text += CREATE.format(f"'-name', 'r', '-file', {model}")
+    assert len(reported(tmp_path, "LAU016", "a.launch.py", text)) == count

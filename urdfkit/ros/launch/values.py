@@ -11,6 +11,7 @@ from urdfkit.ros.launch.calls import argument, called, parts_of_path
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
 from urdfkit.ros.launch.computed import computed
 from urdfkit.ros.launch.contents import LaunchedFile, Word
+from urdfkit.ros.launch.joined_texts import joined, joined_path
 from urdfkit.ros.launch.scopes import scopes
 from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem, Severity
@@ -18,9 +19,8 @@ from urdfkit.text.source import Span
 
 #: Greatest depth of nested expressions that are evaluated.
 MAX_DEPTH = 40
-#: Most expressions that are evaluated for one text, and its greatest length: lists of lists double
-#: both at each level.
-_MAX_STEPS, _MAX_LENGTH = 10_000, 100_000
+#: Most expressions that are evaluated for one text: lists of lists double them at each level.
+_MAX_STEPS = 10_000
 
 #: Greatest number that is computed with.
 _MAX_NUMBER = 1e15
@@ -113,13 +113,13 @@ class Values:
                 return os.path.abspath(self.source.path)
             return self.text(self._scopes.value(node), depth + 1)
         if isinstance(node, (ast.List, ast.Tuple)):
-            return self._of_parts(_joined, node.elts, depth)
+            return self._of_parts(joined, node.elts, depth)
         if isinstance(node, ast.BinOp):
             return self._of_operation(node, depth)
         if (value := self._number(node, depth)) is not None:
             return str(value)
         if isinstance(node, ast.JoinedStr):
-            return _joined(self.text(part, depth + 1) for part in node.values)
+            return joined(self.text(part, depth + 1) for part in node.values)
         if isinstance(node, ast.FormattedValue):
             return self.text(node.value, depth + 1)
         return self._of_expression(node, depth)
@@ -131,7 +131,7 @@ class Values:
             return None if value is None else str(value)
         if self._number(node.left, depth + 1) is not None:
             return None  # a number that cannot be computed
-        join = _path if isinstance(node.op, ast.Div) else _joined
+        join = joined_path if isinstance(node.op, ast.Div) else joined
         return join(self.text(n, depth + 1) for n in (node.left, node.right))
 
     def _of_parts(
@@ -313,7 +313,7 @@ class Values:
         if name in PACKAGE_DIRECTORY:
             return self._package_directory(call, depth)
         if parts := parts_of_path(call):
-            return self._of_parts(_path, parts, depth)
+            return self._of_parts(joined_path, parts, depth)
         if name == "LaunchConfiguration":
             return self._of_configuration(call, depth)
         if name == "ThisLaunchFileDir":
@@ -429,25 +429,6 @@ def _bounded(number: float) -> float | None:
     return number if abs(number) < _MAX_NUMBER else None
 
 
-def _joined(parts: Iterable[str | None]) -> str | None:
-    """Concatenated texts; None if one of them is unknown, or if the result is too long."""
-    texts = _all_known(parts)
-    text = None if texts is None else "".join(texts)
-    return None if text is None or len(text) > _MAX_LENGTH else text
-
-
-def _path(parts: Iterable[str | None]) -> str | None:
-    """Joined path; an absolute part drops the parts before it."""
-    texts = _all_known(parts)
-    return None if texts is None else os.path.join("", *texts)
-
-
 def _directory(path: str | None) -> str | None:
     """The directory of a path; None for a relative one, which is not that of the file."""
     return os.path.dirname(path) if path and os.path.isabs(path) else None
-
-
-def _all_known(parts: Iterable[str | None]) -> list[str] | None:
-    texts = list(parts)
-    known = [text for text in texts if text is not None]
-    return known if len(known) == len(texts) else None
