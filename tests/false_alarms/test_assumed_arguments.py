@@ -93,3 +93,17 @@ def test_the_argument_of_one_of_several_robots(tmp_path: Path, passed: str, seve
     add_file(tmp_path / "launch" / "a.launch.py", program.encode())
     (found,) = unknown_joints(tmp_path)
     assert found.severity.value == severity
+
+
+@pytest.mark.parametrize(("tools", "count"), [(("cup",), 1), (("cup", "hand"), 0)])
+def test_another_value_of_a_switch_with_assumed_arguments(
+    tmp_path: Path, tools: tuple[str, ...], count: int
+) -> None:
+    """IFRA: nobody may start this robot with the controllers of that gripper."""
+    arm(tmp_path, "hand", *tools)
+    robot = (tmp_path / "arm.xacro").read_text()
+    switch = '<xacro:arg name="sim" default="false"/><xacro:if value="$(arg sim)">{}</xacro:if>'
+    (tmp_path / "arm.xacro").write_text(
+        robot.replace(INCLUDE, f'<gazebo reference="$(arg tool)"/>{switch.format(INCLUDE)}')
+    )
+    assert [one.variants for one in unknown_joints(tmp_path)] == [("sim=true",)] * count

@@ -114,17 +114,19 @@ def check_sets(sets: Iterable[tuple[Job, Context]], options: Options) -> list[Ch
 def _with_switched(started: list[Checked], switched: list[Checked]) -> Iterator[Checked]:
     """The results of one robot with another value of an argument, about what this adds to it.
 
-    Its errors are warnings, since nobody may want this robot, and its infos are left out.
+    Its errors are warnings, since nobody may want this robot, and its infos are left out. So is
+    what depends on arguments, if others of them are assumed, or have to change with this one.
     """
     known = {_identity(one) for _, result in started for one in result.diagnostics}
     for job, result in switched:
+        is_unsure = job.needs_others or bool(job.assumed)
         new = [
             one._replace(severity=Severity.WARNING, variants=(job.switched,))
             for one in result.diagnostics
             if one.severity is not Severity.INFO
             and _identity(one) not in known
             and not _is_present(one.span, job)
-            and not (job.needs_others and rule_index.get(one.code).depends_on_arguments)
+            and not (is_unsure and rule_index.get(one.code).depends_on_arguments)
         ]
         # The job is sent to another process.
         yield job._replace(present={}), result._replace(diagnostics=tuple(new))
