@@ -145,6 +145,22 @@ def test_unknown_type(kind: str, hint: list[str]) -> None:
     assert places("RCT017", text) == [(NEXT, kind)]
 
 
+@pytest.mark.parametrize(
+    ("kind", "hardware", "severity"),
+    [
+        ("own/Driver", "own/Driver", Severity.WARNING),
+        ("own/Driver", MOCK, Severity.ERROR),
+        ("sensors", "own/Driver", Severity.ERROR),
+    ],
+)
+def test_a_type_for_which_nothing_is_loaded(kind: str, hardware: str, severity: Severity) -> None:
+    """A robot with a battery, whose driver is named in another block and exports its state."""
+    battery = f'<ros2_control name="battery" type="{kind}"/>'
+    text = ROBOT + control(driven("swing"), plugin=hardware) + battery
+    assert [one.severity for one in reported("RCT017", text)] == [severity]
+    assert reported("RCT005", text) == []
+
+
 def test_no_type() -> None:
     text = ROBOT + control(driven("swing")).replace(' type="system"', "")
     assert messages("RCT017", text) == ["<ros2_control> 'c' has no type"]

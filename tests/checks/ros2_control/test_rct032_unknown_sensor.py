@@ -69,8 +69,20 @@ def test_missing_sensor(tmp_path: Path, kind: str) -> None:
     (found,) = reported_broadcaster(tmp_path, controller("b", kind, sensor_name="imuu"))
     assert found.message == naming("b", "imuu", "<ros2_control>", "imu")
     assert (found.span.line, found.span.text) == (4, "imuu")
-    # A driver may export what the description does not name, as that of a robot with sonars.
     assert (found.severity, found.confidence) == (Severity.WARNING, Confidence.INFERRED)
+
+
+@pytest.mark.parametrize(
+    ("hardware", "sensor", "count"),
+    [(MOCK, "sonar", 1), ("own/Hardware", "sonar", 0), ("own/Hardware", "imuu", 1)],
+)
+def test_a_driver_that_exports_what_its_block_does_not_name(
+    tmp_path: Path, hardware: str, sensor: str, count: int
+) -> None:
+    """A robot of a hobbyist with sonars, whose driver finds them itself."""
+    blocks = control(driven("swing"), SENSOR, plugin=hardware)
+    text = controller("b", IMU_BROADCASTER, sensor_name=sensor)
+    assert len(reported_broadcaster(tmp_path, text, blocks)) == count
 
 
 def test_an_interface_of_a_missing_sensor(tmp_path: Path) -> None:

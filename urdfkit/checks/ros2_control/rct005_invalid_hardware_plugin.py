@@ -1,8 +1,9 @@
 """A `<ros2_control>` block has no hardware plugin, or one that cannot be loaded.
 
-- Without a plugin the parser throws an exception and the controller manager does not start. Name
-  the hardware class, or `mock_components/GenericSystem` for tests without hardware. A block whose
-  plugin depends on xacro arguments is not reported.
+- Without a plugin the controller manager does not start: the parser throws an exception, or no
+  class of an empty name is found. Name the hardware class, or `mock_components/GenericSystem` for
+  tests without hardware. A block whose plugin depends on xacro arguments is not reported, nor is
+  one of an unknown type, which is not loaded (RCT017).
 - A misspelt class, or one with white space around it, is not found, and the controller manager
   starts without hardware. So is a class that the control plugin of a simulator does not have, or of
   a package in the workspace whose CMakeLists.txt exports others, or no plugin description. Classes
@@ -26,13 +27,18 @@ import re
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.ros_control import control_plugin_libraries, simulated_hardware
+from urdfkit.ros.catalog.ros_control import (
+    component_types,
+    control_plugin_libraries,
+    simulated_hardware,
+)
 from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.ros_control import Component, ControlPlugin, called, components, control_plugins
 from urdfkit.ros.targets import CLASSIC, GZ, Targets
 from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
+from urdfkit.text.grammar import is_expression
 from urdfkit.workspace.plugin_descriptions import why_unknown
 
 BAD = robot_xml(SHOULDER, control_xml("mock_component/GenericSystem", driven_xml("shoulder")))
@@ -69,11 +75,13 @@ def check(context: Context) -> Findings:
 
 def _missing(component: Component) -> Findings:
     hardware = component.at.child("hardware")
-    if hardware is None:
+    kind = component.at.get("type")
+    is_loaded = kind is None or kind in component_types() or is_expression(kind)  # see RCT017
+    if hardware is None and is_loaded:
         yield Finding(component.at, f"{component.called} has no <hardware>", _ADD_PLUGIN)
-    elif component.plugin is None:
+    elif hardware and component.plugin is None:
         yield Finding(hardware, f"{component.called}: <hardware> has no <plugin>", _ADD_PLUGIN)
-    elif not component.hardware:
+    elif component.plugin and not component.hardware:
         yield Finding(component.plugin, f"{component.called}: <plugin> is empty", _ADD_PLUGIN)
     for transmission in component.at.all("transmission"):
         plugin = transmission.child("plugin")

@@ -6,8 +6,9 @@ The parser of ros2_control throws an exception and the controller manager does n
 - a name is missing ("no attribute name in tag"), or the `role` of a joint in a transmission (an
   empty name of the block is a warning if it does not come from an argument);
 - `rw_rate`, or the `size` of an interface of a GPIO, is not a positive integer;
-- the type is missing or is not `system`, `actuator` or `sensor` (case-sensitive), or an `actuator`
-  has more than one joint.
+- the type is missing, or an `actuator` has more than one joint; or the type is not `system`,
+  `actuator` or `sensor` (case-sensitive): then the block is not loaded, and its interfaces are
+  missing (a warning if the robot's own hardware in another block may export them).
 
 Warnings are unknown elements in a joint, sensor or GPIO, which are ignored, as are unknown
 attributes (an info, unless misspelt); a misspelt parameter of mock hardware; an interface whose
@@ -69,10 +70,12 @@ _DATA_TYPES = ("double", "bool")
     help="use the elements of <ros2_control>: hardware, joint, sensor, gpio, transmission",
 )
 def check(context: Context) -> Findings:
-    for component in components(context.model):
+    blocks = components(context.model)
+    own = sum(map(_is_own, blocks))
+    for component in blocks:
         block = component.at
         yield from _elements(component)
-        yield from _type(component)
+        yield from _type(component, own > _is_own(component))
         yield from _name(component)
         yield from _second_plugin(component)
         for transmission in block.all("transmission"):
@@ -175,7 +178,12 @@ def _named(block: Element) -> Iterator[Element]:
                 yield from inner.all("param")
 
 
-def _type(component: Component) -> Findings:
+def _type(component: Component, has_other_hardware: bool) -> Findings:
+    """A missing or unknown type, of which ros2_control loads nothing.
+
+    Args:
+        has_other_hardware: hardware of another block, the robot's own, may export its interfaces.
+    """
     known = component_types()
     kind = component.at.attributes.get("type")
     help = f"write type={', '.join(known)}"
@@ -183,8 +191,15 @@ def _type(component: Component) -> Findings:
         yield Finding(component.at, f"{component.called} has no type", help)
     elif kind.value not in known and not is_expression(kind.value):
         message = f"{component.called}: type '{kind.value}' is not one of {', '.join(known)}"
-        fix = fix_value(kind, nearest(kind.value, known))
-        yield Finding(kind, message + did_you_mean(kind.value, known), help, fix)
+        suggested = nearest(kind.value, known)
+        is_served = has_other_hardware and not suggested
+        yield Finding(
+            kind,
+            message + did_you_mean(kind.value, known),
+            help,
+            fix_value(kind, suggested),
+            severity=Severity.WARNING if is_served else None,
+        )
     elif kind.value == "actuator" and len(component.joints) > 1:
         message = f"{component.called}: type actuator with {len(component.joints)} joints, not 1"
         yield Finding(kind, message, 'write type="system"')

@@ -4,8 +4,8 @@ Sensors are matched by name. A `<sensor>` in `<ros2_control>` without a `<sensor
 in `<gazebo>` has no data in the simulator: an info if its interfaces are not those of an IMU or a
 force-torque sensor, the only sensors that Gazebo's hardware reads. A broadcaster whose
 `sensor_name` is not a `<sensor>` in `<ros2_control>` cannot be activated, unless the hardware
-driver exports unlisted sensors. Nor can one that names an interface of such a sensor, or an
-admittance controller whose `ft_sensor` is none.
+driver exports unlisted sensors: with hardware of the robot's own, only typos are reported. Nor can
+one that names an interface of such a sensor, or an admittance controller whose `ft_sensor` is none.
 
 Sources:
     gazebo_ros2_control, gazebo_system.cpp: https://github.com/ros-controls/gazebo_ros2_control/blob/master/gazebo_ros2_control/src/gazebo_system.cpp
@@ -39,6 +39,7 @@ FIXED = GOOD = BAD.replace("base_immu", "base_imu")
 
 #: State interfaces of the sensors that Gazebo's hardware reads.
 _SIMULATED = re.compile(r"(orientation|angular_velocity|linear_acceleration|force|torque)\.[xyzw]")
+_MOCK = ("mock_components/", "fake_components/")
 
 
 @rule(Severity.WARNING, reports_missing=True)
@@ -73,16 +74,23 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
     if not known:
         return  # the broadcaster may be for another robot, and not be started
     exported = {part.name for part in parts}
+    # The robot's own hardware may export sensors that its block does not name.
+    is_closed = all(_is_known(component.hardware) for component in blocks)
     for file, controller in context.controllers:
         for name, value in named_sensors(controller).items():
             # A namespace before the name may be added by the broadcaster.
             is_known = any(other == name or other.endswith(f"/{name}") for other in exported)
-            if name and not is_template(name) and not is_known:
+            hint = did_you_mean(name, known)
+            if name and not is_template(name) and not is_known and (is_closed or hint):
                 yield Finding(
                     value.span,
-                    f"{controller.title}: sensor '{name}' does not exist in "
-                    f"<ros2_control>{did_you_mean(name, known)}",
+                    f"{controller.title}: sensor '{name}' does not exist in <ros2_control>{hint}",
                     "use the name of a <sensor> in <ros2_control>",
                     related=(file.note,),
                     confidence=Confidence.INFERRED,
                 )
+
+
+def _is_known(hardware: str) -> bool:
+    """True for hardware that exports the sensors of its block and no others, or is missing."""
+    return not hardware or hardware in simulated_hardware() or hardware.startswith(_MOCK)
