@@ -189,6 +189,32 @@ def test_a_system_on_its_default_topic(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("topic", "help"),
+    [
+        (
+            "pose_static",
+            naming(
+                "gz::sim::systems::PosePublisher",
+                "<static_publisher>true</static_publisher>",
+                "robot_state_publisher",
+            ),
+        ),
+        ("poses", naming("<tf_topic>/model/r/poses</tf_topic>")),
+    ],
+)
+def test_transforms_that_do_not_change(tmp_path: Path, topic: str, help: object) -> None:
+    """OriginBot: those of odometry are no static ones."""
+    plugin = "<plugin filename='gz-sim-diff-drive-system' name='gz::sim::systems::DiffDrive'/>"
+    robot = ROBOT.replace("</robot>", f"<gazebo>{plugin}</gazebo></robot>")
+    word = f"/model/r/{topic}@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V"
+    (found,) = of_words(tmp_path, word, files={"r.urdf": robot})
+    assert found.message.startswith(
+        f"no sensor or system of the robot has the topic '/model/r/{topic}'"
+    )
+    assert found.help == help
+
+
+@pytest.mark.parametrize(
     ("content", "topic", "help"),
     [
         ("", "/model/r/joint/swing/0/cmd_pos", None),

@@ -31,6 +31,12 @@ _OF_ROBOTS = (
 #: The message of transforms, and the package whose filters publish that of odometry, too.
 _TRANSFORM, _ESTIMATOR = "Pose_V", "robot_localization"
 _ADD = "add one to the robot, or remove the topic from the bridge"
+#: The topic of transforms that do not change, and the system that alone publishes it.
+_STATIC = "pose_static"
+_ADD_STATIC = (
+    "add gz::sim::systems::PosePublisher with <static_publisher>true</static_publisher>, or remove "
+    "the topic: robot_state_publisher has these transforms, too"
+)
 #: The link in the default topic of a sensor.
 _LINK = re.compile(r"/link/([^/]+)/sensor/")
 #: A topic in a tag, such as ``<odom_topic>``, or in an argument of a macro.
@@ -69,8 +75,10 @@ def topics_without_messages(
         if waiting:
             other = _nearest(topic.topic, waiting, served)
             # A <topic> in this sensor names all its topics.
-            if other is None:
-                yield Finding(at, _nothing(topic.topic), _ADD, severity=Severity.WARNING)
+            is_static = name.rpartition("/")[2] == _STATIC
+            if other is None or is_static:
+                help = _ADD_STATIC if is_static else _ADD
+                yield Finding(at, _nothing(topic.topic), help, severity=Severity.WARNING)
                 continue
             if not other.is_unnamed or other.who not in unnamed:
                 message, help = _unknown_topic(topic.topic, other)
