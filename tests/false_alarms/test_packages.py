@@ -185,6 +185,23 @@ def test_a_directory_of_which_some_files_are_installed(
     assert ["'headers' is installed" in one.message for one in found] == [True] * count
 
 
+@pytest.mark.parametrize(
+    ("installed", "line"),
+    [
+        ("install(DIRECTORY include DESTINATION x)", 4),
+        ("install(DIRECTORY ${ALL} DESTINATION x)", 3),
+    ],
+)
+def test_the_place_where_a_directory_is_installed(
+    tmp_path: Path, installed: str, line: int
+) -> None:
+    """vox_nav: what include_directories names need not exist."""
+    text = "project(arm)\nfind_package(ament_cmake REQUIRED)\nset(ALL include)\n" + installed
+    files = {"CMakeLists.txt": text + "\nament_package()\n"}
+    (found,) = reported(tmp_path / "arm", "PKG007", "a.launch", "", files)
+    assert (found.span.line, found.span.text) == (line, "include")
+
+
 @pytest.mark.parametrize(("mark", "count"), [("COLCON_IGNORE", 0), ("README", 1)])
 def test_a_package_that_the_build_skips(tmp_path: Path, mark: str, count: int) -> None:
     """dm_imu_python in a biped's workspace lacks the file of its name in resource/."""

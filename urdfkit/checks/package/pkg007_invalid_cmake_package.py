@@ -51,6 +51,10 @@ FILES = {
     "meshes/base.stl": PLATE,
 }
 
+#: The beginning of a command that installs, and so many bytes are read before a path in it.
+_INSTALL = re.compile(rb"(?i)\binstall\s*\([^()]*\Z")
+_MAX_BEFORE = 2000
+
 
 @rule(Severity.ERROR, help="fix the CMakeLists.txt")
 def check(context: Context) -> Findings:
@@ -76,13 +80,24 @@ def _missing_directories(name: str, directory: str) -> Findings:
     if not (is_ament and is_sure) or InstallRules(directory, name).makes_files:
         return
     for path in dict.fromkeys(install.source for install in read_rules(directory, name)):
-        place = re.search(rb"(?<=[\s\"/])%s(?=[\s\"/)])" % re.escape(path.encode()), text)
+        place = _place_of(path, text)
         if place and not _is_filtered(text, place.start()) and is_missing(directory, path):
             yield Finding(
                 Span(source, *place.span()),
                 f"'{path}' is installed and does not exist: the build of '{name}' fails",
                 f"remove it, or create {path}; git keeps no empty directory",
             )
+
+
+def _place_of(path: str, text: bytes) -> re.Match[bytes] | None:
+    """Where a path is installed, or else the first place that names it, as in a variable."""
+    name = rb"(?<=[\s\"/])%s(?=[\s\"/)])" % re.escape(path.encode())
+    installing = (
+        place
+        for place in re.finditer(name, text)
+        if _INSTALL.search(text[max(0, place.start() - _MAX_BEFORE) : place.start()])
+    )
+    return next(installing, None) or re.search(name, text)
 
 
 def _is_filtered(text: bytes, place: int) -> bool:
