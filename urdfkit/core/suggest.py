@@ -124,15 +124,19 @@ def nearest_file(path: str) -> str | None:
 def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
     """The known file name most similar to ``name``; None if none is similar, or of its suffix.
 
+    ``arm.urdf`` may be made of ``arm.urdf.xacro``, which is the nearest then.
     Suffixes make no names similar: ``start_cameras.launch.xml`` is not ``start_driver.launch.xml``,
     and different ones make them different: ``arm.srdf.xacro`` is not ``arm.ros2_control.xacro``.
     Nor do common words: ``chomp_planning.yaml`` is not ``ompl_planning.yaml``. Other numbers make
     them different, too: ``dg4f.xacro``, a hand of four fingers, is not ``dg5f.xacro``.
     """
+    names = sorted(known)
+    if (expanded := f"{name}.xacro") in names:
+        return expanded
     kind = os.path.splitext(name)[1]
     stem, _, suffix = name.partition(".")
     stems: dict[str, str] = {}
-    for other in sorted(known):
+    for other in names:
         first, _, rest = other.partition(".")
         is_of_kind = _is_of_kind(suffix, rest) and not _differ_in_numbers(stem, first)
         if is_of_kind and (rest == suffix or first not in stems):
