@@ -50,6 +50,9 @@ def test_what_somebody_wrote_is_not_removed() -> None:
     (found,) = reported("URD001", JOINT.format('<joint_properties damping="1" friction="0"/>'))
     assert found.fix is None
     assert "<dynamics>" in found.help
+    both = '<joint_properties friction="1"/><dynamics friction="1"/>'
+    (found,) = reported("URD001", JOINT.format(both))
+    assert "<dynamics>" not in found.help
 
 
 def test_what_is_there_already_is_not_meant_again() -> None:

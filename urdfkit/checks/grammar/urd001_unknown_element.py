@@ -52,7 +52,8 @@ from urdfkit.workspace.program_strings import xml_readers
 BAD = link_xml("base", collision_xml('<box size="0.2 0.2 0.1"/>')).replace("collision", "colision")
 FIXED = GOOD = BAD.replace("colision", "collision")
 
-#: Replacements for elements of early versions.
+#: The element of today, and what it replaces of early versions.
+_SUCCESSOR = "dynamics"
 _INSTEAD = {"joint_properties": "write <dynamics> instead, which has the same attributes"}
 
 #: The first element of a file.
@@ -156,7 +157,8 @@ def _help(element: Element, suggested: str) -> str:
     if element.tag.startswith("xacro."):
         return f"write <xacro:{element.tag[6:]}>, with a colon"
     if not suggested:
-        return _INSTEAD.get(element.tag, "")
+        has_successor = element.parent and element.parent.child(_SUCCESSOR)
+        return "" if has_successor else _INSTEAD.get(element.tag, "")
     return f"rename it to <{suggested}>" + (f" in the call of macro '{macro}'" if macro else "")
 
 
