@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from urdfkit.core import disk
+from urdfkit.core.paths import upwards
 from urdfkit.core.suggest import TYPO
 from urdfkit.core.suggest import nearest as nearest_word
 from urdfkit.lint.argument_values import found_values, plain_path, reported
@@ -44,7 +45,7 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
         ):
             why += f"; no file gives '{name}' a value: did you mean '{meant}'?"
     config = nearest(source.path)
-    directory = os.path.dirname(config) if config else resolver.packages.workspace(source.path)
+    directory = os.path.dirname(config) if config else _repository(source.path, resolver)
     file = os.path.relpath(source.path, directory).replace(os.sep, "/")
     values = {
         name: possible.values[0] if possible else "VALUE" for name, possible in candidates.items()
@@ -53,6 +54,15 @@ def why_unchecked(reading: Reading, source: Source, resolver: Resolver) -> tuple
     lines = ["[[robot]]", f'file = "{file}"']
     lines += [f'arguments.{name} = "{value}"' for name, value in values.items()]
     return why, f"pass {words}, or add to urdfkit.toml: {', '.join(lines)}"
+
+
+def _repository(path: str, resolver: Resolver) -> str:
+    """The repository of a file, which may be one of several in a workspace; else the workspace."""
+    workspace = resolver.packages.workspace(path)
+    for directory in upwards(os.path.dirname(os.path.abspath(path))):
+        if directory == workspace or disk.exists(os.path.join(directory, ".git")):
+            return directory
+    return workspace
 
 
 def unread_files(contexts: Iterable[Context]) -> list[str]:

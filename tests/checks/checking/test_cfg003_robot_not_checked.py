@@ -12,6 +12,7 @@ import yaml
 
 from tests.conftest import CORPUS, ROOT, needs_corpus
 from tests.naming import naming
+from tests.workspaces import add_file
 from urdfkit import check
 from urdfkit.cli import main
 from urdfkit.lint.config_reader import load
@@ -49,6 +50,17 @@ def test_the_argument_is_named_and_how_to_give_it(robot: Path) -> None:
     config = load(str(robot.parent / "urdfkit.toml"))
     assert "CFG003" not in codes(robot.parent, config=config)
     assert "CFG003" not in codes(robot.parent, arguments={"side": "left"})
+
+
+def test_the_file_is_named_from_the_repository(tmp_path: Path) -> None:
+    """One of several repositories in the src of a workspace: each has its own configuration."""
+    repository = tmp_path / "src" / "arm_description"
+    for name in ("arm_description", "hand_description"):
+        add_file(tmp_path / "src" / name / "package.xml", f"<package><name>{name}</name></package>")
+    add_file(repository / ".git" / "HEAD", "ref: refs/heads/main")
+    path = add_file(repository / "urdf" / "arm.xacro", WANTING)
+    (found,) = check(path, select=["CFG003"]).diagnostics
+    assert found.help == naming("side:=VALUE", "urdfkit.toml", "urdf/arm.xacro", "arguments.side")
 
 
 def test_selected_rules_that_found_nothing_did_not_look(robot: Path) -> None:
