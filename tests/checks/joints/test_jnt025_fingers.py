@@ -76,3 +76,57 @@ def test_the_mass_of_one_finger() -> None:
     assert messages("INE012", text) == [naming("ring", "0.1 kg", "0.01 kg")]
     assert places("INE012", text) == [(4, "0.1")]
     assert messages("INE012", text.replace('"0.1"', '"0.03"')) == []
+
+
+#: A finger of three joints that bend from zero, as SCHUNK's SVH has four of them.
+BENDING = """\
+<link name="{0}_1"/><link name="{0}_2"/><link name="{0}_3"/>
+<joint name="{0}_{1}" type="revolute"><parent link="palm"/><child link="{0}_1"/>
+<origin xyz="0 0 0" rpy="{2} 0 0"/><axis xyz="0 0 1"/><limit upper="0.8" effort="1" velocity="1"/>
+</joint>
+<joint name="{0}_b" type="revolute"><parent link="{0}_1"/><child link="{0}_2"/>
+<axis xyz="0 0 1"/><limit upper="1.3" effort="1" velocity="1"/></joint>
+<joint name="{0}_c" type="revolute"><parent link="{0}_2"/><child link="{0}_3"/>
+<axis xyz="0 0 1"/><limit upper="1.4" effort="1" velocity="1"/></joint>
+"""
+
+
+def bending(fingers: tuple[str, ...] = FINGERS, over: tuple[str, ...] = ()) -> str:
+    """A hand; the fingers have other names of their first joints, so that these tell nothing."""
+    return '<link name="palm"/>\n' + "".join(
+        BENDING.format(finger, "a" * number, "3.1415926536" if finger in over else "0")
+        for number, finger in enumerate(fingers, start=1)
+    )
+
+
+def test_one_joint_that_bends_the_other_way() -> None:
+    assert messages("JNT025", bending()) == []
+    before, name, rest = bending(FINGERS[:3]).partition('name="middle_b"')
+    text = before + name + rest.replace("0 0 1", "0 0 -1", 1)
+    assert messages("JNT025", text) == [naming("middle_b", "middle_aa", "2")]
+    assert [at for _, at in places("JNT025", text)] == ['<axis xyz="0 0 -1"/>']
+
+
+def test_joints_that_may_bend_the_other_way() -> None:
+    """One of two fingers; joints that bend to both sides, as those of an arm."""
+    before, name, rest = bending(FINGERS[:2]).partition('name="middle_b"')
+    assert messages("JNT025", before + name + rest.replace("0 0 1", "0 0 -1", 1)) == []
+    before, name, rest = bending(FINGERS[:3]).partition('name="middle_b"')
+    both = before + name + rest.replace("0 0 1", "0 0 -1", 1)
+    assert messages("JNT025", both.replace('upper="1.3"', 'lower="-1.3" upper="1.3"')) == []
+
+
+@pytest.mark.parametrize(
+    ("fingers", "over", "found"),
+    [
+        (FINGERS, ("ring",), ["ring_aaa"]),
+        (FINGERS, ("ring", "pinky"), []),
+        (FINGERS[:3], ("ring",), []),
+        ((*FINGERS[:3], "thumb"), ("thumb",), []),  # opposite the fingers
+    ],
+)
+def test_one_finger_that_bends_the_other_way(
+    fingers: tuple[str, ...], over: tuple[str, ...], found: list[str]
+) -> None:
+    heard = messages("JNT025", bending(fingers, over))
+    assert [one.split("'")[1] for one in heard] == found

@@ -74,3 +74,77 @@ def test_two_cameras_of_one_product() -> None:
             "</geometry></visual></link>"
         )
     assert messages("JNT025", text) == []
+
+
+#: A leg whose hip and knee turn about y, in a frame that two legs may have turned over.
+SIMPLE = """\
+<link name="hip_{0}"/><link name="knee_{0}"/>
+<joint name="hip_{0}_joint" type="revolute"><parent link="base"/><child link="hip_{0}"/>
+<origin xyz="{1} {2} 0" rpy="0 0 {3}"/><axis xyz="0 1 0"/>
+<limit lower="-2" upper="2" effort="9" velocity="9"/></joint>
+<joint name="knee_{0}_joint" type="revolute"><parent link="hip_{0}"/><child link="knee_{0}"/>
+<origin xyz="0 0 -0.2"/><axis xyz="0 1 0"/>
+<limit lower="-2" upper="2" effort="9" velocity="9"/></joint>
+"""
+
+
+def simple(turned: tuple[str, ...] = ()) -> str:
+    legs = {"FL": (0.2, 0.067), "FR": (0.2, -0.067), "RL": (-0.2, 0.067), "RR": (-0.2, -0.067)}
+    return '<link name="base"/>' + "".join(
+        SIMPLE.format(leg, *place, 3.1415926536 if leg in turned else 0)
+        for leg, place in legs.items()
+    )
+
+
+def with_axis(text: str, joint: str, axis: str = "0 -1 0") -> str:
+    before, name, rest = text.partition(f'<joint name="{joint}"')
+    return before + name + rest.replace('"0 1 0"', f'"{axis}"', 1)
+
+
+@pytest.mark.parametrize("turned", [(), ("FL", "RL"), ("FL", "FR"), ("RL", "RR")])
+@pytest.mark.parametrize("leg", ["FL", "FR", "RL", "RR"])
+def test_one_knee_that_turns_the_other_way(leg: str, turned: tuple[str, ...]) -> None:
+    """Also if two legs are mounted the other way round: the hips show which knee it is."""
+    text = simple(turned)
+    assert messages("JNT025", text) == []
+    axis = "0 1 0" if leg in turned else "0 -1 0"
+    wrong = with_axis(text, f"knee_{leg}_joint")
+    assert messages("JNT025", wrong) == [naming(f"knee_{leg}_joint", axis, "3")]
+
+
+def test_knees_that_may_turn_the_other_way() -> None:
+    """Two of them; one with mirrored limits; wheels."""
+    two = with_axis(with_axis(simple(), "knee_FL_joint"), "knee_RL_joint")
+    assert messages("JNT025", two) == []
+    one_sided = simple().replace('lower="-2" upper="2"', 'lower="-2" upper="0.2"')
+    before, name, rest = with_axis(one_sided, "knee_FL_joint").partition('"knee_FL_joint"')
+    mirrored = rest.replace('lower="-2" upper="0.2"', 'lower="-0.2" upper="2"', 1)
+    assert not any("root frame" in one for one in messages("JNT025", before + name + mirrored))
+    wheels = with_axis(simple(), "hip_RR_joint").replace("revolute", "continuous")
+    assert messages("JNT025", wheels) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("0.2 -0.067 0", "0.2 -0.076 0", [naming("hip_FR_joint", "-0.076 m", "0.067 m")]),
+        ("0.2 -0.067 0", "0.2 -0.0675 0", []),  # not quite symmetric
+        ("0.2 -0.067 0", "0.21 -0.068 0", []),  # two numbers
+    ],
+)
+def test_one_number_of_one_origin(old: str, new: str, expected: list[str]) -> None:
+    text = simple().replace(f'"{old}"', f'"{new}"')
+    assert [one for one in messages("JNT025", text) if "all other legs" in one] == expected
+
+
+def test_joints_of_one_arm_are_no_legs() -> None:
+    text = '<link name="j_left_0"/>'
+    for number in range(1, 7):
+        text += (
+            f'<link name="j_left_{number}"/><joint name="a_left_{number}" type="revolute">'
+            f'<parent link="j_left_{number - 1}"/><child link="j_left_{number}"/>'
+            f'<origin xyz="0 0 {0.3 if number == 2 else 0.1}"/>'
+            f'<axis xyz="0 {-1 if number == 3 else 1} 0"/>'
+            '<limit lower="-2" upper="2" effort="9" velocity="9"/></joint>'
+        )
+    assert messages("JNT025", text) == []

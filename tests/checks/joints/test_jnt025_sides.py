@@ -77,7 +77,9 @@ def corners(offset: str) -> str:
 def test_an_offset_that_was_copied() -> None:
     assert messages("JNT025", corners("-0.1")) == []
     assert messages("JNT025", corners("0.1")) == [naming("fr_wheel", "0.2 m", "left", "fl_wheel")]
-    assert messages("JNT025", corners("-0.2")) == []  # longer, but to the right
+    assert messages("JNT025", corners("-0.2")) == [
+        naming("fr_wheel", "-0.2 m", "0.1 m")
+    ]  # not copied
 
 
 def arms(parent: str, limits: dict[str, tuple[float, float]] | None = None) -> str:

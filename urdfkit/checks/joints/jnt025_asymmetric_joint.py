@@ -23,7 +23,10 @@ by mirrored positions on one link, and are on different branches.
   that is not at the height or distance of the other three is.
 - Fingers: one of at least four has five times the effort or velocity of all others, or a fifth, a
   position limit with another sign or decimal point, the opposite axis for the same limits, or a
-  parent in another finger.
+  parent in another finger. In hands whose joints bend from zero to one side: the only joint that
+  bends the other way than the others of its finger, or the only finger that does.
+- Legs or wheels: one of at least four has the opposite axis for the same limits, or one other
+  number in its origin.
 - Axis: if the left hip turns about x, so does the right one, in either direction. Rotary joints are
   compared if their frames are mirror images in the plane y = 0 of the root, or x = 0.
 
@@ -36,6 +39,7 @@ Sources:
 from collections.abc import Iterator, Mapping
 from math import isclose, pi
 
+from urdfkit.checks.joints.bending_fingers import bending_fingers
 from urdfkit.checks.joints.fingers import odd_fingers
 from urdfkit.checks.joints.mirrored import (
     misplaced,
@@ -43,6 +47,7 @@ from urdfkit.checks.joints.mirrored import (
     on_one_side,
     on_the_other_side,
 )
+from urdfkit.checks.joints.odd_legs import odd_legs
 from urdfkit.core.spatial import Z_AXIS, Transform, Vector, dot, rotate, rotation_about
 from urdfkit.core.words import rounded
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
@@ -92,7 +97,9 @@ def check(context: Context) -> Findings:
                 related=_note(first),
                 group_key="counterparts",
             )
+    placed = set()
     for correct, misplaced_joint, reason in misplaced(context):
+        placed |= {correct.name, misplaced_joint.name}
         yield Finding(
             misplaced_joint.at.child_or_self("origin"),
             f"joint '{misplaced_joint.name}' {reason}",
@@ -118,6 +125,21 @@ def check(context: Context) -> Findings:
     yield from _axes(context)
     yield from _ranges(context)
     yield from _fixed(context)
+    for leg in odd_legs(context):
+        if leg.joint.name not in placed:
+            yield Finding(
+                leg.at,
+                f"joint '{leg.joint.name}' {leg.difference}",
+                leg.help,
+                related=(Related(leg.other.at.span, f"joint '{leg.other.name}'"),),
+            )
+    for bent in bending_fingers(context):
+        yield Finding(
+            bent.at,
+            f"joint '{bent.joint.name}' {bent.difference}",
+            bent.help,
+            related=(Related(bent.other.at.span, f"joint '{bent.other.name}'"),),
+        )
     for odd in odd_fingers(context):
         yield Finding(
             odd.at,
