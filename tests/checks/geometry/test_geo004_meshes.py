@@ -1,6 +1,7 @@
 """GEO004 with a mesh: a sign of an origin, the mesh of another link, a diameter."""
 
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -272,3 +273,42 @@ def test_the_mesh_of_another_finger(tmp_path: Path) -> None:
     (tmp_path / "pinky_tip.stl").unlink()
     del files["pinky_tip.stl"]
     assert meshed.reported(tmp_path, "GEO004", hand("ring_tip.stl", *fingers), files) == []
+
+
+def lined_up(*collisions: str) -> str:
+    """A chain of links with a mesh for visual and collision each, with origins of the latter."""
+    names = "abcdef"[: len(collisions)]
+    links = [
+        meshed.link(
+            meshed.mesh(f"visual/{name}.stl", "visual"),
+            meshed.mesh(f"collision/{name}.stl", origin=origin),
+            name=name,
+        )
+        for name, origin in zip(names, collisions, strict=True)
+    ]
+    joints = (joint(above, name, "revolute") for above, name in pairwise(names))
+    return "".join((*links, *joints))
+
+
+MOVED = '<origin xyz="0 0 0.02"/>'
+
+
+@pytest.mark.parametrize(
+    ("origins", "count"),
+    [
+        (("", "", MOVED, "", ""), 1),
+        (("", "", MOVED, ""), 0),  # few others
+        (("", MOVED, MOVED, "", "", ""), 0),
+        (("", "", '<origin xyz="0 0 0.0005"/>', "", ""), 0),  # rounding
+        (("", "", '<origin rpy="0 0 1" xyz="0 0 0.02"/>', "", ""), 0),  # other axes
+    ],
+)
+def test_one_link_whose_meshes_have_two_origins(
+    tmp_path: Path, origins: tuple[str, ...], count: int
+) -> None:
+    files = {f"{role}/{name}.stl": SHANK for role in ("visual", "collision") for name in "abcdef"}
+    found = meshed.reported(tmp_path, "GEO004", lined_up(*origins), files)
+    assert [one.message for one in found] == [
+        naming("c", "<origin>", "0 0 0.02 m", "4", "<origin>")
+    ] * count
+    assert [one.span.text for one in found] == [MOVED] * count

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.massive import link, shape
 from tests.naming import naming
 from tests.reported import messages, places
 
@@ -60,3 +61,31 @@ def test_of_several_shapes_none_is_the_other_of_one() -> None:
     assert len(messages("GEO004", f'<link name="a">{one}{other}</link>')) == 1
     assert messages("GEO004", f'<link name="a">{one}{one}{other}</link>') == []
     assert messages("GEO004", f'<link name="a">{one}{other}{other}</link>') == []
+
+
+def feet(*radii: float, seen: float = 0.015) -> str:
+    names = ("foot_L1", "foot_R1", "foot_L2", "foot_R2")
+    return "".join(
+        link(
+            name,
+            shape("visual", f'<sphere radius="{seen}"/>'),
+            shape("collision", f'<sphere radius="{radius}"/>'),
+        )
+        for name, radius in zip(names, radii, strict=True)
+    )
+
+
+@pytest.mark.parametrize(
+    ("radii", "found"),
+    [
+        ((0.015, 0.015, 0.015, 0.02), ["foot_R2"]),
+        ((0.02, 0.02, 0.015, 0.02), ["foot_L2"]),
+        ((0.02, 0.02, 0.02, 0.02), []),
+        ((0.015, 0.015, 0.02, 0.02), []),  # the hind feet
+    ],
+)
+def test_one_leg_with_another_collision(radii: tuple[float, ...], found: list[str]) -> None:
+    heard = messages("GEO004", feet(*radii))
+    assert [one.split("'")[1] for one in heard] == found
+    text = feet(*radii).replace("0.015", "0.018", 1)
+    assert messages("GEO004", text) == [], "the visuals differ, too"

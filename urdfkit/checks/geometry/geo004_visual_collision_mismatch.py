@@ -18,7 +18,9 @@ The rule compares the bounding box of all collisions of a link with that of all 
   another finger. Or its collision is named after the other side than its visual, and no link uses
   the file of its own side.
 - Links have one mesh for visual and collision, but one link has it at two scales, or collides with
-  the mesh of another link.
+  the mesh of another link; or one link alone has a mesh and its collision mesh at two places.
+- The collision of one of at least four legs or wheels has another size than those of the others,
+  and their visuals have one size.
 - A radius is exactly 10, 100 or 1000 times that of the same shape in the other. An info is exactly
   twice, or about twice that of a mesh: a diameter.
 
@@ -33,7 +35,8 @@ Sources:
 import os
 from math import inf
 
-from urdfkit.checks.geometry.link_meshes import mesh_of_another_link, other_scale
+from urdfkit.checks.geometry.link_meshes import mesh_of_another_link, other_origin, other_scale
+from urdfkit.checks.geometry.odd_legs import odd_legs
 from urdfkit.checks.geometry.other_side import (
     MeshOfOtherSide,
     collisions_of_the_other_side,
@@ -99,6 +102,8 @@ def check(context: Context) -> Findings:
     yield from other_scale(context)
     reported = {pair.link.name for of_kind in compared.mismatches.values() for pair in of_kind}
     yield from mesh_of_another_link(context, reported)
+    yield from other_origin(context, reported)
+    yield from odd_legs(context, reported)
     yield from different_radii(context)
     for pair in compared.each():
         yield from radius_of_mesh(pair)

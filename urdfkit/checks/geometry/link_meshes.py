@@ -1,9 +1,13 @@
-"""Links whose collision mesh is at another scale than the visual, or of another link."""
+"""Links whose collision mesh differs from the visual, unlike those of the other links.
+
+It is at another scale or place, or that of another link.
+"""
 
 import os
 from collections.abc import Iterator
 
-from urdfkit.core.words import spaced
+from urdfkit.core.spatial import length, minus
+from urdfkit.core.words import rounded, spaced
 from urdfkit.lint.rules import Context, Finding, Findings, Related
 from urdfkit.robot.assets.visual_collision import SIMILAR_UNIT
 from urdfkit.robot.link import Link, Shape
@@ -11,6 +15,12 @@ from urdfkit.robot.symmetry import pairs
 
 #: Least number of links with one mesh at one scale next to the one at two scales.
 _CONSISTENT_LINKS = 2
+
+#: Least number of links with one origin for both meshes next to the one with two.
+_EQUAL_ORIGINS = 4
+
+#: Least distance of two origins, in m.
+_LEAST_SHIFT = 1e-3
 
 
 def other_scale(context: Context) -> Findings:
@@ -33,6 +43,32 @@ def other_scale(context: Context) -> Findings:
             f"the visual, which is the same mesh, {spaced(visual.scale)}",
             "write the same scale for both",
             related=(Related(visual.at.span, "the visual"),),
+        )
+
+
+def other_origin(context: Context, reported: set[str]) -> Findings:
+    """The only link whose visual and collision are meshes of one name at two places."""
+    same, other = 0, []
+    for link, visual, collision in _links_with_two_meshes(context):
+        if os.path.basename(_path(visual)) != os.path.basename(_path(collision)):
+            continue
+        places = [body.origin for body in (*link.visuals, *link.collisions)]
+        if places[0] == places[1]:
+            same += 1
+        else:
+            other.append((link, places))
+    if len(other) != 1 or same < _EQUAL_ORIGINS or other[0][0].name in reported:
+        return
+    ((link, (seen, hit)),) = other
+    shift = minus(hit.position, seen.position)
+    if seen.rotation == hit.rotation and length(shift) >= _LEAST_SHIFT:
+        yield Finding(
+            link.collisions[0].at.child_or_self("origin"),
+            f"link '{link.name}': the <origin> of the collision is {rounded(shift, 4)} m from that "
+            f"of the visual; visual and collision of the other {same} links with such meshes have "
+            "the same <origin>",
+            "write the same <origin> for both",
+            related=(Related(link.visuals[0].at.child_or_self("origin").span, "the visual"),),
         )
 
 
