@@ -212,3 +212,31 @@ def test_merged_frames_whose_masses_are_zero() -> None:
     (found,) = reported(robot)
     assert found.severity is Severity.INFO
     assert reported(robot.replace(link("optical", zero), link("optical")), "classic-ros1") == []
+
+
+def legs(right: str, more: str = "") -> str:
+    """Two shins with fixed feet, of which one shin may have no mass of its own."""
+    foot = link("left_foot", HEAVY) + link("right_foot", HEAVY)
+    feet = joint("left_shin", "left_foot") + joint("right_shin", "right_foot")
+    shins = link("left_shin", VISUAL, HEAVY) + link("right_shin", VISUAL, right)
+    hips = joint("base", "left_shin", "revolute") + joint("base", "right_shin", "revolute")
+    return BASE + shins + foot + hips + feet + more
+
+
+def test_one_link_without_the_inertial_of_its_counterpart() -> None:
+    assert reported(legs(HEAVY)) == []
+    (found,) = reported(legs(""))
+    assert found.severity is Severity.WARNING
+    assert found.message == naming("right_shin", "<inertial>", "left_shin", "1 kg")
+    assert found.span.text == '<link name="right_shin">'
+    assert [note.span.text for note in found.related] == ["<inertial>"]
+
+
+def test_several_links_without_the_inertials_of_their_counterparts() -> None:
+    """All of one side, which may be a frame: this is no omission of one."""
+    more = link("left_lamp", VISUAL, HEAVY) + link("right_lamp", VISUAL)
+    more += joint("base", "left_lamp") + joint("base", "right_lamp")
+    assert reported(legs("", more)) == []
+    frames = link("left_tip", HEAVY) + link("right_tip")
+    frames += joint("left_foot", "left_tip") + joint("right_foot", "right_tip")
+    assert reported(legs(HEAVY, frames)) == []

@@ -16,9 +16,11 @@ without `<inertial>` 1 kg, a frame at the tip of an arm as well. Gazebo drops li
   a centre of mass, and rejects the robot. Remove the `<inertial>` of the frame.
 - If no link has a mass, Gazebo rejects the robot. Many arms are published without masses, for RViz
   and MoveIt.
+- One link has no `<inertial>` and its left or right counterpart has one, the only such pair: it was
+  forgotten, also where a link that is fixed to it has a mass.
 
-An error for Gazebo and MuJoCo, a warning for PyBullet, or if MuJoCo computes a mass or only older
-Gazebo drops links, otherwise an info.
+An error for Gazebo and MuJoCo, a warning for such a pair, for PyBullet, or if MuJoCo computes a
+mass or only older Gazebo drops links, otherwise an info.
 
 Sources:
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -29,10 +31,11 @@ Sources:
 """
 
 from urdfkit.core.words import few, listed
-from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.link import Link
 from urdfkit.robot.rigid_bodies import KEEPING_TAGS, NO_MASS, RigidBody
 from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
+from urdfkit.robot.symmetry import pairs
 from urdfkit.ros.gazebo.conversion import OLD, SdfConversion
 from urdfkit.ros.targets import GAZEBO, TargetFacts
 
@@ -71,6 +74,28 @@ def check(context: Context) -> Findings:
             yield from _in_target(context, target)
     if not strict or len(strict) < len(context.given_targets):
         yield from _in_gazebo(context)
+    yield from _unlike_counterpart(context)
+
+
+def _unlike_counterpart(context: Context) -> Findings:
+    """The only link without an inertial whose counterpart has one."""
+    links = context.model.links_by_name
+    unlike = []
+    for names in pairs(links):
+        one, other = sorted((links[name] for name in names), key=lambda link: link.mass)
+        if one.inertial is None and one.bodies and other.mass > 0:
+            unlike.append((one, other))
+    if len(unlike) == 1:
+        link, other = unlike[0]
+        if not any(body.top is link and body.mass <= 0 for body in context.masses.bodies):
+            yield Finding(
+                link.at,
+                f"link '{link.name}' has no <inertial>, and its counterpart '{other.name}' has "
+                f"{other.mass:g} kg",
+                "copy the <inertial>, with the signs of the mirror image",
+                severity=Severity.WARNING,
+                related=(Related((other.inertial or other).at.span, "counterpart"),),
+            )
 
 
 def _in_gazebo(context: Context) -> Findings:
