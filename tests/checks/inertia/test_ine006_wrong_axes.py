@@ -135,3 +135,37 @@ def test_moments_in_the_wrong_order_of_a_part_with_products() -> None:
     moments = (0.0247, 0.0022, 0, 0.003, 0, 0.0247)
     (found,) = reported("INE006", link("rod", rod, inertial(1, moments)))
     assert found.help == naming("iyy", "izz")
+
+
+def rod(moments: tuple[float, ...], center: float = 0.3) -> str:
+    """A rod along z whose link begins at one end; 1 kg, 0.05 x 0.05 x 0.6 m."""
+    body = shape("collision", '<box size="0.05 0.05 0.6"/>', f"0 0 {center}")
+    return link("rod", body, inertial(1, moments, f"0 0 {center}"))
+
+
+SIDE, OWN = (0.05**2 + 0.6**2) / 12, 2 * 0.05**2 / 12
+
+
+def test_a_tensor_about_the_joint() -> None:
+    about_joint = SIDE + 0.3**2
+    (found,) = reported("INE006", rod((about_joint, about_joint, OWN)))
+    assert found.message == naming(
+        "rod",
+        "0.12, 0.12, 0.000417 kg·m²",
+        "0.05 x 0.05 x 0.6 m",
+        "0.0302, 0.0302, 0.000417 kg·m²",
+    )
+    assert found.help == naming('ixx="0.0302083"', 'iyy="0.0302083"')
+    assert messages("INE006", fixed("INE006", rod((about_joint, about_joint, OWN)))) == []
+
+
+@pytest.mark.parametrize(
+    ("moments", "center"),
+    [
+        ((SIDE, SIDE, OWN), 0.3),
+        ((SIDE + 0.09, SIDE + 0.09, 4 * OWN), 0.3),  # nor about the joint
+        ((SIDE + 0.01, SIDE + 0.01, OWN), 0.1),  # hardly different
+    ],
+)
+def test_other_tensors_of_a_rod(moments: tuple[float, ...], center: float) -> None:
+    assert messages("INE006", rod(moments, center)) == []

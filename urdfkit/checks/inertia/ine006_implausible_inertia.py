@@ -11,6 +11,8 @@
   that points another way, or a product of inertia has the wrong sign. URDF rotates the tensor with
   the `<origin>` of the `<inertial>`, not with that of the collision or visual. Swap the values, or
   give the `<inertial>` the `rpy` of the shape.
+- About the wrong point: the moments are those of the shape about the origin of the link, and at
+  least three times those about the centre of mass. Reduce them by mass * distance^2.
 
 A tensor that is too large on purpose, next to a comment such as "to stabilize simulation", is an
 info. A shape of at most a few millimetres is a marker, and no tensor is compared with it.
@@ -97,6 +99,7 @@ def check(context: Context) -> Findings:
     too_small = masses.defects.get(InertiaDefect.TOO_SMALL, ())
     yield from together((inertia, _too_small(inertia, masses)) for inertia in too_small)
     yield from map(_wrong_axes, masses.defects.get(InertiaDefect.WRONG_AXES, ()))
+    yield from map(_about_origin, masses.defects.get(InertiaDefect.ABOUT_ORIGIN, ()))
 
 
 def _too_large(inertia: LinkInertia, masses: Masses, load: float | None) -> Finding:
@@ -174,6 +177,17 @@ def _wrong_axes(inertia: LinkInertia) -> Finding:
         return Finding(inertia.at, message, help)
     help = f"{fix.title}, or rotate the <inertial>" if fix else _TURN
     return Finding(inertia.at, message, help, fix)
+
+
+def _about_origin(inertia: LinkInertia) -> Finding:
+    fix = replacement(inertia, inertia.about_center)
+    return Finding(
+        inertia.at,
+        f"link '{inertia.link.name}' has moments of inertia of {format_moments(inertia.diagonal)}, "
+        f"as about the origin of the link; {describe_solid(inertia)} about its centre of mass",
+        f"write those about the centre of mass{f': {fix.title}' if fix else ''}",
+        fix,
+    )
 
 
 def _mesh_of_other_side(inertia: LinkInertia) -> str:

@@ -68,6 +68,7 @@ class InertiaDefect(Enum):
     TOO_LARGE = "too large"
     TOO_SMALL = "too small"
     WRONG_AXES = "wrong axes"
+    ABOUT_ORIGIN = "about origin"
     UNLIKE_SHAPE = "unlike shape"
     PLACEHOLDER = "placeholder"
     DENSITY = "density"
@@ -127,10 +128,15 @@ def _defect(link: LinkInertia, is_significant: IsSignificant) -> InertiaDefect |
         return InertiaDefect.DENSITY if is_mass_wrong or is_too_dense else InertiaDefect.TOO_SMALL
     if density is not None:
         return InertiaDefect.DENSITY
+    return _misplaced(link) if is_significant(link.body, high) else None
+
+
+def _misplaced(link: LinkInertia) -> InertiaDefect | None:
+    """The defect of a tensor of plausible size that is about another point or other axes."""
+    if link.is_about_origin:
+        return InertiaDefect.ABOUT_ORIGIN
     is_turned = link.is_at_wrong_axes or link.turned_axis is not None
-    if is_turned and is_significant(link.body, high):
-        return InertiaDefect.WRONG_AXES
-    return None
+    return InertiaDefect.WRONG_AXES if is_turned else None
 
 
 def _is_of_unknown_size(link: LinkInertia) -> bool:

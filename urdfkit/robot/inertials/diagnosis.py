@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from itertools import permutations
 
 from urdfkit.core.record import Record
-from urdfkit.core.spatial import rotate, transposed
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot import inertia
 from urdfkit.robot.inertials.defects import MAX_PART_DENSITY, MIN_MOMENT_RATIO
@@ -138,7 +137,7 @@ def _mistakes(link: LinkInertia, expected: Tensor) -> Iterator[tuple[str, Tensor
             )
             if inertia.agree(tensor, expected, _CORRECTED_RATIO) and not is_chance:
                 yield cause, tensor
-    about_center = _shifted_from_origin(link, -link.mass)
+    about_center = link.about_center
     if about_center != link.tensor and inertia.agree(about_center, expected, _CORRECTED_RATIO):
         yield "is about the origin of the link, not the centre of mass", about_center
     twice = link.expected_of_twice
@@ -168,10 +167,3 @@ def explain_wrong_axes(link: LinkInertia) -> tuple[str, Tensor]:
             return f"has {' and '.join(keys)} with the opposite sign", suggested
         return "has its moments at the wrong axes", suggested
     return "has its moments at the wrong axes", expected
-
-
-def _shifted_from_origin(link: LinkInertia, mass: float) -> Tensor:
-    """The tensor shifted between the centre of mass and the origin of the link."""
-    origin = link.inertial.origin
-    offset = rotate(transposed(origin.rotation), origin.position)
-    return inertia.shifted(link.tensor, mass, offset)

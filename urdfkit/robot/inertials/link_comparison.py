@@ -5,7 +5,7 @@ from functools import cached_property
 from math import inf
 
 from urdfkit.core.grouping import by_key
-from urdfkit.core.spatial import Vector, dot, transposed
+from urdfkit.core.spatial import Vector, dot, rotate, transposed
 from urdfkit.robot import inertia
 from urdfkit.robot.link import Body, Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody
@@ -31,6 +31,10 @@ EXACT_RATIO = 1.03
 
 #: The factor for moments about x, y and z of a solid in its orientation.
 _OF_SOLID = 1.2
+
+#: The factor for moments about the origin of the link, and that of the largest of them to the one
+#: about the centre of mass.
+_SHIFTED, _FAR_FROM_CENTER = 1.5, 3.0
 
 #: Change of a tensor entry by a significant rotation, as a part of the largest moment.
 TURNED = 0.25
@@ -245,6 +249,23 @@ class LinkInertia:
             return False  # slightly rotated
         pairs = zip(self.moments, inertia.principal_moments(self.expected), strict=True)
         return all(abs(a - b) <= MOMENT_TOLERANCE * b for a, b in pairs)
+
+    @cached_property
+    def about_center(self) -> Tensor:
+        """The tensor about the centre of mass, if the written one is about the link's origin."""
+        origin = self.inertial.origin
+        offset = rotate(transposed(origin.rotation), origin.position)
+        return inertia.shifted(self.tensor, -self.mass, offset)
+
+    @property
+    def is_about_origin(self) -> bool:
+        """True if the tensor is that of the uniform solid about the link's origin, not its centre.
+
+        The difference between the two must be large.
+        """
+        if self.expected is None or not inertia.agree(self.about_center, self.expected, _SHIFTED):
+            return False
+        return max(self.ratios(self.expected)) > _FAR_FROM_CENTER
 
     @cached_property
     def turned_axis(self) -> tuple[Vector, Vector] | None:
