@@ -271,3 +271,22 @@ def test_radians_that_were_converted_the_wrong_way() -> None:
 )
 def test_a_wheel_is_not_steered_by_several_turns(name: str, end: str, count: int) -> None:
     assert len(messages("JNT010", robot(joint(name, "revolute", limit(f"-{end}", end))))) == count
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "others", "count"),
+    [
+        ("-2.61799", "297.38201", 2, 1),  # ${300 - home}
+        ("-297.38201", "2.61799", 2, 1),
+        ("-2.61799", "297.38201", 1, 0),
+        ("-12.61799", "297.38201", 2, 0),  # both ends beyond a turn
+        ("0", "297.38201", 2, 0),  # a spool
+        ("-2.61799", "11.38201", 2, 0),
+    ],
+)
+def test_one_end_of_which_a_part_is_in_degrees(
+    lower: str, upper: str, others: int, count: int
+) -> None:
+    joints = [joint(name, "revolute", limit("-1.7", "2.4")) for name in "ab"[:others]]
+    heard = messages("JNT010", robot(*joints, joint("j", "revolute", limit(lower, upper))))
+    assert [one.split("'")[1] for one in heard] == ["j"] * count

@@ -7,7 +7,8 @@ In URDF, angles are in radians and velocities in radians per second; all parsers
   135, 180, 270, 360) or multiples of 5 that differ from joint to joint, or if the other joints or
   the other end are in radians. Numbers with one or two decimals, such as 177.6, are reported next
   to joints that differ or are in radians; multiples of pi are not. Radians that were converted by
-  mistake are reported, too: 177.617 is 3.1 rad in degrees.
+  mistake are reported, too: 177.617 is 3.1 rad in degrees. So is one end of any number beyond two
+  turns if the other end, and other joints, are in radians: `${300 - home}`.
 - An `rpy` of a joint, a shape or an inertia: 90 rad is 14.3 turns, so the part is rotated by 116.6
   degrees. It is reported if an angle is more than a turn and a whole or half number, or more than
   two turns with up to two decimals, and not a multiple of 45 degrees in radians.
@@ -46,6 +47,11 @@ FIXED = GOOD = BAD.replace('lower="-90" upper="90"', 'lower="-1.570796327" upper
 _TWO_TURNS = 4 * pi
 #: Limits below this are in radians.
 _ONE_TURN = 7.0
+
+#: The end of a range that is not zero, in rad.
+_LEAST_END = 0.1
+#: Least number of other joints in radians next to one of which one end is in degrees.
+_MIN_IN_RADIANS = 2
 
 #: Common angles in degrees.
 _COMMON_ANGLES = frozenset((45, 90, 135, 180, 270, 360))
@@ -102,7 +108,7 @@ def _limits(model: RobotModel) -> Findings:
     are_exceptions = in_radians >= max(2, len(suspects)) and not sizes & _ROUND_ANGLES
     are_various = len(sizes) > 1 and all(map(_is_chosen, sizes)) and not sizes <= _ROUND_ANGLES
     for joint, ends in revolute:
-        if _is_converted(ends):
+        if _is_converted(ends) or (in_radians >= _MIN_IN_RADIANS and _is_mixed(ends)):
             yield _limit(joint, *ends)
     for joint, ends in suspects:
         is_common = {abs(end) for end in ends} & (_COMMON_ANGLES | _steering_angles(joint))
@@ -155,6 +161,16 @@ def _is_converted(ends: tuple[float, float]) -> bool:
         return False
     hundredths = [100 * radians(end) for end in ends]
     return all(abs(number - round(number)) < 1e-3 for number in hundredths)
+
+
+def _is_mixed(ends: tuple[float, float]) -> bool:
+    """True if one end is within a turn and the other one beyond two turns, as in ``300 - home``.
+
+    Joints that turn several times do so in both directions, or from zero on.
+    """
+    small, large = sorted(map(abs, ends))
+    is_written = _looks_like_degrees(large)  # such ends are suspect for another reason
+    return _LEAST_END < small < _ONE_TURN and _TWO_TURNS < large <= 360 and not is_written
 
 
 def _is_near_multiple(size: float, unit: float) -> bool:
