@@ -25,6 +25,16 @@ TALKER = "{'console_scripts': ['talker = arm.talker:main']}"
         (BUILT + INSTALL, "listener", MissingExecutable(False, ("talker",))),
         (BUILT + INSTALL + "# listener\n", "listener", MissingExecutable(False, ("talker",))),
         (BUILT + INSTALL + "include(more.cmake)\n", "listener", None),
+        (BUILT + INSTALL + "install(PROGRAMS ${ALL} DESTINATION lib/arm)\n", "listener", None),
+        (BUILT + INSTALL + "add_executable(${NODE} a.cpp)\n", "listener", None),
+        *(
+            (BUILT + INSTALL + rest, "listener", MissingExecutable(False, ("talker",)))
+            for rest in (
+                "include_directories(include)\ninstall(DIRECTORY include/ DESTINATION include)\n",
+                "include(FetchContent)\n",
+                "include(${LCM_USE_FILE})\nfile(GLOB MESSAGES *.lcm)\n",
+            )
+        ),
         (BUILT + INSTALL + "foreach(n a b)\nendforeach()\n", "listener", None),
         (
             "install(PROGRAMS scripts/a.py DESTINATION lib/${PROJECT_NAME})\n",

@@ -16,14 +16,17 @@ from urdfkit.workspace.file_head import head_text, is_inside
 from urdfkit.workspace.install_rules import build_file
 
 #: Commands of CMake that may make or install executables under names that are not written there.
+#: Modules of CMake itself make none, nor do the files that packages such as Qt ask to include.
 _UNCLEAR = re.compile(
-    r"(?i)\b(add_subdirectory|include|foreach|function|macro|GLOB\w*|ExternalProject\w*|execute_process"
-    r"|SETUP_CFG|PACKAGE_DIR)\b|install\s*\(\s*DIRECTORY[^)]*\bDESTINATION\s+\S*\blib\b"
+    r"(?i)\b(?:add_subdirectory|foreach|function|macro|ExternalProject\w*|execute_process)\s*\("
+    r"|\binclude\s*\((?!\s*(?:FetchContent|GNUInstallDirs|CTest|Check\w+|\$\{\w+_USE_FILE\})\s*\))"
+    r"|\b(?:SETUP_CFG|PACKAGE_DIR)\b|\badd_executable\s*\(\s*\"?\$"
+    r"|install\s*\(\s*(?:DIRECTORY[^()]*\bDESTINATION\s+\S*\blib\b|PROGRAMS\b[^()$]*\$)"
 )
 _EXECUTABLE = r"(?i)\badd_executable\s*\(\s*([\w.-]+)"
-_PROGRAM = r"(?i)\binstall\s*\(\s*PROGRAMS\b([^)]*?)\bDESTINATION\b"
-_TARGETS = r"(?i)\binstall\s*\(\s*TARGETS\b([^)]*)\)"
-_INSTALL = r"(?i)\binstall\s*\(\s*(?:PROGRAMS|TARGETS)\b([^)]*)\)"
+_PROGRAM = r"(?i)\binstall\s*\(\s*PROGRAMS\b([^()]*?)\bDESTINATION\b"
+_TARGETS = r"(?i)\binstall\s*\(\s*TARGETS\b([^()]*)\)"
+_INSTALL = r"(?i)\binstall\s*\(\s*(?:PROGRAMS|TARGETS)\b([^()]*)\)"
 _COMPONENT = r"(?i)\bEXECUTABLE\s+\"?([\w.-]+)"
 
 
@@ -39,7 +42,7 @@ class EntryPoint(Record):
 
 
 #: Files of C++, whose names are not those of executables.
-_SOURCE_FILE = re.compile(r"[^\s\"();]+\.(?:c|cc|cpp|cxx|h|hpp)(?![\w.])")
+_SOURCE_FILE = re.compile(r"(?<![^\s\"();])[^\s\"();]+\.(?:c|cc|cpp|cxx|h|hpp)(?![\w.])")
 
 
 class MissingExecutable(Record):
