@@ -305,3 +305,14 @@ def test_an_axis_across_the_line_between_the_wheels(tmp_path: Path) -> None:
     wrong = robot().replace('xyz="0 1 0"', 'xyz="1 0 0"').replace('rpy="1.5707963 0 0"', "")
     assert reported(tmp_path, drive(0.4, 0.1), wrong) == []
     assert len(reported(tmp_path, drive(0.3, 0.1), robot())) == 1
+
+
+@pytest.mark.parametrize(("radius", "is_unit"), [(100.0, True), (10.0, True), (0.5, False)])
+def test_a_model_in_another_unit(radius: float, is_unit: bool, tmp_path: Path) -> None:
+    found = [
+        one
+        for one in reported(tmp_path, drive(0.4, 0.1), robot(radius))
+        if "wheel_radius" in one.message
+    ]
+    help = "write the length in the model in m, not in another unit"
+    assert [one.help for one in found] == [help if is_unit else f"write {radius:g}"]

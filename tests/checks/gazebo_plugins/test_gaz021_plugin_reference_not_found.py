@@ -3,6 +3,7 @@ import pytest
 from tests.gazebos import BASE, BODY, WHEELS, block, child, plugin, sensor
 from tests.naming import naming
 from tests.reported import fixed, messages, places, reported
+from urdfkit.text.diagnostic import Severity
 
 STATES = "libgazebo_ros_joint_state_publisher.so"
 P3D = "libgazebo_ros_p3d.so"
@@ -136,3 +137,15 @@ def test_the_child_of_a_dropped_link_is_dropped() -> None:
     robot = BASE + child("arm", inside="") + child("hand", parent="arm")
     (message,) = messages("GAZ021", robot + plugin(STATES, "<jointName>hand_joint</jointName>"))
     assert "drops (link 'hand'" in message
+
+
+def test_a_plugin_that_only_another_gazebo_loads() -> None:
+    tags = "<joint>left_joint</joint><mimicJoint>{}</mimicJoint>"
+    file = "libroboticsgroup_gazebo_mimic_joint_plugin.so"
+    text = WHEELS + plugin(file, tags.format("rihgt_joint"))
+    for target, severity in (("classic-ros1", Severity.ERROR), ("classic-ros2", Severity.WARNING)):
+        (found,) = reported("GAZ021", text, targets=(target,))
+        assert found.severity is severity
+        assert found.message.startswith(f"plugin 'p' ({file}) refers to unknown joint")
+        right = WHEELS + plugin(file, tags.format("right_joint"))
+        assert reported("GAZ021", right, targets=(target,)) == []

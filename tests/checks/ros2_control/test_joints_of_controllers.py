@@ -144,3 +144,30 @@ def test_the_only_joint_without_a_controller(
     robot = f'<link name="base"/>{links}{joints}'
     found = reported_with_file("RCT001", tmp_path, text, "", robot)
     assert [one.message for one in found] == [naming("last", "unknown", "elbow", "d")] * count
+
+
+@pytest.mark.parametrize(
+    ("names", "found"),
+    [
+        (("Index", "Middle", "Ring", "Pinky", "Thumb"), []),
+        (("Index", "Middle", "Ring", "Little", "Thumb"), ["Left_Little"]),
+        (("Index", "Middle", "Small", "Little", "Thumb"), []),  # another hand
+        (("Index", "Middle", "Little"), []),
+    ],
+)
+def test_a_controller_of_the_other_side(
+    tmp_path: Path, names: tuple[str, ...], found: list[str]
+) -> None:
+    """SCHUNK's SVH: an argument chooses the hand, and the file has a controller for each."""
+    joints = [f"Right_{name}" for name in ("Index", "Middle", "Ring", "Pinky", "Thumb")]
+    robot = '<link name="base"/>' + "".join(
+        f'<link name="{name}_l"/><joint name="{name}" type="continuous"><parent link="base"/>'
+        f'<child link="{name}_l"/></joint>'
+        for name in joints
+    )
+    text = controller("right", joints=f"[{', '.join(joints)}]")
+    text += controller("left", joints=f"[{', '.join(f'Left_{name}' for name in names)}]")
+    heard = reported_with_file("RCT001", tmp_path, text, "", robot)
+    assert [one.span.text for one in heard] == found
+    assert [one.message for one in heard] == [naming("left", "4", name) for name in found]
+    assert all(one.severity is Severity.WARNING for one in heard)

@@ -29,6 +29,7 @@ Sources:
 from __future__ import annotations
 
 from itertools import chain
+from math import isclose
 
 from urdfkit.core.spatial import Vector, dot, length, minus
 from urdfkit.core.static_typing import TYPE_CHECKING
@@ -54,6 +55,8 @@ TOLERANCE = 0.05
 MAX_SLIP = 2.5
 #: No calibration makes a separation so much smaller.
 LEAST = 0.7
+#: Millimetres and centimetres in a metre: the model, which is too large, has another unit.
+_UNITS = (1000.0, 100.0)
 #: In m: the positions of wheels that are closer are not yet defined.
 SAME_PLACE = 1e-3
 
@@ -113,7 +116,7 @@ def _check_plugin(use: PluginUse, kind: Drive, context: Context) -> Findings:
             is_info = measured == "separation" and len(driven) > 2 and _may_slip(value, real)
             severity = Severity.INFO if is_info else None
             weight = abs(value - real[0])
-            yield Finding(at, message, _help(real[0]), weight=weight, severity=severity)
+            yield Finding(at, message, _help(real[0], value), weight=weight, severity=severity)
 
 
 def _unequal(
@@ -183,7 +186,7 @@ def _check_controller(controller: Controller, context: Context) -> Findings:
                 values[0].span,
                 f"{controller.title}: {measure.parameter} is {value:g} m, but "
                 f"{_MEASURED[measure.kind]} {real[0]:.4g} m",
-                _help(real[0]) + f", and calibrate {measure.parameter}_multiplier" * is_info,
+                _help(real[0], value) + f", and calibrate {measure.parameter}_multiplier" * is_info,
                 weight=abs(value - real[0]),
                 severity=Severity.INFO if is_info else None,
             )
@@ -214,7 +217,9 @@ def _is_far_too_small(
     return measure.kind == "separation" and largest < LEAST * min(real)
 
 
-def _help(real: float) -> str:
+def _help(real: float, value: float) -> str:
+    if real > value and any(isclose(real, factor * value, rel_tol=TOLERANCE) for factor in _UNITS):
+        return "write the length in the model in m, not in another unit"
     if real < SAME_PLACE:
         return "write the positions of the wheels into the <origin> of their joints"
     return f"write {real:.4g}"

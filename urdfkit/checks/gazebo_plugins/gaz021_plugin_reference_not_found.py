@@ -11,6 +11,8 @@ error and stays idle, and some plugins stop the simulator. There are three cause
 - Gazebo dropped it: a link without mass that no fixed joint merges into another is not simulated,
   and neither are the links below it. Give the link an `<inertial>`.
 
+A warning for a plugin that only another Gazebo loads.
+
 Sources:
     SDFormat extensions to URDF: http://sdformat.org/tutorials?tut=sdformat_urdf_extensions
     sdformat, parser_urdf.cc: https://github.com/gazebosim/sdformat/blob/main/src/parser_urdf.cc
@@ -59,6 +61,8 @@ def check(context: Context) -> Findings:
             is_world = reference.kind == "link" and reference.name == "world"
             if result == "unknown" and not is_world and not context.is_part:
                 yield _unknown(context, use, reference, suggesters[reference.kind])
+            elif use.plugin is None:
+                continue  # of another Gazebo, which may convert the robot in another way
             elif result == "merged" and not _is_rewritten(use, reference):
                 yield _merged(context, use, reference)
             elif result == "dropped" and not context.is_part:
@@ -81,7 +85,8 @@ def _unknown(
     if len(words) > 1 and any(word in names for word in words):
         tag = item.path.rpartition("/")[2]
         help = f"name one in each <{tag}>, which does not take several {reference.kind}s"
-    return Finding(item.at, message, help, fix)
+    severity = None if use.plugin else Severity.WARNING
+    return Finding(item.at, message, help, fix, severity=severity)
 
 
 def _is_rewritten(use: PluginUse, reference: Reference) -> bool:

@@ -12,7 +12,7 @@
   not start this one (a warning). A joint that an argument of the robot disables is not reported:
   nothing may start the controller. A warning in ROS 1, where hardware may use other names, unless
   the hardware is a Gazebo plugin and the controller has other joints of the robot or a misspelt
-  one.
+  one. If it is for the other side of the robot, the one joint without a counterpart is a warning.
 
 Correct the name.
 
@@ -200,8 +200,25 @@ def _controller_joints(context: Context) -> Findings:
                 if is_likely or not is_fitting:
                     unknown.append(joint.text)
                     found.append(_unknown_joint(use, joint, hint, context, is_likely=is_likely))
+            found += [] if is_of_robot else _unlike_other_side(use, known)
         robot = started_robot_of(path, set(unknown), context) if found else ""
         yield from [_of_started_robot(of_file[0].file, unknown, robot)] if robot else found
+
+
+def _unlike_other_side(use: _Use, known: set[str]) -> Findings:
+    """The only joint of the controller of the other side whose counterpart the robot lacks."""
+    names = {joint.text for joint in use.joints}
+    paired = {name for pair in pairs(sorted(names | known)) for name in pair} & names
+    if len(names - paired) == 1 and len(paired) >= _MANY and names.isdisjoint(known):
+        joint = next(joint for joint in use.joints if joint.text not in paired)
+        yield Finding(
+            joint.span,
+            f"{use.controller.title}: the robot has the counterparts of its {len(paired)} other "
+            f"joints, but none of '{joint.text}'",
+            "fix the name in the parameter file",
+            related=(use.file.note,),
+            severity=Severity.WARNING,
+        )
 
 
 def _of_started_robot(file: ParameterFile, unknown: list[str], robot: str) -> Finding:

@@ -133,8 +133,13 @@ class PluginUse:
         return items
 
     def references(self) -> Iterator[Reference]:
-        """The links and joints that its plugin looks up, and their locations."""
-        parameters = self.plugin.parameters if self.plugin else {}
+        """The links and joints that its plugin looks up, and their locations.
+
+        A plugin that exists for one other Gazebo alone looks them up there.
+        """
+        only = self.known[0] if len(self.known) == 1 else None
+        plugin = self.plugin or only
+        parameters = plugin.parameters if plugin else {}
         for item in self.items:
             parameter = parameters.get(item.path)
             if parameter is None or parameter.type not in REFERENCES:
