@@ -146,6 +146,7 @@ XACRO = "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'><link name=
 PROPERTY = "<xacro:property name='p' value='1'/>"
 SLAM = "-configuration_directory $(dirname) -configuration_basename a.lua"
 LAUNCH = f"<launch><node pkg='cartographer_ros' exec='cartographer_node' args='{SLAM}'/>"
+LAUNCH += "<node pkg='arm' exec='b'/>"
 
 
 @pytest.mark.parametrize(
@@ -158,6 +159,10 @@ LAUNCH = f"<launch><node pkg='cartographer_ros' exec='cartographer_node' args='{
         ("a.launch.xml", f'{LAUNCH}<node pkg="a" exec="b" args="', "$(eval ", '"/></launch>'),
         ("a.lua", "options = {", "x", ""),
         ("a.launch.py", "generate_launch_description('", " '/home/a/b'", ""),
+        ("CMakeLists.txt", "add_executable(b)", "installinstall", ""),
+        ("CMakeLists.txt", "add_executable(b)", "include(a ", ""),
+        ("CMakeLists.txt", "rosidl_generate_interfaces(a", " ", ""),
+        ("part.xacro", "<robot><!--", "xacro:include ", "--></robot>"),
     ],
 )
 def test_a_workspace(file: str, head: str, piece: str, tail: str, tmp_path: Path) -> None:

@@ -16,11 +16,11 @@ from urdfkit.workspace.srdf_files import are_for
 SUFFIXES = (".urdf", ".xacro")
 #: Suffixes of xacros that do not describe a robot.
 OTHER_MODELS = (".srdf.xacro", ".sdf.xacro")
-_DISABLED = rb"""xacro:include\b[^<>]*?\bfilename\s*=\s*["']([^"']+)["']"""
+_DISABLED = rb"""xacro:include\b(?:(?!xacro:)[^<>])*?\bfilename\s*=\s*["']([^"']+)["']"""
 INCLUDE = b"<" + _DISABLED
 ROBOT = rb"<robot[\s>]"
 _ROOT_TAG = rb"\s*(?:<[?!][^>]*>\s*)*<(\w+)"
-_EXPRESSION = r"\$\{[^}]*\}|\$\([^)]*\)"
+_EXPRESSION = r"\$\{[^${}]*\}|\$\([^$()]*\)"
 
 
 def _is_broken_robot(path: str, data: bytes) -> bool:

@@ -25,7 +25,7 @@ MAX_ELEMENTS = 1_000_000
 #: Most entities and nested groups of a DTD; expat processes both by recursion.
 MAX_DTD_DEPTH = 1000
 #: The value of a namespace, in the root element of a well-formed file.
-_SPACED_NAMESPACE = rb"""\sxmlns(?::[\w.-]+)?\s*=\s*["']([^"'<>]*\s[^"'<>]*)["']"""
+_SPACED_NAMESPACE = rb"""\sxmlns(?::[\w.-]+)?\s*=\s*["']([^"'<>\s]*\s[^"'<>]*)["']"""
 #: Most locations of the same defect that are reported.
 MAX_RELATED = 5
 

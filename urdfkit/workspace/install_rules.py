@@ -18,8 +18,8 @@ from urdfkit.workspace.installs import built_targets, known_variables, read_rule
 
 #: Commands with unknown results that may install files: other CMake files, functions of packages.
 _UNCLEAR = (
-    r"(?i)\badd_subdirectory\s*\(|\binclude\s*\([^)]*[/.]"
-    r"|\b(?!(?:catkin_install_python|ament_python_install_\w+|install)\s*\()\w*install\w*\s*\("
+    r"(?i)\badd_subdirectory\s*\(|\binclude\s*\([^()]*[/.]"
+    r"|\b(?!(?:catkin_install_python|ament_python_install_\w+|install)\s*\()(?=\w*install)\w+\s*\("
 )
 #: Commands that create files that are not in the source tree.
 _MAKES = (
@@ -36,6 +36,7 @@ _MADE = (
 #: A call of a macro that makes another file of a name.
 _GENERATED = r"(?i)\b(?:generate|convert)_\w+\s*\([^()]*\b{}\.\w+"
 _MACRO = r"(?is)\b(?:macro|function)\s*\(\s*(\w+)(.*)"
+_MAX_MACROS = 100
 _END_OF_MACRO = r"(?i)\bend(?:macro|function)\b"
 _AFTER_VARIABLE = r"\$\{\w+\}([\w.-]+)"
 _COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
@@ -218,7 +219,7 @@ def _is_made_by_macro(name: str, text: str) -> bool:
     The name is an argument, or an argument and what follows a variable in the macro:
     ``${robot}_body.urdf``.
     """
-    for part in re.split(_END_OF_MACRO, text)[:-1]:
+    for part in re.split(_END_OF_MACRO, text, maxsplit=_MAX_MACROS)[:-1]:
         definition = re.search(_MACRO, part)
         if definition is None or not re.search(_MADE, definition[2]):
             continue

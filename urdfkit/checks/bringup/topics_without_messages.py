@@ -40,7 +40,7 @@ _ADD_STATIC = (
 #: The link in the default topic of a sensor.
 _LINK = re.compile(r"/link/([^/]+)/sensor/")
 #: A topic in a tag, such as ``<odom_topic>``, or in an argument of a macro.
-_TOPIC = rb"""<\w*topic\w*>\s*([\w/.-]+)\s*<|\b\w*topic\w*\s*=\s*["']([\w/.-]+)["']"""
+_TOPIC = rb"""<(?=\w*topic)\w+>\s*([\w/.-]+)\s*<|\b(?=\w*topic)\w+\s*=\s*["']([\w/.-]+)["']"""
 
 
 def topics_without_messages(

@@ -57,7 +57,7 @@ _SUCCESSOR = "dynamics"
 _INSTEAD = {"joint_properties": "write <dynamics> instead, which has the same attributes"}
 
 #: The first element of a file.
-_ROOT = rb"<([A-Za-z][\w:.-]*)(?=[^<>]*>)"
+_ROOT = rb"<([A-Za-z][\w:.-]*)(?![\w:.-])(?=[^<>]*>)"
 
 #: Number of elements with the same tag in the same wrong place that a finding lists.
 _MAX_NAMED = 5

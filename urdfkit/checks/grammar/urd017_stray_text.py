@@ -20,7 +20,7 @@ BAD = link_xml("arm", visual_xml('<box size="0.1 0.1 0.2"/>', "<origin>0 0 0.1</
 GOOD = BAD.replace("<origin>0 0 0.1</origin>", '<origin xyz="0 0 0.1"/>')
 
 #: An attribute may contain ">".
-_TAGS = rb"""<!--[\s\S]*?-->|<(?:"[^"]*"|'[^']*'|[^<>"'])*>"""
+_TAGS = rb"""<!--[\s\S]*?(?:-->|\Z)|<(?:"[^"]*"|'[^']*'|[^<>"'])*>"""
 #: Number of characters of a text that a message contains.
 _MAX_CHARACTERS = 40
 

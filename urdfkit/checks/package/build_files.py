@@ -17,7 +17,7 @@ from urdfkit.workspace.package_references import have_references
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: The call that generates messages, services and actions.
-INTERFACES = rb"\brosidl_generate_interfaces\s*\(\s*[^\s()]+\s+([^()]*)\)"
+INTERFACES = rb"\brosidl_generate_interfaces\s*\(\s*[^\s()]+\s([^()]*)\)"
 #: Where each build file gives the name, as far as it is written out.
 _NAMES = {
     # No part of a name, such as that in front of a variable.

@@ -18,7 +18,7 @@ from urdfkit.workspace.executables import EntryPoint, entry_points
 from urdfkit.workspace.python_installs import globbed_files, listed_files
 
 #: The directory of executables in a setup.cfg, and where a setup.py may set it itself.
-_DIRECTORY = re.compile(rb"(?m)^\s*install[_-]scripts\s*=\s*\$base/lib/([\w.-]+)")
+_DIRECTORY = re.compile(rb"(?m)^[ \t]*install[_-]scripts\s*=\s*\$base/lib/([\w.-]+)")
 _OPTIONS = re.compile(rb"install[_-]scripts|lib/|\"lib\"|'lib'")
 _OF_MODULES = frozenset(("__file__", "__name__", "__doc__"))
 _SETUP = "setup"

@@ -50,7 +50,7 @@ _BASE = "hardware_interface"
 _OF_GZ = "gz_ros2_control"
 #: A condition with a plugin or the whole hardware in it.
 _CONDITIONAL = re.compile(
-    r"<xacro:(if|unless)\b(?:(?!</xacro:\1).)*?<(?:hardware|plugin)\b", re.DOTALL
+    r"<xacro:(?:if|unless)\b(?:(?!</?xacro:(?:if|unless)\b).)*?<(?:hardware|plugin)\b", re.DOTALL
 )
 #: Hardware classes of ros2_control, and of a package that many simulators use.
 _COMMON = ("mock_components/GenericSystem", "topic_based_ros2_control/TopicBasedSystem")

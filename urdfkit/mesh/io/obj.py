@@ -11,7 +11,7 @@ _LAST_FACES = 200
 _VERTEX = re.compile(rb"\n[ \t]*v[ \t]")
 _FACE = re.compile(rb"\n[ \t]*f[ \t]+([^\r\n]*)")
 _OBJECT = re.compile(rb"\n[ \t]*[go](?=[ \t\r\n])")
-_BAD_VERTEX = re.compile(rb"\n[ \t]*v[ \t]+([^\r\n]*(?:nan|inf|#ind)[^\r\n]*)")
+_BAD_VERTEX = re.compile(rb"\n[ \t]*v[ \t]([^\r\n]*(?:nan|inf|#ind)[^\r\n]*)")
 
 
 def validate(data: bytes) -> tuple[Defect | None, str]:
