@@ -39,6 +39,22 @@ def test_sheets_on_one_another(z: float, count: int) -> None:
     assert len(reported("GEO004", robot)) == count
 
 
+@pytest.mark.parametrize(
+    ("collision", "z", "count"),
+    [("0.05", "0", 0), ("0.05", "0.02", 1), ("0.5", "0.4", 1)],
+)
+def test_a_collision_around_one_of_several_visuals(collision: str, z: str, count: int) -> None:
+    """articubot_one: the antenna of a GPS receiver, and the mast below it without a collision."""
+    cylinder = '<cylinder radius="{}" length="{}"/>'
+    robot = link(
+        "gps",
+        shape("visual", cylinder.format("0.05", "0.02")),
+        shape("visual", cylinder.format("0.01", "0.2"), "0 0 -0.1"),
+        shape("collision", cylinder.format(collision, "0.04"), f"0 0 {z}"),
+    )
+    assert len(reported("GEO004", robot)) == count
+
+
 @pytest.mark.parametrize(("name", "count"), [("gyro", 0), ("accel", 0), ("fisheye1", 1)])
 def test_a_sensor_without_an_image_has_an_optical_frame(name: str, count: int) -> None:
     """mobile_manip_ws's T265: the frames of its gyroscope, whose axes are those of the chip."""

@@ -12,7 +12,7 @@ The rule compares the bounding box of all collisions of a link with that of all 
 - The boxes have at most a third of their volume in common, for example because only the visual has
   the `<origin>` at half the height: visual and collision do not share it. A larger or smaller
   collision around the same centre is not reported, nor is a primitive that replaces a part of a
-  mesh.
+  mesh, or encloses one of several visuals.
 - A link has the visual mesh of its left or right counterpart, no link uses the mesh file of its own
   side, and other pairs have a mesh for each side; or one of at least four fingers has the mesh of
   another finger. Or its collision is named after the other side than its visual, and no link uses

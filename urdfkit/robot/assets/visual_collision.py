@@ -52,6 +52,10 @@ CUBE, THOUSAND = 1.1, (600.0, 1600.0)
 #: second factor: one part at two scales.
 SIMILAR_UNIT, SIMILAR = 1.5, 1.02
 
+#: Distance of the centres, as a part of the longest edge, of a collision around one of several
+#: visuals, and least volume of that visual as a part of the collision's box.
+CONCENTRIC, LEAST_PART = 0.05, 0.1
+
 #: Concentric boxes with a larger overlap show one part; a motor and a cylinder in the place of its
 #: neighbour have 0.66.
 SAME_OVERLAP = 0.72
@@ -171,7 +175,7 @@ class VisualCollisionPair:
         The same shape at another position is a mistake, and so is a distance larger than the
         shapes.
         """
-        if self.overlap >= LEAST_OVERLAP or self.is_nested or self._coincides:
+        if self.overlap >= LEAST_OVERLAP or self.is_nested or self._coincides or self._encloses_one:
             return False
         if not (_is_mesh(self.collision) or _is_mesh(self.visual)) or self.has_one_shape:
             return True
@@ -195,6 +199,19 @@ class VisualCollisionPair:
             if turned.common_volume(visual) >= NESTED * volume:
                 return axis
         return ""
+
+    @property
+    def _encloses_one(self) -> bool:
+        """True if the collision is around one of several visuals: an antenna without its mast."""
+        outer = self.collision.bounds
+        near = CONCENTRIC * max(outer.edges)
+        parts = self.visual.parts if len(self.visual.parts) > 1 else ()
+        return any(
+            length(minus(inner.center, outer.center)) <= near
+            and inner.volume >= LEAST_PART * outer.volume
+            and outer.common_volume(inner) >= NESTED * inner.volume
+            for inner in (LinkSolid((part,)).bounds for part in parts)
+        )
 
     @property
     def _coincides(self) -> bool:
