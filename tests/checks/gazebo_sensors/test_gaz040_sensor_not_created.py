@@ -59,6 +59,8 @@ def test_only_a_type_that_the_gazebo_at_hand_makes_is_meant(target, suggested):
         ("gpu_lidar", ("classic-ros2",), Severity.ERROR),
         ("depth_camera", ("classic-ros1",), Severity.ERROR),
         ("ray", ("moveit",), Severity.INFO),
+        ("ray", ("ros1",), None),
+        ("ray", ("ros2",), Severity.INFO),
         ("imu", ("gz-jetty",), None),
     ],
 )

@@ -77,7 +77,8 @@ def _unknown(sensor: Sensor, known: Mapping[str, SensorType], targets: Targets) 
 
 def _not_in_target(sensor: Sensor, kind: SensorType, targets: Targets) -> Findings:
     wants_gz, wants_classic = targets.any_of(GZ), targets.any_of(CLASSIC)
-    if not kind.gz and (wants_gz or not wants_classic):
+    has_classic = wants_classic or "ros1" in targets.names  # the Gazebo of ROS 1
+    if not kind.gz and (wants_gz or not has_classic):
         reader, other = "gz-sim", kind.gz_name
     elif not kind.classic and wants_classic:
         reader, other = "Gazebo Classic", kind.classic_name
