@@ -400,6 +400,23 @@ def test_a_template_of_controllers(tmp_path: Path, above: str, count: int) -> No
     assert sum("missing: joint" in one.message for one in found) == count
 
 
+@pytest.mark.parametrize(
+    ("name", "count"),
+    [("/$(arg car)/wheel/joint", 0), ("wheel/joint", 0), ("wheel/pid/p", 1), ("hinge/joint", 1)],
+)
+def test_a_joint_that_the_launch_file_names(tmp_path: Path, name: str, count: int) -> None:
+    """F1TENTH: cars share a file of controllers, and each names its joints with a prefix."""
+    kind = "type: effort_controllers/JointVelocityController"
+    add_file(tmp_path / "c.yaml", f"wheel:\n  {kind}\n  pid: {{p: 9}}\n".encode())
+    add_file(tmp_path / "r.urdf", whole_robot(ROBOT).encode())
+    text = '<arg name="car" default="car_1"/><rosparam file="$(dirname)/c.yaml"/>'
+    text += f"<param name='{name}' value='swing'/>"
+    text += '<param name="robot_description" textfile="$(dirname)/r.urdf"/>'
+    add_file(tmp_path / "r.launch", f"<launch>{text}</launch>".encode())
+    found = check(tmp_path / "r.launch", select=["RCT034"]).diagnostics
+    assert sum("missing: joint" in one.message for one in found) == count
+
+
 @pytest.mark.parametrize(("above", "count"), [("      ros__parameters:\n  ", 0), ("", 1)])
 def test_a_type_below_a_second_ros_parameters(tmp_path: Path, above: str, count: int) -> None:
     """panda_ros2_gazebo, whose spawner has the type: no controller is 'drive.ros__parameters'."""

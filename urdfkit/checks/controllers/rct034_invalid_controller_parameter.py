@@ -7,7 +7,8 @@ The controller manager does not load the controller, or the controller runs with
   of the workspace exports other types (warning).
 - The name of a parameter is misspelt (warning): with an unread `wheel_seperation`, the robot turns
   by the wrong angle.
-- A required parameter is missing: "'joints' parameter was empty".
+- A required parameter is missing: "'joints' parameter was empty". In ROS 1, a `<param>` of the
+  launch file may set it.
 - A value has the wrong type. ROS 2 parameters are typed: a `double` does not accept the integer
   `50`, and a quoted number or a decimal comma is a string: "parameter 'publish_rate' has invalid
   type". Types that differ between versions of a class since Humble are not checked.
@@ -35,7 +36,8 @@ Sources:
     diff_drive_controller: https://control.ros.org/master/doc/ros2_controllers/diff_drive_controller/doc/userdoc.html
 """
 
-from collections.abc import Iterator
+import re
+from collections.abc import Collection, Iterator
 
 from urdfkit.checks.controllers.trajectory_interfaces import (
     invalid_interfaces,
@@ -88,6 +90,9 @@ _OF_AXLE = {"ackermann": 2, "bicycle": 1}
 #: Below more, in ROS 1, is a template that a program completes before it loads the controllers.
 _MAX_NAMESPACES = 1
 
+#: The name of a ``<param>`` of a launch file.
+_PARAM = rb"<param\b[^<>]*?\sname\s*=\s*[\"']([^\"'<>]*)"
+
 #: Place, message and help.
 _Problem = tuple[Span, str, str]
 
@@ -100,6 +105,7 @@ def check(context: Context) -> Findings:
     sections = named_sections(context)
     for file, controllers in by_file(context.controllers):
         names = {controller.name for controller in controllers}
+        set_apart = _set_in_launch_file(file)
         others = {name: section for name, section in sections.items() if name not in names}
         for controller in controllers:
             if _is_of_workspace(context, controller):
@@ -108,22 +114,34 @@ def check(context: Context) -> Findings:
             if _is_own_class(context, controller):
                 continue
             own = sections.get(controller.name, controller.section)
+            given = set_apart.get(controller.name, ())
             later = _of_later_versions(controller, own, context)
-            for severity, (at, message, help) in (*_problems(controller, own, others), *later):
+            problems = _problems(controller, own, others, given)
+            for severity, (at, message, help) in (*problems, *later):
                 text = f"{controller.title}: {message}"
                 yield Finding(at, text, help, related=(file.note,), severity=severity)
 
 
+def _set_in_launch_file(file: ParameterFile) -> dict[str, set[str]]:
+    """The parameters of controllers that the launch file of a parameter file sets, in ROS 1."""
+    found: dict[str, set[str]] = {}
+    for name in re.findall(_PARAM, file.span.source.data) if file.is_of_ros1 else ():
+        above, _, parameter = name.decode("utf-8", "replace").rpartition("/")
+        found.setdefault(above.rpartition("/")[2], set()).add(parameter)
+    return found
+
+
 def _problems(
-    controller: Controller, own: Section, others: dict[str, Section]
+    controller: Controller, own: Section, others: dict[str, Section], given: Collection[str]
 ) -> Iterator[tuple[Severity | None, _Problem]]:
     """Problems of a controller, with a severity if it differs from that of the rule.
 
     Args:
         own: the section with its parameters.
         others: the sections that do not belong to a controller of the file, by name.
+        given: the parameters that are set elsewhere.
     """
-    errors = [*_unknown_class(controller), *_missing(controller, own, others)]
+    errors = [*_unknown_class(controller), *_missing(controller, own, others, given)]
     known = parameters_of(controller.type, controller.ros)
     if known is not None:
         errors += _invalid_values(known, controller.section)
@@ -218,14 +236,15 @@ def _misspelt(controller: Controller) -> Iterator[_Problem]:
 
 
 def _missing(
-    controller: Controller, own: Section, others: dict[str, Section]
+    controller: Controller, own: Section, others: dict[str, Section], given: Collection[str]
 ) -> Iterator[_Problem]:
     """Required parameters that the controller does not have, except misspelt ones."""
     if controller.namespaces > _MAX_NAMESPACES:
         return
     known = parameters_of(controller.type, controller.ros)
     required = known.required if known else ()
-    absent = [name for name in required if own.places.keys().isdisjoint(name.split("|"))]
+    known_names = {*own.places, *given}
+    absent = [name for name in required if known_names.isdisjoint(name.split("|"))]
     declared = parameters(controller.type) if controller.type in controller_types() else ()
     missing = [
         name.replace("|", " or ")
