@@ -57,6 +57,8 @@ def test_a_common_suffix_makes_no_names_similar(name: str, other: str, is_near: 
         # mini_pupper_ros: the description that is expanded to a file of this name
         ("arm.urdf", ["arm.urdf.xacro", "arms.urdf"], "arm.urdf.xacro"),
         ("arm.urdf", ["arm.xacro"], None),
+        ("parol6.urdf", ["PAROL6.csv", "PAROL6.urdf"], "PAROL6.urdf"),
+        ("PAROL6.urdf", ["parol6.urdf"], "parol6.urdf"),
         # trossen_arm_ros: parts of a robot of different kinds
         ("wxai.ros2_control.xacro", ["wxai.srdf.xacro", "wxai.urdf.xacro"], None),
         ("arm.ros2_contol.xacro", ["arm.ros2_control.xacro"], "arm.ros2_control.xacro"),

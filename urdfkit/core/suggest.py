@@ -124,7 +124,7 @@ def nearest_file(path: str) -> str | None:
 def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
     """The known file name most similar to ``name``; None if none is similar, or of its suffix.
 
-    ``arm.urdf`` may be made of ``arm.urdf.xacro``, which is the nearest then.
+    ``arm.urdf`` may be made of ``arm.urdf.xacro``, which is the nearest then. Next is ``ARM.urdf``.
     Suffixes make no names similar: ``start_cameras.launch.xml`` is not ``start_driver.launch.xml``,
     and different ones make them different: ``arm.srdf.xacro`` is not ``arm.ros2_control.xacro``.
     Nor do common words: ``chomp_planning.yaml`` is not ``ompl_planning.yaml``. Other numbers make
@@ -133,6 +133,9 @@ def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
     names = sorted(known)
     if (expanded := f"{name}.xacro") in names:
         return expanded
+    folded = name.casefold()
+    if same := next((other for other in names if other.casefold() == folded), None):
+        return same
     kind = os.path.splitext(name)[1]
     stem, _, suffix = name.partition(".")
     stems: dict[str, str] = {}

@@ -137,3 +137,12 @@ def test_a_directory_that_the_caller_names(tmp_path: Path, default: str, count: 
     model = "PathJoinSubstitution(['/models', LaunchConfiguration('model'), 'model.sdf'])"
     text += CREATE.format(f"'-name', 'r', '-file', {model}")
     assert len(reported(tmp_path, "LAU016", "a.launch.py", text)) == count
+
+
+@pytest.mark.parametrize(("name", "help"), [("PAROL6.urdf", "did you mean"), ("x.urdf", "create")])
+def test_a_file_whose_name_is_written_otherwise(tmp_path: Path, name: str, help: str) -> None:
+    """The exporter of SolidWorks writes the name of the package, in lower case, for the file."""
+    text = MODEL.format("-urdf -model r -file $(find arm)/urdf/parol6.urdf")
+    (found,) = reported(tmp_path, "LAU016", "a.launch", text, {f"urdf/{name}": "<robot/>"})
+    assert found.message == naming(tmp_path / "urdf" / "parol6.urdf")
+    assert found.help.startswith(help)

@@ -20,7 +20,7 @@ import os
 import re
 
 from urdfkit.core import disk
-from urdfkit.core.suggest import CLOSE_TYPO, nearest
+from urdfkit.core.suggest import CLOSE_TYPO, nearest, nearest_file
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Severity, rule
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram, Word
@@ -104,7 +104,10 @@ def _file(context: Context, path: str, place: Location) -> Findings:
         is_inside = context.resolver.allows(path, context.source.path)
         is_made = is_ignored(path) if is_inside else path.startswith("/tmp/")
         if not is_made and not _is_mentioned(context, path):
-            help = "create the file, or fix its name"
+            suggested = nearest_file(path) if is_inside else None
+            help = (
+                f"did you mean '{suggested}'?" if suggested else "create the file, or fix its name"
+            )
             severity = None if is_inside else Severity.WARNING
             yield Finding(place, f"file not found: {path}", help, severity=severity)
 
