@@ -29,6 +29,11 @@ ROS_2 = '<let name="x" value="$(var x)"/>\n'
             '<rename from="c"/>',
             naming("<remap>", "<param>", "<rosparam>", "<env>"),
         ),
+        (
+            ROS_2 + '<node pkg="a" exec="b" required="true"/>',
+            "true",
+            naming('on_exit="shutdown"'),
+        ),
     ],
 )
 def test_unknown_tags_and_attributes(tmp_path: Path, text: str, word: str, help: str) -> None:

@@ -41,6 +41,11 @@ def program(entities: str, before: str = "") -> str:
             "write executable",
         ),
         (
+            program("node, Node(package='c', executable='d', required=True)"),
+            "Node has no argument 'required'",
+            "write on_exit=Shutdown() if it is True",
+        ),
+        (
             program("node, Node(package='c', executable='d', output='console')"),
             "output is 'console', which launch does not know",
             "write screen or log or both or own_log or full",

@@ -113,7 +113,8 @@ def _keywords(call: ast.Call, values: Values) -> Iterator[Problem]:
     for keyword in call.keywords if known else ():
         given = keyword.arg or ""
         if given and given not in known and not given.startswith(_FORMER):
-            match = nearest(given, known)
+            former = data("launch_python")["of_roslaunch"].get(given, "")
+            match = former if former.partition("=")[0] in known else nearest(given, known)
             help = f"write {match}" if match else f"{name} has {', '.join(sorted(known))}"
             every = data("launch_python")["keywords"].items()
             owner = next((other for other, names in every if given in names.split()), "")
