@@ -24,6 +24,14 @@ def test_a_camera_of_gazebo_is_not_turned_away() -> None:
     assert 'rpy="-1.5707963 0 -1.5707963"' in (found.help or "")
 
 
+@pytest.mark.parametrize(("pose", "count"), [("1.5708 -1.5708 0", 0), ("1.5708 0 0", 1)])
+def test_a_camera_of_gazebo_that_looks_along_z(pose: str, count: int) -> None:
+    """The camera of a CRANE+ looks down on the table, and Gazebo's pose says so, too."""
+    sensor = f'<sensor name="s" type="camera"><pose>0 0 0 {pose}</pose></sensor>'
+    camera = f'<gazebo reference="camera_optical_frame">{sensor}</gazebo>'
+    assert len(reported("JNT030", robot("0 3.14159 1.5708") + camera)) == count
+
+
 def test_a_camera_whose_z_points_down() -> None:
     """The camera of a hexapod, in the frame of its CAD part."""
     mount = '<link name="base"/><joint name="m" type="fixed"><parent link="base"/>'

@@ -7,7 +7,7 @@ down: rpy="-pi/2 0 -pi/2" rotates the one into the other (REP 103).
   above or behind the robot; with rpy="pi/2 0 pi/2" they are upside down. This rpy is right if z of
   the camera's frame points down, as for a camera mounted upside down or an underwater vehicle.
   rpy="pi 0 0" is not reported in a robot without Gazebo tags: the frame of the camera may be that
-  of MuJoCo, OpenGL or USD.
+  of MuJoCo, OpenGL or USD. Nor is an optical frame along whose z a camera of Gazebo looks.
 - A camera of Gazebo is on an optical frame: a sensor looks along x of its link, so the camera looks
   to the right. Put it on the camera's own link.
 - The images have the frame_id of the camera's own link, which is x-forward: objects straight ahead
@@ -21,7 +21,7 @@ Sources:
 
 from math import pi
 
-from urdfkit.core.spatial import Z_AXIS, Rotation, multiply, rotate
+from urdfkit.core.spatial import IDENTITY, Z_AXIS, Rotation, from_rpy, multiply, rotate
 from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
@@ -75,6 +75,7 @@ def check(context: Context) -> Findings:
             or _is_near(rotation, _OPTICAL)
             or (_is_near(rotation, _OPTICAL_OF_OPENGL) and not context.model.gazebo)
             or _is_near(_from_mount(context, camera, rotation), _OPTICAL)
+            or _is_view_of_gazebo(context, optical)
         ):
             continue
         is_upside_down = _is_near(rotation, _OPTICAL_DOWN)
@@ -165,6 +166,17 @@ def _has_sensor(context: Context, link: str) -> bool:
     """True if a sensor of Gazebo is on a link: it looks along x, and a fix would rotate it."""
     blocks = (block for block in context.model.gazebo if block.get("reference") == link)
     return any(block.child("sensor") for block in blocks)
+
+
+def _is_view_of_gazebo(context: Context, optical: str) -> bool:
+    """True if a camera of Gazebo is rotated on an optical frame so that it looks along its z."""
+    from urdfkit.ros.gazebo.sensors import sensors
+
+    poses = (one.find("pose") for one in sensors(context.model) if one.reference == optical)
+    turns = (values[3:] for pose in poses if pose and (values := numbers(pose.text)))
+    return any(
+        len(turn) == 3 and _is_near(multiply(from_rpy(*turn), _OPTICAL), IDENTITY) for turn in turns
+    )
 
 
 def _is_of_one_camera(camera: str, optical: str) -> bool:
