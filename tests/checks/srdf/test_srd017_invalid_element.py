@@ -26,6 +26,14 @@ def test_a_robot_without_a_name(tmp_path: Path) -> None:
     assert finding.severity is Severity.WARNING
 
 
+def test_a_virtual_joint_without_a_name(tmp_path: Path) -> None:
+    """abb_ros2: MoveIt plans for the robot, with its root fixed, as with an invalid joint."""
+    joint = '<virtual_joint type="fixed" parent_frame="world" child_link="base"/>'
+    (finding,) = findings(tmp_path, joint, "SRD017")
+    assert finding.message == naming("<virtual_joint>", "name")
+    assert finding.severity is Severity.WARNING
+
+
 @pytest.mark.parametrize(("groups", "severity"), [("", "warning"), ('<group name="g"/>', "error")])
 def test_states_of_a_file_without_groups_are_for_pinocchio(
     tmp_path: Path, groups: str, severity: str

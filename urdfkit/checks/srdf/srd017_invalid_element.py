@@ -10,8 +10,8 @@
   Pinocchio, which sets all joints of the robot, reads it; so is a robot without a name, whose
   elements srdfdom reads.
 - A virtual joint connects the root of the robot to a frame of the world, and is `fixed`, `planar`
-  or `floating`. If its type or link is invalid, MoveIt prints a warning and treats the root as
-  fixed: planning works, but the robot cannot be placed or driven (warning).
+  or `floating`. If its type or link is invalid or missing, MoveIt prints a warning and treats the
+  root as fixed: planning works, but the robot cannot be placed or driven (warning).
 - The links of an end effector's group must not be in its parent group, and its parent link must be.
   MoveIt loads the robot, but handles the hand as a part of the arm, or attaches it to another group
   with the parent link, or to none (warning). Not for a group without a moving joint, which only
@@ -86,6 +86,8 @@ def _incomplete(srdf: Srdf) -> Findings:
     for element, name in missing_attributes(srdf.root):
         if element.tag == "robot":
             reader, severity = "MoveIt logs an error, and reads the rest", Severity.WARNING
+        elif element.tag == "virtual_joint":
+            reader, severity = "ignored", Severity.WARNING
         elif element.tag == "group_state" and name == "group":
             reader, severity = "MoveIt ignores it", Severity.WARNING
         else:
