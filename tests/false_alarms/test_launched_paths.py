@@ -176,3 +176,43 @@ def test_the_package_that_find_is_asked_for(tmp_path: Path, found: str, count: i
     files = {"config/a.yaml": ""}
     problems = reported(tmp_path / "arm", "XAC011", "a.launch.py", program, files)
     assert len([one for one in problems if "' arm'" in one.message]) == count
+
+
+CHOSEN = """
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.conditions import UnlessCondition
+from launch.substitutions import (
+    Command, LaunchConfiguration, PathJoinSubstitution, PythonExpression
+)
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    arm = LaunchConfiguration("arm")
+    path = PathJoinSubstitution([FindPackageShare("arm"), arm, "arm.urdf"])
+    robot = {{"robot_description": Command(["xacro ", path])}}
+    is_virtual = PythonExpression(["'", arm, "' == 'virtual'"])
+    return LaunchDescription([
+        DeclareLaunchArgument("arm", default_value="real", choices=["real", "virtual"]),
+        Node(
+            package="robot_state_publisher",
+            executable="robot_state_publisher",
+            parameters=[robot],
+            {condition}
+        ),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("condition", "count"), [("condition=UnlessCondition(is_virtual),", 0), ("", 1)]
+)
+def test_a_robot_of_a_choice_that_starts_no_robot(
+    tmp_path: Path, condition: str, count: int
+) -> None:
+    """dvrk_model: a virtual patient cart has no model, and its nodes a condition."""
+    text, files = CHOSEN.format(condition=condition), {"real/arm.urdf": '<robot name="arm"/>'}
+    found = reported(tmp_path, "LAU003", "a.launch.py", text, files)
+    assert [one.variants for one in found] == [("arm=virtual",)] * count

@@ -40,7 +40,8 @@ def _launch(source: Source, resolver: Resolver, arguments: tuple[tuple[str, str]
 
     collector = Collector(resolver, _read)
     read = _read_parameters if is_parameter_file(source) else _read
-    read(collector, LaunchedFile(source, dict(arguments)))
+    given = dict(arguments)
+    read(collector, LaunchedFile(source, given, fixed=frozenset(given)))
     return collector.launch()
 
 

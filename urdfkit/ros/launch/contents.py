@@ -58,7 +58,8 @@ class LaunchedFile(Record):
     source: Source
     arguments: Mapping[str, str | None]  # None if known only at run time
     frame: CallFrame | None = None  # the launch files that include it
-    fixed: frozenset[str] = frozenset()  # arguments that the including file sets to a literal
+    #: Arguments that are given: by the user, or as literals by the including file.
+    fixed: frozenset[str] = frozenset()
 
 
 class LaunchedDescription(Record):

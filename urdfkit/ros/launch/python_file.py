@@ -201,15 +201,13 @@ class PythonLaunchFile:
         return self._outer_conditions.get(action) is False or self.condition(action) is False
 
     def is_never(self, action: ast.Call) -> bool:
-        """True if a literal of the including launch file switches an action off."""
+        """True if arguments that are given, as by the including launch file, switch it off."""
         condition = self.values.resolved(argument(action, None, "condition"))
         if not self.fixed or not isinstance(condition, ast.Call):
             return False
-        choice = self.values.resolved(argument(condition, 0, "predicate_expression"))
-        if not isinstance(choice, ast.Call) or called(choice) != "LaunchConfiguration":
-            return False
-        name = self.values.text(argument(choice, 0, "variable_name"))
-        return name in self.fixed and self._holds(condition) is False
+        names = set(self._compared(condition))
+        is_given = bool(names) and names <= self.fixed
+        return is_given and self._with_these_values(condition) is False
 
     def only_of_never(self) -> set[ast.Call]:
         """The calls whose values only nodes get that never run, as `is_never` says."""
