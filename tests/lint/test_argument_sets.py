@@ -10,9 +10,9 @@ from tests.workspaces import add_file, add_package
 from tests.xacros import xacro
 from urdfkit import Diagnostic, Report, check
 from urdfkit.cli import main
+from urdfkit.lint.argument_sets import MAX_SETS
 from urdfkit.lint.config_reader import load
 from urdfkit.lint.options import Options
-from urdfkit.lint.unchecked_values import MAX_SETS
 
 #: A misspelt joint type with one of the values of an argument.
 ROBOT = xacro(

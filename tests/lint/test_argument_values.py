@@ -6,9 +6,9 @@ import pytest
 
 from tests.workspaces import add_file, add_package
 from urdfkit import check
+from urdfkit.lint.argument_sets import MAX_SETS
 from urdfkit.lint.fix import fix
 from urdfkit.lint.report import Report
-from urdfkit.lint.unchecked_values import MAX_SETS
 
 HEAD = '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 #: A link whose mass is read from a file of the model.

@@ -7,7 +7,7 @@ import pytest
 
 from tests.naming import naming
 from urdfkit.lint.context import Context
-from urdfkit.lint.fix_consistency import without_inconsistent_fixes
+from urdfkit.lint.findings import without_inconsistent_fixes
 from urdfkit.lint.fix_guard import RegressionGuard, _is_used, ineffective, regression
 from urdfkit.lint.report import Crashed, Report, Skipped
 from urdfkit.lint.rules import Finding

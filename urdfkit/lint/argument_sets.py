@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
 from urdfkit.core.static_typing import TYPE_CHECKING
-from urdfkit.lint.launch_sets import as_text, by_origin, launch_sets, variants
 from urdfkit.lint.plan import Job
+from urdfkit.lint.report import Launched, UncheckedValues
 from urdfkit.lint.switched_arguments import switched, switched_launches
-from urdfkit.lint.unchecked_values import MAX_SETS, unchecked_values
 from urdfkit.text.file_kinds import is_launch
+from urdfkit.workspace.launch_files import has_launch_files
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from urdfkit.lint.context import Context
     from urdfkit.ros.launch.robot_arguments import RobotArguments
+
+#: Most additional sets of arguments that a robot is checked with; the UR arms have nine.
+MAX_SETS = 16
 
 
 def as_checked(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Context]]:
@@ -43,7 +47,7 @@ def as_launched(job: Job, read: Callable[[Job], Context]) -> list[tuple[Job, Con
         return _with_missing(job, read, context, names) or [(job, context)]
     if job.overriding is None:
         return [(job, context)]
-    sets = launch_sets(job, (), context)
+    sets = _launch_sets(job, (), context)
     job = job._replace(launch_sets=())  # not needed by the report, and sent to another process
     if _needs_more_than_defaults(context):
         return _with_more_than_defaults(job, read, sets) or [(job, context)]
@@ -93,12 +97,12 @@ def _with_missing(
     job: Job, read: Callable[[Job], Context], context: Context, names: tuple[str, ...]
 ) -> list[tuple[Job, Context]]:
     """A job with each set of values for its missing arguments."""
-    sets = launch_sets(job, names, context)
+    sets = _launch_sets(job, names, context)
     candidates = [{name: robot.arguments[name] for name in names} for robot in sets]
     complete: list[tuple[Job, Context]] = []
     unsure: list[tuple[Job, Context]] = []
     failed: dict[tuple[str, ...], Context] = {}
-    for values, variant in zip(candidates, variants(job, sets[:MAX_SETS], names), strict=False):
+    for values, variant in zip(candidates, _variants(job, sets[:MAX_SETS], names), strict=False):
         robot = read(variant)
         is_unsure = _is_unsure(variant, robot)
         if is_unsure:
@@ -110,7 +114,7 @@ def _with_missing(
     complete = complete or unsure
     if complete:
         _, first = complete[0]
-        first.unchecked = unchecked_values(candidates, complete, failed)
+        first.unchecked = _unchecked_values(candidates, complete, failed)
     elif context.reading.missing_arguments:
         return _with_found_values(job, read, context, names)
     return complete
@@ -130,8 +134,8 @@ def _with_found_values(
     sets = list(combinations(names, xacro, context.resolver))
     candidates = [{name: value for name, (value, _) in values.items()} for values in sets]
     for values, assumed in list(zip(sets, candidates, strict=True))[:MAX_SETS]:
-        arguments, launched = {**assumed, **job.arguments}, by_origin(job, values)
-        variant = job._replace(arguments=arguments, launched=launched, assumed=as_text(assumed))
+        arguments, launched = {**assumed, **job.arguments}, _by_origin(job, values)
+        variant = job._replace(arguments=arguments, launched=launched, assumed=_as_text(assumed))
         robot = read(variant)
         if robot.reading.document is not None:
             expanded.append((variant, robot))
@@ -140,7 +144,7 @@ def _with_found_values(
         missing += robot.reading.missing_arguments
     if expanded:
         variant, robot = expanded[0]
-        robot.unchecked = unchecked_values(candidates, expanded, failed)
+        robot.unchecked = _unchecked_values(candidates, expanded, failed)
         is_only_choice = len(expanded) == 1
         return [(variant._replace(assumed=""), robot)] if is_only_choice else expanded
     if set(missing) <= set(names):
@@ -164,7 +168,7 @@ def _with_more_than_defaults(
     Excludes sets with which it does not expand, unless the launch file itself is checked.
     """
     with_arguments = [robot for robot in sets if robot.arguments]
-    tried = [(variant, read(variant)) for variant in variants(job, with_arguments[:MAX_SETS])]
+    tried = [(variant, read(variant)) for variant in _variants(job, with_arguments[:MAX_SETS])]
     if all(robot.reading.document is None for _, robot in tried):
         return []
     checked = [
@@ -174,7 +178,7 @@ def _with_more_than_defaults(
     ]
     _, first = checked[0]
     untried = [robot.arguments for robot in with_arguments[MAX_SETS:]]
-    first.unchecked = unchecked_values(untried, tried, {})
+    first.unchecked = _unchecked_values(untried, tried, {})
     return checked
 
 
@@ -186,14 +190,14 @@ def _with_other_robots(
     base = job._replace(name="", arguments=dict(job.overriding or {}))
     others: list[Job] = []
     with_defaults: dict[object, Job] = {}  # by parameter files
-    for variant in variants(base, sets, ()):
+    for variant in _variants(base, sets, ()):
         if _changes(variant.arguments, own):
             others.append(variant)
         elif variant.parameters:
             with_defaults[tuple(file.path for file in variant.parameters)] = variant
     tried = [(variant, read(variant)) for variant in others[:MAX_SETS]]
     untried = [_changes(variant.arguments, own) for variant in others[MAX_SETS:]]
-    context.unchecked = unchecked_values(untried, [(job, context), *tried], {})
+    context.unchecked = _unchecked_values(untried, [(job, context), *tried], {})
     default_text = _expanded_text(context) if tried else None
     texts = [_expanded_text(robot) for _, robot in tried]  # None without packages, too
     if all(text is None or text != default_text for text in texts):
@@ -251,3 +255,108 @@ def _is_unsure(variant: Job, context: Context) -> bool:
 def _expanded_text(context: Context) -> bytes | None:
     """The expanded text; None if the description cannot be read."""
     return None if context.reading.document is None else context.text
+
+
+def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
+    """The distinct sets of arguments in launch files; sets with new values are first.
+
+    Args:
+        names: names of the missing arguments; sets without all of them are omitted.
+    """
+    sets: dict[object, RobotArguments] = {}
+    for robot in (*_passed(job, names, context), *job.launch_sets):
+        if robot.arguments.keys() >= set(names):
+            files = (file.path for file in robot.parameters)
+            key = (frozenset(robot.arguments.items()), *files)
+            if key not in sets or (robot.is_whole and not sets[key].is_whole):
+                sets[key] = robot
+    known: set[tuple[str, str]] = set()
+    new: list[RobotArguments] = []
+    rest: list[RobotArguments] = []
+    for robot in sets.values():
+        (rest if robot.arguments.items() <= known else new).append(robot)
+        known.update(robot.arguments.items())
+    return new + rest
+
+
+def _passed(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:
+    if (job.frame and not names) or not has_launch_files(job.path, context.resolver):
+        return []
+    from urdfkit.ros.launch.robot_arguments import passed_arguments  # for robots with launch files
+
+    reading = context.reading
+    return passed_arguments(
+        job.path,
+        names,
+        context.resolver,
+        only_parameters=reading.document is not None and not reading.defaults,
+        wanted=reading.early_arguments,
+    )
+
+
+def _variants(
+    job: Job, sets: Iterable[RobotArguments], names: Iterable[str] | None = None
+) -> Iterator[Job]:
+    """A job with each of the sets of arguments of launch files.
+
+    Args:
+        names: names of the arguments whose origin is reported; all if None.
+    """
+    known: list[dict[str, str]] = []
+    for robot in sets:
+        reported = robot.arguments if names is None else names
+        origins = {name: (robot.arguments[name], robot.launch) for name in reported}
+        variant = job._replace(
+            frame=robot.frame,
+            arguments={**robot.arguments, **job.arguments},
+            parameters=robot.parameters,
+            launch_sets=(),
+            launched=_by_origin(job, origins),
+            may_fail=job.may_fail if robot.frame is None else not robot.is_whole,
+            assumed="" if robot.frame else _as_text(robot.arguments),
+            unknown=robot.unknown,
+        )
+        yield variant.about_parameters() if variant.arguments in known else variant
+        known.append(variant.arguments)
+
+
+def _by_origin(job: Job, values: Mapping[str, tuple[str, str]]) -> tuple[Launched, ...]:
+    """The values of arguments, grouped by origin."""
+    origins: dict[str, dict[str, str]] = {}
+    for name, (value, origin) in values.items():
+        origins.setdefault(origin, {})[name] = value
+    return tuple(Launched(job.path, *item) for item in origins.items())
+
+
+def _as_text(arguments: Mapping[str, str]) -> str:
+    return ", ".join(f"{name}={value}" for name, value in arguments.items())
+
+
+def _unchecked_values(
+    candidates: list[dict[str, str]],
+    checked: Iterable[tuple[Job, Context]],
+    failed: Mapping[tuple[str, ...], Context],
+) -> tuple[UncheckedValues, ...]:
+    """The values of arguments that no description is checked with.
+
+    Args:
+        failed: descriptions that do not expand, by their values in the order of the names.
+    """
+    known = {item for job, _ in checked for item in job.arguments.items()}
+    left: dict[tuple[str, str], dict[str, None]] = {}
+    for values in candidates:
+        context = failed.get(tuple(values.values()))
+        why = f"only {MAX_SETS} sets of arguments are tried"
+        if context is not None:
+            from urdfkit.lint.unchecked import why_unchecked
+
+            why, _ = why_unchecked(context.reading, context.source, context.resolver)
+        for name, value in values.items():
+            if (name, value) not in known:
+                left.setdefault((name, why), {})[value] = None
+    pairs = {*known, *(pair for values in candidates for pair in values.items())}
+    totals = Counter(name for name, _ in pairs)
+    return tuple(
+        UncheckedValues(name, tuple(unchecked), totals[name], why)
+        for (name, why), unchecked in left.items()
+    )

@@ -11,7 +11,7 @@ from urdfkit.core.suggest import is_typo
 from urdfkit.errors import Cancelled, NotApplicable, Unavailable
 from urdfkit.lint import rule_index
 from urdfkit.lint.context import Context
-from urdfkit.lint.findings import bounded, diagnose
+from urdfkit.lint.findings import bounded, diagnose, without_inconsistent_fixes
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Crashed, Skipped, Superseded, crash
 from urdfkit.lint.rules import Finding, Rule
@@ -192,8 +192,6 @@ class _RuleRun:
         reading = self.context.reading
         if reading.xacro is None or reading.document is None:
             return findings
-        from urdfkit.lint.fix_consistency import without_inconsistent_fixes
-
         return without_inconsistent_fixes(findings, self.context.uses)
 
     def _lowered_in_visual(self, rule: Rule, finding: Finding, targets: Iterable[str]) -> Finding:

@@ -9,6 +9,7 @@ must not affect a program that also uses xacro.
 
 from __future__ import annotations
 
+import re
 import sys
 import warnings
 from _thread import allocate_lock
@@ -23,8 +24,8 @@ from xml.dom import minidom
 from urdfkit.core import libraries
 from urdfkit.core.static_typing import Any
 from urdfkit.errors import UrdfkitError
-from urdfkit.xacro import dom, patterns
-from urdfkit.xacro.bounds import UnsafeExpression
+from urdfkit.xacro import dom
+from urdfkit.xacro.bounds import TooLarge, UnsafeExpression
 from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import FAILED, DependsOnError
 from urdfkit.xacro.evaluation import Evaluation
@@ -32,6 +33,14 @@ from urdfkit.xacro.expansion import ExpansionRun
 
 #: Most characters of a name. xacro parses names as Python, which needs much memory for long ones.
 MAX_NAME = 200
+
+#: Most characters of all parameters of a macro; real macros have 1 000.
+_MAX_PARAMETERS = 10_000
+#: Most characters of a default for which xacro's pattern may backtrack.
+_MAX_TRIED = 24
+_WITH_DEFAULT = r"\s*[^\s:=]+?\s*:?=\s*"
+#: xacro's pattern of a default, without backtracking.
+_DEFAULT = r"""(?:\^\|?)?(?:\$\{.*?\}|\$\(.*?\)|(?:'[^'\n]*'|"[^"\n]*"|[^\s'"])+|)(?:\s|$)"""
 
 _PRIVATE_NAME = "_urdfkit_xacro"
 #: Names that the instrumentation requires; other versions of xacro do not have all of them.
@@ -188,7 +197,7 @@ class XacroEngine:
         xacro.grab_property = self._with_recovery(xacro.grab_property)
         xacro.grab_macro = self._with_recovery(grab_macro)
         xacro.handle_macro_call = self._with_recovery(xacro.handle_macro_call, enter_call)
-        xacro.parse_macro_arg = patterns.macro_arg(xacro.parse_macro_arg)
+        xacro.parse_macro_arg = _bounded_macro_arg(xacro.parse_macro_arg)
 
     def _with_recovery(
         self, stock: Callable[..., Any], begin: Callable[[], None] | None = None
@@ -292,7 +301,7 @@ class XacroEngine:
 
         for function in (warning, error, message, print_location):
             setattr(xacro, function.__name__, function)
-        xacro.tokenize = patterns.tokenize(xacro.tokenize)
+        xacro.tokenize = _bounded_tokenize(xacro.tokenize)
 
 
 def _rejecting(function: str) -> Callable[..., Any]:
@@ -306,3 +315,32 @@ def _rejecting(function: str) -> Callable[..., Any]:
 
 def _joined(words: tuple[Any, ...]) -> str:
     return " ".join(map(str, words))
+
+
+def _bounded_macro_arg(stock: Callable[[str], Any]) -> Callable[[str], Any]:
+    """xacro's ``parse_macro_arg`` in bounded time.
+
+    Its pattern matches ``a:=xxxxx'``, a default with an unmatched quote, in 2^5 ways.
+    """
+
+    def parse_macro_arg(text: str) -> Any:
+        if len(text) > _MAX_PARAMETERS:
+            raise TooLarge(f"parameters of {len(text)} characters")
+        start = len(text) > _MAX_TRIED and re.match(_WITH_DEFAULT, text)
+        default = text[start.end() :] if start else ""
+        if len(default) > _MAX_TRIED and not re.match(_DEFAULT, default):
+            raise TooLarge("a long default with an unmatched quote")
+        return stock(text)
+
+    return parse_macro_arg
+
+
+def _bounded_tokenize(stock: Callable[..., Any]) -> Callable[..., Any]:
+    """xacro's ``tokenize``, whose separators must not contain ``]``, which ends their pattern."""
+
+    def tokenize(s: str, sep: str = ",; ", skip_empty: bool = True) -> Any:
+        if "]" in sep[1:]:
+            raise UnsafeExpression("']' among separators is not allowed in expressions")
+        return stock(s, sep, skip_empty)
+
+    return tokenize
