@@ -102,6 +102,7 @@ READERS = {
     "lint/discovery.py": IN_PACKAGE,
     "lint/fix_reasons.py": "a source that was read before",
     "lint/formatting.py": "Ownership",
+    "lint/parameter_files.py": "Resolver.admits",
     "lint/settings_table.py": "config_reader, for the line of an error",
     "mesh/io/load.py": ADMITTED,
     "mesh/io/referenced_files.py": "itself",
