@@ -33,4 +33,4 @@ def test_other_names(names: tuple[str, ...]) -> None:
 
 def test_the_corners() -> None:
     (group,) = legs(["RR_hip", "FL_hip", "RL_hip", "FR_hip"])
-    assert group == {"RR": "RR_hip", "FL": "FL_hip", "RL": "RL_hip", "FR": "FR_hip"}
+    assert group == {"rr": "RR_hip", "fl": "FL_hip", "rl": "RL_hip", "fr": "FR_hip"}

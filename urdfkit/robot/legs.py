@@ -13,7 +13,7 @@ from collections.abc import Iterable
 _SIDE = r"left|right|[lr][frbhm]|[frbhm][lr]|[lr]"
 _END = r"front|rear|back|hind|middle|mid"
 _CORNER = (
-    rf"(?i)(?<![a-z])(?:(?:{_END})[_-]?)?(?:{_SIDE})(?:[_-]?(?:{_END}))?(?:[_-]?\d{{1,2}})?"
+    rf"(?<![a-z])(?:(?:{_END})[_-]?)?(?:{_SIDE})(?:[_-]?(?:{_END}))?(?:[_-]?\d{{1,2}})?"
     r"(?![a-z0-9])"
 )
 
@@ -25,14 +25,16 @@ _MAX_LENGTH = 200
 
 
 def legs(names: Iterable[str]) -> list[dict[str, str]]:
-    """The names that differ only in the corner, such as ``FL_knee``, each by its corner.
+    """The names that differ only in the corner, such as ``FL_knee``, each by its corner in
+    lower case.
 
     Only those of at least four corners.
     """
     groups: dict[str, dict[str, str]] = {}
-    for name in names:
+    short = [name for name in names if len(name) <= _MAX_LENGTH]
+    for name in short if len(short) >= _MIN_LEGS else ():
         # The side may be there twice, as in ``lf_hip_lf_knee``.
-        corners = set(re.findall(_CORNER, name)) if len(name) <= _MAX_LENGTH else set()
+        corners = set(re.findall(_CORNER, name.lower()))
         if len(corners) == 1:
-            groups.setdefault(re.sub(_CORNER, "*", name), {})[corners.pop()] = name
+            groups.setdefault(re.sub(_CORNER, "*", name.lower()), {})[corners.pop()] = name
     return [group for group in groups.values() if len(group) >= _MIN_LEGS]
