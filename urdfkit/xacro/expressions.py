@@ -175,16 +175,14 @@ class Scope(dict[str, Any]):
         guard = self._guards.get(name)
         return self._names[name] if guard is None else guard
 
-    def texts(self, names: Iterable[str]) -> Iterator[tuple[str, str]]:
-        """The names of the model whose values are text, with these; nothing is evaluated for it."""
+    def known_values(self, names: Iterable[str]) -> Iterator[tuple[str, Any]]:
+        """The names of the model that have a value, with these; nothing is evaluated for it."""
         for name in names:
             table: Any = self._names
             while isinstance(table, dict) and not dict.__contains__(table, name):
                 table = getattr(table, "parent", None)
             if isinstance(table, dict) and name not in getattr(table, "unevaluated", ()):
-                value = dict.__getitem__(table, name)
-                if isinstance(value, str):
-                    yield name, value
+                yield name, dict.__getitem__(table, name)
 
 
 def evaluate(text: str, names: Any, sandbox: Sandbox) -> Any:

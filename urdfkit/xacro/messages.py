@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from itertools import islice
 
 from urdfkit.core.static_typing import Any
 from urdfkit.core.suggest import did_you_mean
@@ -40,6 +41,32 @@ _SIGNS = (
     (r"(?<![=!<>:])=(?!=)", "write == to compare"),
     (r"\?.*:", "write A if CONDITION else B: ? and : are not Python"),
 )
+
+#: Errors of tags and properties in the words of xacro, the message for each, and the help.
+_OF_TAGS = (
+    (
+        r"xacro:arg: missing attribute 'default'",
+        "<xacro:arg> has no 'default'",
+        'add default="...", or delete the tag: $(arg NAME) then needs a value from outside',
+    ),
+    (r"(xacro:\w+): missing attribute '([\w:]+)'", r"<\1> has no '\2'", r'add \2="..."'),
+    (
+        r"circular variable definition: ([^\n]*)(?s:.*)",
+        r"properties refer to one another: \1",
+        "give one of them a value without the others",
+    ),
+    (
+        r"Property names must be valid python identifiers: (.*)",
+        r"'\1' cannot be the name of a property",
+        "write letters, digits and _, and no digit first",
+    ),
+    (r"(\$\((\w+) \.\.\.\) takes one name, not \d+)", r"\1", r"write $(\2 NAME)"),
+)
+#: Errors of an expression that values of other names cause.
+_OF_VALUES = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+#: Most names whose values a help tells.
+_MAX_NAMES = 4
+_LARGE = 10**15
 
 #: How xacro's error for a reserved name begins.
 _DUNDER = "Property names must not start with double underscore"
@@ -77,9 +104,16 @@ def explain(defined: Definitions, error: BaseException, cause: BaseException) ->
         return unknown_macro(defined, match.group(1))
     if help := _help_for(text, cause):
         return MessageText(text, help)
-    return _call_error(text, macro_of(error)) or MessageText(
-        text.replace("\n", "; ") or type(cause).__name__
-    )
+    message = _call_error(text, macro_of(error)) or _tag_error(text)
+    return message or MessageText(text.replace("\n", "; ") or type(cause).__name__)
+
+
+def _tag_error(text: str) -> MessageText | None:
+    """The message for an error of a tag or a property."""
+    for pattern, message, help in _OF_TAGS:
+        if match := re.fullmatch(pattern, text):
+            return MessageText(match.expand(message), match.expand(help))
+    return None
 
 
 def _attribute_error(text: str, cause: AttributeError) -> MessageText | None:
@@ -103,30 +137,38 @@ def _keys(cause: AttributeError) -> list[str]:
 
 
 def _help_for(text: str, cause: BaseException) -> str:
-    """How to fix a reserved name, or an expression that computes with text; else empty."""
+    """How to fix a reserved name, or an expression that fails with its values; else empty."""
     if text.startswith(_DUNDER):
         return "rename the property where it is defined and used"
-    if not isinstance(cause, TypeError):
+    if not isinstance(cause, _OF_VALUES):
         return ""
-    if " for ^: " in text:
+    values = dict(islice(_values_in(cause), _MAX_NAMES))
+    if isinstance(cause, TypeError) and " for ^: " in text:
         return "write ** for a power; ^ is not a power in Python"
-    if "operand" in text and "'str'" in text:
-        name, value = next(_texts_in(cause), ("", ""))
-        which = f"'{name}' is '{value[:_MAX_TEXT]}', which is text" if name else "a value is text"
+    if isinstance(cause, TypeError) and "operand" in text and "'str'" in text:
+        texts = (f"'{name}' is {value}, which is text" for name, value in values.items())
+        which = next(
+            (told for told in texts if told.endswith("', which is text")), "a value is text"
+        )
         return (
             f"{which}: correct its definition (a number has a decimal point, and no comma or "
             "unit), or write float(...)"
         )
-    return ""
+    told = ", ".join(f"'{name}' is {value}" for name, value in values.items())
+    return f"{told}: correct the definition or the expression" if told else ""
 
 
-def _texts_in(cause: TypeError) -> Iterator[tuple[str, str]]:
-    """The names in the expression that failed whose values are text, with these."""
+def _values_in(cause: BaseException) -> Iterator[tuple[str, str]]:
+    """The names in the expression that failed with their values, as far as these are short."""
     trace = cause.__traceback__
     while trace is not None:
         scope = trace.tb_frame.f_globals
         if isinstance(scope, Scope):
-            yield from scope.texts(trace.tb_frame.f_code.co_names)
+            for name, value in scope.known_values(trace.tb_frame.f_code.co_names):
+                if isinstance(value, str):
+                    yield name, f"'{value[:_MAX_TEXT]}'"
+                elif isinstance(value, float) or (isinstance(value, int) and abs(value) < _LARGE):
+                    yield name, str(value)
         trace = trace.tb_next
 
 

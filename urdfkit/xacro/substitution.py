@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 
 from urdfkit.core.record import Record
 from urdfkit.core.static_typing import Any
+from urdfkit.core.suggest import did_you_mean
 from urdfkit.xacro.bounds import UnsafeExpression
 from urdfkit.xacro.errors import VARIABLE, MissingArgument
 from urdfkit.xacro.expressions import evaluate
@@ -84,7 +85,8 @@ def substitute(content: str, context: SubstitutionContext) -> str:
         return _optional_variable(arguments[0], " ".join(arguments[1:]), context)
     if command == "dirname":
         return os.path.abspath(context.directory)
-    raise SubstitutionError(f"'$({content})' is not known; the commands are {', '.join(COMMANDS)}")
+    hint = did_you_mean(command, COMMANDS) or f"; the commands are {', '.join(COMMANDS)}"
+    raise SubstitutionError(f"'$({content})' is not known{hint}")
 
 
 def _single(command: str, arguments: list[str]) -> str:

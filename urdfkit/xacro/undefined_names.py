@@ -13,6 +13,8 @@ from urdfkit.xacro.errors import IN_CONDITION, MessageText
 
 #: In Python's message of a NameError.
 UNDEFINED = re.compile(r"name '(\w+)' is not defined")
+#: Values of Python, by their names in other languages.
+_LITERALS = {"true": "True", "false": "False", "none": "None", "null": "None"}
 _INCLUDED_AS = re.compile(rb"""<xacro:include\b[^<>]*\bns\s*=\s*["']([\w.-]+)["']""")
 _BARE_INCLUDE = re.compile(rb"<include\s[^<>]*\bfilename\s*=")
 _BARE_HELP = "write <xacro:include>: xacro ignores an <include> without the prefix"
@@ -45,6 +47,8 @@ def undefined_name(defined: Definitions, text: str, name: str) -> MessageText:
     if any(argument.name == name for argument in defined.arguments):
         use = f"write $(arg {name}), or define a property of this value above the use"
         return MessageText(text, f"'{name}' is an argument: {use}")
+    if literal := _LITERALS.get(name):
+        return MessageText(text, f"write {literal}")
     known = [property_name for _, property_name in _definitions(defined, "property")]
     hint = did_you_mean(name, known)
     help = f"define the property '{name}' above its use, or correct the name"

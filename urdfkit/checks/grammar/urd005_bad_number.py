@@ -126,7 +126,9 @@ def _reason(text: str, length: int, better: str) -> str:
             return f"is '{text[:40]}': its expression has a decimal comma"
         if _OPERATOR.search(text):
             return f"is '{text[:40]}', which no parser computes"
-        return f"holds {count} numbers, not 1"
+        are_numbers = all(map(is_number, text.split()))
+        more = f"holds {count} numbers, not 1"
+        return more if are_numbers else f"is '{text[:40]}', which is not a number"
     if has_break(text) and count > 1:
         return "has a tab or a line break between its numbers; parsers need spaces"
     bad = next((part for part in text.split() if not is_number(part)), "")

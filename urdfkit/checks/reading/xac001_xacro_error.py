@@ -58,7 +58,7 @@ _NO_KEY = "The yaml dictionary has no key '[^']*'"
 @rule(
     Severity.ERROR,
     needs=(),
-    help="correct the expression or the call; the notes show what it refers to",
+    help="correct the expression or the call",
     depends_on_arguments=True,
 )
 def check(context: Context) -> Findings:
