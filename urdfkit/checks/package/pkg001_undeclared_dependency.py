@@ -135,7 +135,8 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
     used += [
         ("xacro", description.frame.call.span)
         for description in context.launch.descriptions
-        if description.path.endswith(".xacro")
+        # A helper of another package, which declares it, may load the description.
+        if description.path.endswith(".xacro") and b"xacro" in context.source.data
     ]
     used += _loaded(context)
     used += _solvers(context, os.path.dirname(manifest.path))

@@ -18,6 +18,7 @@ from urdfkit.ros.launch.contents import (
     Word,
     started_process,
 )
+from urdfkit.ros.launch.description_loaders import with_loaders
 from urdfkit.ros.launch.event_handlers import waits_for_unstarted, wrong_handlers
 from urdfkit.ros.launch.forwarding import file_of_action
 from urdfkit.ros.launch.launch_description import entry_point, not_started
@@ -46,6 +47,7 @@ from urdfkit.ros.launch.unrolled_loops import without_loops
 from urdfkit.text import python_source
 from urdfkit.text.diagnostic import Problem
 from urdfkit.text.source import Span
+from urdfkit.workspace.resolve import Resolver
 
 #: Actions that set the namespace of the nodes after them.
 _PUSHING = ("PushRosNamespace", "PushROSNamespace")
@@ -67,13 +69,28 @@ def read(collector: Collector, file: LaunchedFile) -> None:
     """Collect the contents of a launch file in Python, as far as they are constant."""
     source = file.source
     try:
-        tree = _unrolled(python_source.parse(source.data, source.path))
+        written = python_source.parse(source.data, source.path)
     except SyntaxError as error:
         start = source.offset(error.lineno or 1, error.offset or 1)
         at = Span(source, start, start)
         collector.problems.append(Problem("LAU001", at, f"not a Python program: {error.msg}"))
         return
-    _PythonReader(collector, file, tree).read()
+    loaded = with_loaders(written, partial(_module, collector.resolver, source.path))
+    tree = _unrolled(loaded)
+    # What another module returns has names that this one does not define.
+    _PythonReader(collector, file, tree, tree if loaded is written else written).read()
+
+
+def _module(resolver: Resolver, near: str, name: str) -> ast.Module | None:
+    """A Python module of a package of the workspace, such as ``arm_description.loader``."""
+    package, _, inside = name.partition(".")
+    directory = resolver.packages.known(near).get(package)
+    path = os.path.join(directory or "", package, *inside.split(".")) + ".py"
+    source = resolver.readable(path) if directory else None
+    try:
+        return python_source.parse(source.data, path) if source else None
+    except SyntaxError:
+        return None
 
 
 def _unrolled(tree: ast.Module) -> ast.Module:
@@ -88,8 +105,11 @@ def _unrolled(tree: ast.Module) -> ast.Module:
 class _PythonReader(PythonLaunchFile):
     """Reads the calls of a launch file that create actions."""
 
-    def __init__(self, collector: Collector, file: LaunchedFile, tree: ast.Module) -> None:
+    def __init__(
+        self, collector: Collector, file: LaunchedFile, tree: ast.Module, written: ast.Module
+    ) -> None:
         super().__init__(collector, file, tree)
+        self._written = written
         #: Expressions whose value is unused, and of these those that others replace.
         self._overwritten = overwritten(tree)
         self._idle = unread(tree) | self._overwritten
@@ -173,7 +193,7 @@ class _PythonReader(PythonLaunchFile):
             used = [call for call in self.calls if call not in idle]
             problems += waits_for_unstarted(self._expressions, used, self.values)
             problems += entry_point(self.tree, self.source)
-            problems += wrong_names(self.tree, self.values)
+            problems += wrong_names(self._written, self.values)
         problems += wrong_calls(self.tree, self.calls, self.values)
         problems += declared_late(self.calls, self.values)
         problems += wrong_handlers(used, self.values)
