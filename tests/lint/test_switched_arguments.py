@@ -225,3 +225,28 @@ def test_choices_of_a_launch_file(
     file = add_file(tmp_path / "launch" / "a.launch.xml", text)
     found = check(file, select=["LAU021"]).diagnostics
     assert [one.variants for one in found] == variants
+
+
+LAUNCH = """<launch><node pkg="robot_state_publisher" exec="robot_state_publisher">
+<param name="robot_description" value="$(command 'xacro $(find-pkg-share p)/urdf/robot.xacro {}')"/>
+</node></launch>"""
+
+
+@pytest.mark.parametrize(
+    ("passed", "variants"),
+    [
+        ("sim:=true", [("camera=true",)]),
+        ("sim:=true camera:=true", [()]),  # as it is started
+        ("", []),  # neither argument adds it alone
+    ],
+)
+def test_a_part_that_needs_a_value_of_a_launch_file_and_another_one(
+    tmp_path: Path, passed: str, variants: list[tuple[str, ...]]
+) -> None:
+    """RT's CRANE+: the camera of the simulation, which a launch file starts without it."""
+    add_file(tmp_path / "launch" / "a.launch.xml", LAUNCH.format(passed))
+    camera = '<xacro:arg name="camera" default="false"/>'
+    block = f'<xacro:if value="$(arg camera)">{BLOCK.format("if")}</xacro:if>'
+    block += BLOCK.format("if").replace('"am"', '"arm"')
+    found = _found(tmp_path, f"{ARGUMENT.format('false')}{camera}{ROBOT}\n{block}")
+    assert [one.variants for one in found if one.code == "GAZ001"] == variants

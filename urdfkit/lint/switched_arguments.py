@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 #: Most further values of arguments with which a robot is checked, one at a time, by the most
 #: elements that the robot may have; a check of a larger one takes too long.
 MAX_SWITCHED = ((1_000, 8), (5_000, 4))
+#: Most sets of arguments with which a robot is started in which another value is tried.
+_MAX_STARTED = 3
 _BOOLEANS = ("true", "false")
 # Compiled when needed: most robots have no arguments.
 _CONDITION = rb"<xacro:(?:if|unless)\b[^<>]*?\bvalue\s*=\s*(?:\"([^\"]*)|'([^']*))"
@@ -39,16 +41,24 @@ def switched(job: Job, started: list[tuple[Job, Context]]) -> Iterator[Job]:
         return
     sets = [{**defaults, **variant.arguments} for variant, _ in started]
     conditions = _conditions(context)
+    names = [name for name in defaults if name in conditions and name not in job.arguments]
     others = [
-        (name, value)
-        for name in defaults
-        if name in conditions and name not in job.arguments
+        (first.arguments, name, value)
+        for name in names
         for value in _others({arguments[name] for arguments in sets}, conditions[name])
+    ]
+    # A part may need two arguments, such as the simulation and the camera.
+    others += [
+        (arguments, name, value)
+        for arguments in sets[1:_MAX_STARTED]
+        for name in names
+        for value in _others({arguments[name]}, conditions[name])
+        if {**arguments, name: value} not in sets
     ]
     elements = sum(1 for _ in document.root.walk()) if others else 0
     count = next((count for most, count in MAX_SWITCHED if elements <= most), 0)
-    for name, value in others[:count]:
-        arguments = {**first.arguments, name: value}
+    for base, name, value in others[:count]:
+        arguments = {**base, name: value}
         yield first._replace(arguments=arguments, may_fail=True, switched=f"{name}={value}")
 
 
