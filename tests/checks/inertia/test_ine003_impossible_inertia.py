@@ -2,7 +2,7 @@ import pytest
 
 from tests.massive import BALL, BOX, inertial, joint, link, part
 from tests.naming import naming
-from tests.reported import messages, places, reported
+from tests.reported import fixed, messages, places, reported
 
 
 def test_moments_of_a_diagonal_tensor() -> None:
@@ -90,3 +90,27 @@ def test_copies_are_one_finding_and_the_order_of_sdf_is_known() -> None:
     assert found.message == naming("a", "-0.0113, 0.00021, 0.0421 kg·m²", "b")
     assert [note.span.line for note in found.related] == [5]
     assert found.help == naming('ixx="0.03"', 'ixy="0.001"', 'ixz="0"', 'iyy="0.02"', 'izz="0.01"')
+
+
+def test_a_product_with_a_misplaced_decimal_point() -> None:
+    robot = part("arm", 2, (0.0151, -1e-5, 2e-5, 0.0121, 0.0411, 0.0133), BALL)
+    (found,) = reported("INE003", robot)
+    assert found.help.startswith("perhaps the tensor has iyz ten times too large")
+    assert 'iyy="0.0121" iyz="0.00411" izz="0.0133"' in fixed("INE003", robot)
+
+
+@pytest.mark.parametrize(
+    ("moments", "is_shape"),
+    [
+        ((0.012838, 0.056852, 0.0711), False),  # of a CAD program, 2 % too much
+        ((0.012838, 0.056852, 0.0911), True),  # much too much
+        ((0.01, 0.05, 0.065), True),  # a guess
+    ],
+)
+def test_the_shape_does_not_replace_a_tensor_that_is_almost_right(
+    moments: tuple[float, ...], is_shape: bool
+) -> None:
+    robot = part("base", 3.748, moments, '<box size="0.212 0.204 0.088"/>')
+    (found,) = reported("INE003", robot)
+    assert (found.fix is not None) is is_shape
+    assert ("0.06969 kg·m²" in found.help) is not is_shape

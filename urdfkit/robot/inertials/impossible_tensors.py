@@ -20,6 +20,8 @@ _SAME_MULTIPLE = 1.5
 #: Multiples of the moments of a shape beyond which a part has other mistakes, too: a rod with its
 #: mass at the ends has 3.
 _LEAST_MULTIPLE, _MOST_MULTIPLE = 0.5, 3.0
+#: Largest moment by the sum of the two others, up to which one of three computed numbers is wrong.
+_MAX_EXCESS = 1.1
 #: Most digits of a number that is not computed.
 _MAX_DIGITS = 12
 
@@ -47,8 +49,29 @@ def diagnose_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
     for cause, tensor in _with_shifted_decimal_point(link):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
     if link.is_measured:
-        return Diagnosis("", tensor_of_shape(link), Confidence.INFERRED)
+        return _of_shape(link)
     return Diagnosis("", None, Confidence.GUESSED)
+
+
+def _of_shape(link: LinkInertia) -> Diagnosis:
+    """The tensor of the shape, unless that is only an outline of the link."""
+    if not _is_computed_otherwise(link):
+        return Diagnosis("", tensor_of_shape(link), Confidence.INFERRED)
+    low, middle, _ = link.moments
+    cause = f"can have a largest moment of {low + middle:.4g} kg·m² at most, with the others"
+    return Diagnosis(cause, None, Confidence.GUESSED)
+
+
+def _is_computed_otherwise(link: LinkInertia) -> bool:
+    """True for a tensor of a CAD program that hardly breaks the inequality, unlike the shape.
+
+    The other two moments are then closer to the truth than those of the shape.
+    """
+    low, middle, high = link.moments
+    is_near = 0 < high <= _MAX_EXCESS * (low + middle)
+    return (
+        is_near and not link.has_round_numbers and not _has_proportions(link.tensor, link.expected)
+    )
 
 
 def _with_corrected_moment(link: LinkInertia) -> Tensor | None:
@@ -114,6 +137,18 @@ def _with_shifted_decimal_point(link: LinkInertia) -> Iterator[tuple[str, Tensor
         is_even = max(diagonal) <= 2 * min(diagonal)
         if is_possible(tenth) and is_even and _has_proportions(tenth, link.expected):
             yield f"has {key} ten times too large", tenth
+    products = list(_with_smaller_product(link)) if link.is_indefinite else []
+    yield from products if len(products) == 1 else ()
+
+
+def _with_smaller_product(link: LinkInertia) -> Iterator[tuple[str, Tensor]]:
+    """The same for a product of inertia, which makes a principal moment negative."""
+    for key in ("ixy", "ixz", "iyz"):
+        attribute = link.at.attributes.get(key)
+        if attribute and attribute.literal and getattr(link.tensor, key):
+            tenth = link.tensor._replace(**{key: getattr(link.tensor, key) / 10})
+            if is_possible(tenth):
+                yield f"has {key} ten times too large", tenth
 
 
 def _has_proportions(tensor: Tensor, expected: Tensor | None) -> bool:
