@@ -66,6 +66,8 @@ def test_a_common_suffix_makes_no_names_similar(name: str, other: str, is_near: 
         # delto_m_ros2: hands of four and of five fingers
         ("dg4f.xacro", ["dg5f.xacro"], None),
         ("dg4f.xacro", ["dgf.xacro"], "dgf.xacro"),
+        ("arm_gazebo.xacro", ["arm.gazebo.xacro", "arm.xacro"], "arm.gazebo.xacro"),
+        ("base-plate.stl", ["baseplate.stl", "base.stl"], "baseplate.stl"),
     ],
 )
 def test_nearest_file_name(name: str, known: list[str], suggested: str | None) -> None:

@@ -36,6 +36,9 @@ _KIND_SUFFIX = rf"_({'|'.join(sorted(_KINDS))})_?\d*$"
 #: Beginnings of names that say the opposite: ``max_linear_speed`` is not ``min_speed``.
 _OPPOSITES = {"min": "max", "max": "min"}
 
+#: What parts the words of a file name.
+_SEPARATOR = r"[._-]"
+
 #: A word in a name, as in base_link or hackBaseline.
 _WORD = r"[^\W_]?[^\W_A-Z]+|[A-Z]+"
 
@@ -124,7 +127,8 @@ def nearest_file(path: str) -> str | None:
 def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
     """The known file name most similar to ``name``; None if none is similar, or of its suffix.
 
-    ``arm.urdf`` may be made of ``arm.urdf.xacro``, which is the nearest then. Next is ``ARM.urdf``.
+    ``arm.urdf`` may be made of ``arm.urdf.xacro``, which is the nearest then. Next is ``ARM.urdf``,
+    then a name with other separators: ``arm.gazebo.xacro`` for ``arm_gazebo.xacro``.
     Suffixes make no names similar: ``start_cameras.launch.xml`` is not ``start_driver.launch.xml``,
     and different ones make them different: ``arm.srdf.xacro`` is not ``arm.ros2_control.xacro``.
     Nor do common words: ``chomp_planning.yaml`` is not ``ompl_planning.yaml``. Other numbers make
@@ -135,6 +139,9 @@ def nearest_file_name(name: str, known: Iterable[str]) -> str | None:
         return expanded
     folded = name.casefold()
     if same := next((other for other in names if other.casefold() == folded), None):
+        return same
+    joined = re.sub(_SEPARATOR, "", folded)
+    if same := next((n for n in names if re.sub(_SEPARATOR, "", n.casefold()) == joined), None):
         return same
     kind = os.path.splitext(name)[1]
     stem, _, suffix = name.partition(".")
