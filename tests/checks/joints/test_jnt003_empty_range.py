@@ -50,3 +50,19 @@ def test_a_joint_that_is_free_in_pybullet_is_not_turned_into_one_that_is_not(
 )
 def test_no_finding(kind: str, content: str) -> None:
     assert reported("JNT003", robot(joint("j", kind, content))) == []
+
+
+@pytest.mark.parametrize(
+    ("other", "help", "ends"),
+    [
+        (limit("0", "0.98"), "write upper=\"0.98\", as joint 'ring' has", ("0", "0.98")),
+        (limit("0", "0.97"), "swap them", ("-0.98", "0")),
+        (limit("-0.98", "0"), "swap them", ("-0.98", "0")),
+    ],
+)
+def test_the_sign_of_one_limit(other: str, help: str, ends: tuple[str, str]) -> None:
+    """Another finger shows which of the two is wrong."""
+    text = robot(joint("pinky", "revolute", limit("0", "-0.98")), joint("ring", "revolute", other))
+    (found,) = reported("JNT003", text)
+    assert found.help == help
+    assert limit(*ends) in fixed("JNT003", text).splitlines()[3]

@@ -188,3 +188,23 @@ def test_fingers_on_a_palm_that_is_turned(right: str, count: int) -> None:
         text += f'<link name="{side}_finger"/><joint name="{side}_finger" type="continuous">'
         text += f"{inside}</joint>"
     assert len(messages("JNT025", text)) == count
+
+
+@pytest.mark.parametrize(
+    ("name", "height", "found"),
+    [
+        ("caster", "-0.07", ["left_caster_joint"]),
+        ("caster", "-0.15", ["right_caster_joint"]),
+        ("caster", "-0.14", []),
+        ("lamp", "-0.07", []),
+    ],
+)
+def test_one_of_two_casters_is_higher(name: str, height: str, found: list[str]) -> None:
+    text = '<link name="base"/>' + "".join(
+        f'<link name="{side}_{name}"/><joint name="{side}_{name}_joint" type="fixed">'
+        f'<parent link="base"/><child link="{side}_{name}"/><origin xyz="-0.6 {y} {z}"/></joint>'
+        for side, y, z in (("left", "0.2", height), ("right", "-0.2", "-0.14"))
+    )
+    heard = messages("JNT025", text)
+    assert [one.split("'")[1] for one in heard] == found
+    assert all("higher" in one for one in heard)

@@ -68,3 +68,23 @@ def test_slides_are_compared_with_slides() -> None:
     assert messages("JNT039", arm(*REST) + fingers) == []
     (message,) = messages("JNT039", arm(*REST, ("90000", "3"), kind="prismatic"))
     assert message == naming("j3", "effort", "90000 N", "1.12e+03", "largest")
+
+
+@pytest.mark.parametrize(
+    ("ends", "kind", "count"),
+    [
+        (("0", "0.98175"), "prismatic", 1),
+        (("-0.98175", "0"), "prismatic", 1),
+        (("0", "0.98175"), "revolute", 0),
+        (("0", "0.982"), "prismatic", 0),  # three digits
+        (("0", "0.05"), "prismatic", 0),
+    ],
+)
+def test_a_slide_with_the_limits_of_a_joint_that_turns(
+    ends: tuple[str, str], kind: str, count: int
+) -> None:
+    text = robot(joint("ring", "revolute", limit(*ends)), joint("pinky", kind, limit(*ends)))
+    lower, upper = (f"{float(end):g}" for end in ends)
+    expected = naming("pinky", "prismatic", f"[{lower}, {upper}] m", "revolute", "ring", "rad")
+    assert messages("JNT039", text) == [expected] * count
+    assert places("JNT039", text) == [(6, "prismatic")] * count

@@ -4,7 +4,8 @@
   program, Gazebo swaps them, MuJoCo and PyBullet read the joint as unlimited, MoveIt and Pinocchio
   compute with an empty range. It is a warning if MuJoCo, PyBullet and yourdfpy are the only
   targets. PyBullet's own robots write lower="1" upper="-1" for a free joint: in URDF a free
-  revolute joint is `continuous`, and a free prismatic joint has limits that are far apart.
+  revolute joint is `continuous`, and a free prismatic joint has limits that are far apart. If one
+  limit is zero, the other has the wrong sign where another joint has it with the right one.
 - Equal limits are a warning: MoveIt, Gazebo, Drake and Pinocchio hold the joint still, MuJoCo moves
   it without limit. urdfdom reads missing limits as 0, so a revolute joint with effort and velocity
   alone cannot move either. Drake, MuJoCo and PyBullet read them as none: this is not reported if
@@ -19,13 +20,15 @@ Sources:
     MuJoCo, user_objects.cc: https://github.com/google-deepmind/mujoco/blob/main/src/user/user_objects.cc
 """
 
+from collections.abc import Mapping
+
 from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
 from urdfkit.robot.joint import Joint, Limit
 from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import arm_xml
 from urdfkit.robot.values import number
-from urdfkit.text.editing.edits import swap
+from urdfkit.text.editing.edits import fix_value, swap
 
 BAD = arm_xml("revolute", '<limit lower="2.775" upper="-2.775" effort="30" velocity="1"/>')
 FIXED = GOOD = BAD.replace('lower="2.775" upper="-2.775"', 'lower="-2.775" upper="2.775"')
@@ -37,10 +40,13 @@ _FREE_IN_PYBULLET = ((1.0, -1.0), (1.0, 0.0), (0.0, -1.0))
 @rule(Severity.ERROR)
 def check(context: Context) -> Findings:
     is_optional = context.targets.all_are("ignores_limits")
+    ranges: dict[object, Joint] = {
+        (joint.kind, bounds(joint)): joint for joint in context.model.joints
+    }
     for joint in context.model.joints:
         ends = bounds(joint)
         if joint.limit and ends and ends[0] > ends[1]:
-            yield _inverted(joint, joint.limit, ends)
+            yield _inverted(joint, joint.limit, ends, ranges)
         elif joint.limit and ends and ends[0] == ends[1]:
             if is_optional and not {"lower", "upper"} <= joint.limit.at.attributes.keys():
                 continue
@@ -48,7 +54,9 @@ def check(context: Context) -> Findings:
             yield _equal(joint, joint.limit, ends[0], is_wanted)
 
 
-def _inverted(joint: Joint, limit: Limit, ends: tuple[float, float]) -> Finding:
+def _inverted(
+    joint: Joint, limit: Limit, ends: tuple[float, float], ranges: Mapping[object, Joint]
+) -> Finding:
     lower, upper = ends
     message = (
         f"joint '{joint.name}': lower limit {lower:g} {joint.unit} is above upper limit "
@@ -61,6 +69,14 @@ def _inverted(joint: Joint, limit: Limit, ends: tuple[float, float]) -> Finding:
         free = "make it continuous" if joint.kind == "revolute" else "set them far apart"
         message += " (no limits for MuJoCo and PyBullet)"
         return Finding(limit.at, message, f"if the joint is to be free, {free}; else swap them")
+    # One limit is zero, and the other has the right sign in another joint.
+    like = ranges.get((joint.kind, (-lower, -upper))) if ends.count(0) == 1 else None
+    if like:
+        attribute = limit.at.attributes["lower" if lower else "upper"]
+        text = attribute.value.strip()
+        other = text.removeprefix("-") if text.startswith("-") else f"-{text}"
+        help = f"write {attribute.name}=\"{other}\", as joint '{like.name}' has"
+        return Finding(limit.at, message, help, fix_value(attribute, other))
     return Finding(limit.at, message, "swap them", _swapped(limit))
 
 

@@ -20,7 +20,7 @@ by mirrored positions on one link, and are on different branches.
   zero pose, a pair is reported as well if it is the only one of several pairs that is not a mirror
   image, also one that is fixed to movable counterparts, such as a foot; where four or more pairs
   are exact, a millimetre in one number suffices. Of four casters, the one
-  that is not at the height or distance of the other three is.
+  that is not at the height or distance of the other three is; of two, the higher one.
 - Fingers: one of at least four has five times the effort or velocity of all others, or a fifth, a
   position limit with another sign or decimal point, the opposite axis for the same limits, or a
   parent in another finger. In hands whose joints bend from zero to one side: the only joint that

@@ -6,13 +6,19 @@ decimal point is misplaced, or it is a placeholder. Controllers and planners use
 joint jerks, or slows all others down. Joints are compared with joints of the same type; a value
 that several joints share is not reported.
 
+A prismatic joint whose position limits are, to the last of at least four digits, those of a
+revolute joint is reported, too: they are angles, and its type is wrong.
+
 Sources:
     URDF, joint: https://wiki.ros.org/urdf/XML/joint
     measured: in 1300 public descriptions Baxter's head_pan has it, and one joint of an IRB 6700.
 """
 
-from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Severity, rule
+from collections.abc import Iterable
+
+from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import SINGLE_DOF, Joint
+from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.placed import Placed
 from urdfkit.robot.samples import joint_xml, link_xml, robot_xml
 
@@ -47,6 +53,32 @@ def check(context: Context) -> Findings:
         same_kind = [joint for joint in joints if joint.kind == kind]
         for key, times in _MAX_RATIOS.items():
             yield from _outlier(same_kind, key, times)
+    yield from _angles(context.model.joints)
+
+
+def _angles(joints: Iterable[Joint]) -> Findings:
+    """Prismatic joints with the limits of a revolute joint."""
+    ranges = {
+        bounds(joint): joint
+        for joint in joints
+        if joint.kind == "revolute" and any(map(_is_exact, bounds(joint) or ()))
+    }
+    for joint in joints:
+        other = ranges.get(bounds(joint)) if joint.is_prismatic else None
+        if other and joint.type and joint.limit:
+            lower, upper = joint.limit.ends
+            yield Finding(
+                joint.type,
+                f"joint '{joint.name}' is prismatic, but its limits [{lower:g}, {upper:g}] m are "
+                f"those of the revolute joint '{other.name}' in rad",
+                'write type="revolute", or limits in m',
+                related=(Related(other.at.span, f"joint '{other.name}'"),),
+            )
+
+
+def _is_exact(end: float) -> bool:
+    """True for a limit with at least four digits, which two joints do not share by chance."""
+    return float(f"{end:.3g}") != end
 
 
 def _outlier(joints: list[Joint], key: str, times: float) -> Findings:

@@ -12,6 +12,8 @@ from urdfkit.robot.symmetry import pairs
 #: In m: tolerance for rounding.
 TOLERANCE = 1e-4
 _AXES = "xyz"
+#: Parts of the names of casters.
+_CASTERS = ("caster", "castor")
 
 
 def misplaced_siblings(model: RobotModel) -> Iterator[tuple[Joint, Joint, str]]:
@@ -56,12 +58,23 @@ def _odd_corner(
     for correct, wrong in ((left, right), (right, left)):
         x, y, z = correct.origin.position
         is_corner = abs(x) >= TOLERANCE and any(is_equal(place, (-x, y, z)) for place in places)
-        if is_corner or any(is_equal(place, wrong.origin.position) for place in places):
+        is_moved_corner = any(is_equal(place, wrong.origin.position) for place in places)
+        if is_corner or is_moved_corner or _is_raised_caster(correct, wrong):
             forward, _, up = minus(wrong.origin.position, correct.origin.position)
             if abs(up) >= TOLERANCE:
                 return correct, wrong, f"is {'higher' if up > 0 else 'lower'} than"
             return correct, wrong, f"is further {'forward' if forward > 0 else 'back'} than"
     return None
+
+
+def _is_raised_caster(correct: Joint, wrong: Joint) -> bool:
+    """True for two casters at the same place of both sides, of which one is higher."""
+    is_caster = all(
+        any(word in f"{joint.name} {joint.child_name}".lower() for word in _CASTERS)
+        for joint in (correct, wrong)
+    )
+    up = wrong.origin.position[2] - correct.origin.position[2]
+    return is_caster and up >= TOLERANCE
 
 
 def _wrong_position(left: Joint, right: Joint) -> str:
