@@ -23,6 +23,7 @@ Sources:
 """
 
 import re
+from itertools import islice
 
 from urdfkit.checks.package.build_files import (
     is_missing,
@@ -51,9 +52,10 @@ FILES = {
     "meshes/base.stl": PLATE,
 }
 
-#: The beginning of a command that installs, and so many bytes are read before a path in it.
+#: The beginning of a command that installs, and so many bytes are read before a path in it, at so
+#: many places that name the path.
 _INSTALL = re.compile(rb"(?i)\binstall\s*\([^()]*\Z")
-_MAX_BEFORE = 2000
+_MAX_BEFORE, _MAX_PLACES = 2000, 100
 
 
 @rule(Severity.ERROR, help="fix the CMakeLists.txt")
@@ -94,7 +96,7 @@ def _place_of(path: str, text: bytes) -> re.Match[bytes] | None:
     name = rb"(?<=[\s\"/])%s(?=[\s\"/)])" % re.escape(path.encode())
     installing = (
         place
-        for place in re.finditer(name, text)
+        for place in islice(re.finditer(name, text), _MAX_PLACES)
         if _INSTALL.search(text[max(0, place.start() - _MAX_BEFORE) : place.start()])
     )
     return next(installing, None) or re.search(name, text)
