@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.launched import reported
+from tests.naming import naming
 
 
 @pytest.mark.parametrize("mark", ["", ".git/HEAD"])
@@ -216,3 +217,11 @@ def test_a_robot_of_a_choice_that_starts_no_robot(
     text, files = CHOSEN.format(condition=condition), {"real/arm.urdf": '<robot name="arm"/>'}
     found = reported(tmp_path, "LAU003", "a.launch.py", text, files)
     assert [one.variants for one in found] == [("arm=virtual",)] * count
+
+
+@pytest.mark.parametrize(("part", "count"), [("/rviz", 1), ("/home/ubuntu/arm/rviz", 0)])
+def test_an_absolute_path_that_is_meant(tmp_path: Path, part: str, count: int) -> None:
+    """The arm of a laboratory: its author replaced the directory, and left the package before."""
+    program = f"import os\npath = os.path.join('arm', {part!r}, 'arm.rviz')\n"
+    found = reported(tmp_path / "arm", "LAU003", "a.launch.py", program)
+    assert [one.message for one in found] == [naming(part)] * count

@@ -28,6 +28,8 @@ _OF_TEXTS = {
     "os.path.join": "write PathJoinSubstitution([...]) with the same parts",
     "xacro.process_file": 'write Command(["xacro ", ...])',
 }
+#: Home directories, whose paths are absolute on purpose.
+_HOMES = ("/home/", "/root/", "/Users/")
 #: Functions that show a text to the user alone.
 _SHOWING = ("print", "debug", "info", "warn", "warning", "error")
 
@@ -51,7 +53,7 @@ def _dropped_directory(call: ast.Call, values: Values) -> Problem | None:
     """A part of a path that begins with a slash: the parts before it are dropped."""
     for part in parts_of_path(call)[1:]:
         text = string(part) or ""
-        if text.startswith("/"):
+        if text.startswith("/") and not text.startswith(_HOMES):
             message = f"'{text}' begins with a slash, so the directories before it are dropped"
             help = f"write '{text.lstrip('/')}'"
             return Problem("LAU003", values.span(part), message, help, severity=Severity.ERROR)
