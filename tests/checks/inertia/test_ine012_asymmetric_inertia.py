@@ -85,7 +85,7 @@ def test_names_alone_make_no_pairs() -> None:
             ),
         ),
         (0.36, MOMENTS, 3, ""),
-        (0.389, MOMENTS, 4, ""),
+        (0.375, MOMENTS, 4, ""),  # as a CAD program computes two wheels of a Bunker
     ],
 )
 def test_the_only_pair_that_differs(

@@ -2,7 +2,7 @@
 
 Mirror images have the same mass and the same principal moments. If one side has clearly more, a
 decimal point is misplaced, or only one side was edited; also if one pair of five or more is the
-only one that differs, by 2 % or more. The robot pulls to one side, and a
+only one that differs, by 5 % or more. The robot pulls to one side, and a
 controller tuned for one hand oscillates with the other. Compare the two, and give both the right
 value.
 

@@ -25,7 +25,7 @@ MAX_MASS_RATIO = 1.5
 PAIR_MASS, PAIR_MOMENTS = 1.2, 1.5
 
 #: The same for the only pair that differs, where at least so many pairs are equal but for rounding.
-_ONLY_PAIR, _EQUAL, _EQUAL_PAIRS = 1.02, 1.001, 4
+_ONLY_PAIR, _EQUAL, _EQUAL_PAIRS = 1.05, 1.001, 4
 
 #: This many links of implausible density, if most of the known ones, have a common cause.
 COMMON_CAUSE = 3
