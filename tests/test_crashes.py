@@ -5,7 +5,6 @@ import re
 import sys
 from collections.abc import Iterator
 from functools import cached_property
-from importlib import import_module
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -16,6 +15,7 @@ from tests.conftest import MODELS
 from tests.damage import damaged
 from tests.xacros import xacro
 from urdfkit import Source, check
+from urdfkit.checks import APPLIES
 from urdfkit.cli import main
 from urdfkit.lint import rule_examples, rule_index, runner
 from urdfkit.lint.context import Context
@@ -99,7 +99,7 @@ def test_a_family_that_cannot_say_whether_it_applies_costs_its_rules(
     family: str, robots: list[Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     before = reported(check(*robots))
-    monkeypatch.setattr(import_module(f"urdfkit.checks.{family}"), "applies", fail)
+    monkeypatch.setitem(APPLIES, family, fail)
     report = check(*robots)
     lost = rule_index.of_family(family)
     assert reported(report) == [one for one in before if one[1] not in lost]

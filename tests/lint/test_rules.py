@@ -7,6 +7,7 @@ from itertools import chain
 import pytest
 
 from tests.conftest import ROOT
+from urdfkit.checks import APPLIES, CODES
 from urdfkit.errors import UnknownRule
 from urdfkit.lint import rule_index
 from urdfkit.lint.config import Config
@@ -16,6 +17,11 @@ from urdfkit.lint.options import choose
 def test_codes_are_sorted_and_each_has_one_name() -> None:
     assert rule_index.codes() == sorted(set(rule_index.codes()))
     assert sorted(chain(*rule_index.names().values())) == rule_index.codes()
+
+
+def test_it_is_known_to_what_each_family_applies() -> None:
+    families = {rule_index.family_of(code) for code in rule_index.codes()}
+    assert set(APPLIES) == families >= set(CODES)
 
 
 @pytest.mark.parametrize("word", ["XML001", "xml001", "not-well-formed", "NOT-well-formed"])

@@ -92,18 +92,14 @@ def of_family(family: str) -> frozenset[str]:
 
 
 def applicable(family: str, codes: list[str], context: Context) -> list[str]:
-    """The rules of a family that may apply to a description.
-
-    The ``__init__.py`` of a family defines ``applies(context)``, and optionally
-    ``codes(context)``: the codes of the rules that have findings, if that is known beforehand.
-    """
+    """The rules of a family that may have something to report on a description."""
     if not family:
         return codes
-    module = import_module(f"urdfkit.checks.{family}")
-    if not module.applies(context):
+    checks = import_module("urdfkit.checks")
+    if not checks.APPLIES[family](context):
         return []
-    applicable_codes = module.codes(context) if hasattr(module, "codes") else codes
-    return [code for code in codes if code in applicable_codes]
+    of_context = checks.CODES[family](context) if family in checks.CODES else codes
+    return [code for code in codes if code in of_context]
 
 
 def register(modules: Mapping[str, str]) -> None:

@@ -25,8 +25,7 @@ _MAX_LENGTH = 200
 
 
 def legs(names: Iterable[str]) -> list[dict[str, str]]:
-    """The names that differ only in the corner, such as ``FL_knee``, each by its corner in
-    lower case.
+    """The names that differ only in the corner, such as ``FL_knee``, each by its corner, ``fl``.
 
     Only those of at least four corners.
     """
