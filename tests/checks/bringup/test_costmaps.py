@@ -1,4 +1,4 @@
-"""LAU032: topics of the layers and filters of a costmap."""
+"""LAU032, LAU026: topics of the layers and filters of a costmap."""
 
 from pathlib import Path
 
@@ -6,6 +6,7 @@ import pytest
 
 from tests.checks.bringup.nodes import NODE
 from tests.checks.bringup.topics import COSTMAP, of_topics
+from tests.launched import reported
 from tests.naming import naming
 
 
@@ -65,3 +66,26 @@ def test_filters_of_a_costmap(tmp_path: Path, info: str, mask: str, words: str) 
     )
     found = of_topics(tmp_path, text, {"nav2.yaml": yaml})
     assert [words in one.message for one in found] == [True] * bool(words)
+
+
+@pytest.mark.parametrize(
+    ("layer", "server", "count"),
+    [
+        ("map_subscribe_transient_local: false", "map_server", 1),
+        ("map_subscribe_transient_local: false, map_topic: /map", "map_server", 1),
+        ("map_subscribe_transient_local: false, map_topic: /hall/map", "map_server", 0),
+        ("map_subscribe_transient_local: false, enabled: false", "map_server", 0),
+        ("map_subscribe_transient_local: true", "map_server", 0),
+        ("map_subscribe_transient_local: false", "map_saver_server", 0),
+    ],
+)
+def test_a_layer_that_misses_the_map(tmp_path: Path, layer: str, server: str, count: int) -> None:
+    yaml = (
+        "global_costmap: {global_costmap: {ros__parameters: {plugins: [fixed], fixed: "
+        f"{{plugin: 'nav2_costmap_2d::StaticLayer', {layer}}}}}}}}}\n"
+    )
+    text = NODE.format("nav2_map_server", server, "") + NODE.format(
+        "nav2_planner", "planner_server", f"parameters=['{tmp_path}/nav2.yaml']"
+    )
+    found = reported(tmp_path, "LAU026", "a.launch.py", text, {"nav2.yaml": yaml})
+    assert [one.message for one in found] == [naming("global_costmap", "fixed")] * count

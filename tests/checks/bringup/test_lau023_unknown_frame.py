@@ -257,3 +257,24 @@ def test_a_robot_whose_base_an_argument_chooses(tmp_path: Path) -> None:
     part = ROBOT.replace('<link name="base_link"/>', "")
     view = VIEW.format("base_link", "false", "base_link")
     assert messages(tmp_path, PUBLISHER.format("") + RVIZ, v_rviz=view, r_urdf=part) == []
+
+
+@pytest.mark.parametrize(
+    ("program", "count"),
+    [
+        ("rate = 5", 1),
+        ("from tf2_ros import TransformBroadcaster", 0),
+        ("tf = node.create_publisher(TFMessage, '/tf', 10)", 0),
+        ("", 0),  # it may publish transforms
+    ],
+)
+def test_the_world_next_to_an_own_program(tmp_path: Path, program: str, count: int) -> None:
+    data = {
+        "r.urdf": ROBOT,
+        "v.rviz": VIEW.format("world", "true", "lidar"),
+        "src/mine/package.xml": "<package><name>mine</name></package>",
+    }
+    data |= {"src/mine/watch.py": program} if program else {}
+    text = HEAD + PUBLISHER.format("") + RVIZ + SLAM + "Node(package='mine', executable='watch')\n"
+    found = [one.message for one in reported(tmp_path, "LAU023", "a.launch.py", text, data)]
+    assert sum("'world'" in one for one in found) == count

@@ -55,6 +55,25 @@ def test_a_map_in_rviz(tmp_path: Path, server: str, durability: str, count: int)
 
 
 @pytest.mark.parametrize(
+    ("name", "count"),
+    [("localization_launch.py", 1), ("bringup_launch.py", 1), ("navigation_launch.py", 0)],
+)
+def test_the_map_server_of_nav2(tmp_path: Path, name: str, count: int) -> None:
+    rviz = (
+        "Visualization Manager:\n  Displays:\n  - Class: rviz_default_plugins/Map\n"
+        "    Topic: {Durability Policy: Volatile, Value: /map}\n"
+    )
+    text = (
+        "from launch_ros.actions import Node\n"
+        "included = IncludeLaunchDescription(PythonLaunchDescriptionSource("
+        f"[FindPackageShare('nav2_bringup'), '/launch/{name}']))\n"
+        "node = Node(package='rviz2', executable='rviz2', arguments=['-d', '../a.rviz'])\n"
+    )
+    found = reported(tmp_path / "arm", "LAU027", "a.launch.py", text, {"a.rviz": rviz})
+    assert [one.help for one in found] == ["write Transient Local"] * count
+
+
+@pytest.mark.parametrize(
     ("package", "topic", "count"),
     [
         ("nav2_controller", "/move_base_simple/goal", 1),

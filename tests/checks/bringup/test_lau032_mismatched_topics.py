@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.checks.bringup.nodes import NODE
+from tests.checks.bringup.nodes import NODE, SPAWNER
 from tests.checks.bringup.topics import BRIDGE, EKF, FILTER, IMU, SCAN, SLAM, of_topics
 from tests.launched import reported
-from tests.naming import values
+from tests.naming import naming, values
 
 
 @pytest.mark.parametrize(
@@ -51,6 +51,47 @@ def test_the_octomap(tmp_path: Path, topic: str, count: int) -> None:
     yaml = f"sensors: [a]\na:\n  {plugin}\n  point_cloud_topic: {topic}\n"
     found = of_topics(tmp_path / "arm", BUILDER + CLOUD, {"config/sensors.yaml": yaml})
     assert ["'move_group' waits for '/cloud'" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("topic", "more", "count"),
+    [
+        ("/points", "", 0),
+        ("/cloud", "", 1),
+        ("/cloud", NODE.format("a", "driver", ""), 0),  # it may publish the cloud
+    ],
+)
+def test_the_octomap_of_an_included_file(tmp_path: Path, topic: str, more: str, count: int) -> None:
+    plugin = "sensor_plugin: occupancy_map_monitor/PointCloudOctomapUpdater"
+    included = "IncludeLaunchDescription(os.path.join(os.path.dirname(__file__), 'a.launch.py'))\n"
+    files = {
+        "config/sensors.yaml": f"sensors: [a]\na:\n  {plugin}\n  point_cloud_topic: {topic}\n",
+        "launch/all.launch.py": f"import os\n{CLOUD}{more}{included}",
+    }
+    found = of_topics(tmp_path / "arm", BUILDER, files)
+    expected = naming("move_group", "/cloud", "PointCloud2", "/points")
+    assert [one.message for one in found] == [expected] * count
+
+
+@pytest.mark.parametrize(
+    ("condition", "count"),
+    [("", 1), (", condition=UnlessCondition(LaunchConfiguration('sim'))", 1)],
+)
+def test_odometry_of_an_optional_controller_manager(
+    tmp_path: Path, condition: str, count: int
+) -> None:
+    """Its spawners, which have no condition, tell what it publishes."""
+    files = {
+        "ekf.yaml": "ekf: {ros__parameters: {odom0: drive/odm, odom0_config: []}}\n",
+        "c.yaml": "controller_manager: {ros__parameters: "
+        "{drive: {type: diff_drive_controller/DiffDriveController}}}\n",
+    }
+    manager = "parameters=['../c.yaml']" + condition
+    text = NODE.format("controller_manager", "ros2_control_node", manager)
+    text += SPAWNER.format(["drive"]) + FILTER.format("")
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    expected = naming("ekf", "/drive/odm", "Odometry", "/drive/odom")
+    assert [one.message for one in found] == [expected] * count
 
 
 @pytest.mark.parametrize(

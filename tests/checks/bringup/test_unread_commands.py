@@ -86,6 +86,8 @@ def test_a_program_of_the_workspace(tmp_path: Path, program: str, count: int) ->
         ("use_stamped_vel: false", "/drive/cmd_vel_unstamped", "True", "where Twist is"),
         ("use_stamped_vel: false", "/drive/cmd_vel", "False", "where TwistStamped"),
         ("use_stamped_vel: false", "/cmd_vel", "False", "which nothing reads"),
+        ("", "/drive/cmd_vel_unstamped", "False", "/drive/cmd_vel_unstamped', which nothing reads"),
+        ("use_stamped_vel: true", "/drive/cmd_vel_unstamped", "True", "which nothing reads"),
     ],
 )
 def test_velocity_commands_of_a_controller(
@@ -162,6 +164,18 @@ def test_commands_of_the_collision_monitor(tmp_path: Path, topic: str, count: in
     found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
     words = "'velocity_smoother' publishes '/cmd_vel_smoothed'"
     assert [words in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(("program", "count"), [("rate = 5", 1), ("cmd = Twist", 0), ("", 0)])
+def test_commands_next_to_an_own_program(tmp_path: Path, program: str, count: int) -> None:
+    """What names no velocity commands does not publish them; without a source it may."""
+    files = {"nav2.yaml": MONITOR.format("cmd_vel_raw")}
+    files["src/mine/package.xml"] = "<package><name>mine</name></package>"
+    files |= {"src/mine/watch.py": program} if program else {}
+    text = NAVIGATION.format(tmp_path) + NODE.format("mine", "watch", "")
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    expected = naming("collision_monitor", "/cmd_vel_raw", "velocity_smoother", "/cmd_vel_smoothed")
+    assert [one.message for one in found] == [expected] * count
 
 
 OUT = "collision_monitor: {{ros__parameters: {{cmd_vel_out_topic: {}, use_sim_time: true}}}}\n"

@@ -264,6 +264,26 @@ def test_the_only_package_that_is_not_declared(
     assert [one.severity for one in found] == severities
 
 
+@pytest.mark.parametrize(
+    ("declared", "severity"),
+    [
+        ("rviz2", Severity.INFO),
+        ("rviz2 xacro launch launch_ros", Severity.WARNING),
+        ("xacro launch launch_ros ros2launch", Severity.INFO),  # neither is declared
+        ("rviz2 own another third", Severity.INFO),  # not of ROS
+    ],
+)
+def test_the_only_package_next_to_many(tmp_path: Path, declared: str, severity: Severity) -> None:
+    lines = "".join(f"<exec_depend>{name}</exec_depend>" for name in declared.split())
+    lines += "<export><build_type>ament_cmake</build_type></export></package>"
+    (tmp_path / "package.xml").write_text(MANIFEST.replace("</package>", lines))
+    started = ("rviz2", "joint_state_publisher_gui")
+    nodes = "".join(f'<node pkg="{name}" exec="{name}"/>' for name in started)
+    (tmp_path / "a.launch.xml").write_text(launch(nodes))
+    found = check(tmp_path / "a.launch.xml", select=["PKG001"]).diagnostics
+    assert [(one.span.text, one.severity) for one in found][-1] == (started[1], severity)
+
+
 ROBOT = """<robot name="r"><link name="base"/><gazebo>
 <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin"/>
 </gazebo></robot>"""

@@ -19,6 +19,8 @@ _STATIC, _INFLATION = "StaticLayer", "InflationLayer"
 _OF_OBSTACLES = ("ObstacleLayer", _STATIC, "VoxelLayer")
 #: Layers that take the size of the costmap as it is.
 _SIZELESS = ("InflationLayer", "ObstacleLayer", "VoxelLayer", "SpatioTemporalVoxelLayer")
+#: Who publishes the map once, and the switch of a static layer that gets it later, too.
+_SERVER, _LATCHED = "map_server", "map_subscribe_transient_local"
 #: The frame of the map in the parameters of the nodes that localize.
 _MAP_FRAMES = {"amcl": "global_frame_id", "slam_toolbox": "map_frame", "map_server": "frame_id"}
 #: What a costmap publishes, by the ending of the parameter that names it, and its readers.
@@ -80,6 +82,23 @@ def untransformed_map(sections: list[NodeParameters]) -> Findings:
                 "as it does not roll",
                 "write global_frame: map",
             )
+
+
+def missed_maps(context: Context, sections: list[NodeParameters]) -> Findings:
+    """A static layer that gets no message from before its start: map_server publishes one."""
+    if not any(node.executable == _SERVER and node.is_sure for node in context.launch.programs):
+        return
+    for node in sections if not context.launch.has_scopes else ():
+        for name, layer in node.values.items() if node.name in COSTMAPS else ():
+            switch, topic = scalar(layer, _LATCHED), scalar(layer, "map_topic")
+            is_of_server = topic is None or topic.text.strip("/") in ("", "map")
+            is_static = class_of_active_layer(layer) == _STATIC
+            if is_static and is_of_server and switch and switch.boolean is False:
+                yield Finding(
+                    switch.span,
+                    f"'{node.name}': '{name}' misses a map that was published before it started",
+                    f"write {_LATCHED}: true",
+                )
 
 
 def misread_costmaps(node: NodeParameters) -> Findings:

@@ -14,8 +14,8 @@ Checked are:
 - `tracking_frame` and `published_frame` of Cartographer, `box_frame` and `polygon_frame` of
   laser_filters.
 - RViz's fixed frame and the frames of its displays. `map`, `odom` and `world` as the fixed frame
-  are reported if a launch file starts only RViz with joint_state_publisher, and `world` in one that
-  starts only navigation.
+  are reported if a launch file starts only RViz with joint_state_publisher, and `world` in one with
+  navigation whose own programs publish no transforms.
 - Parents of static transforms, unless the launch file starts drivers that are not in the workspace,
   which may publish other frames.
 - The `global_frame` of a costmap, only for typos of `map` or `odom`.

@@ -15,7 +15,8 @@ Each value is valid, but what it is meant for does not happen.
   no transform (info).
 - An obstacle layer stands behind the last inflation layer, which does not inflate its obstacles.
 - A costmap without a map does not move with the robot (`rolling_window`), is smaller than its
-  footprint, or has the map in the frame of odometry.
+  footprint, or has the map in the frame of odometry. A static layer without
+  `map_subscribe_transient_local` misses the map, which map_server publishes once.
 - A server of Nav2 reads the footprint or the costs from a topic that a costmap does not publish. A
   layer reads a relative topic, which up to Jazzy is in the namespace of the costmap (an info for
   Jazzy).
@@ -75,6 +76,7 @@ def check(context: Context) -> Findings:
         yield from costmap_geometry.not_inflated(section)
         yield from costmap_geometry.unmoved(section)
     yield from costmap_geometry.untransformed_map(sections)
+    yield from costmap_geometry.missed_maps(context, sections)
     yield from costmap_geometry.relative_topics(context, sections)
     yield from without_footprint(sections)
     yield from held_sideways(sections)

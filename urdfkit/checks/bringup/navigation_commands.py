@@ -23,6 +23,7 @@ from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
 from urdfkit.ros.node_parameters import NodeParameters, nodes_in_files
 from urdfkit.text.located_yaml import Value, scalar
 from urdfkit.text.source import Span
+from urdfkit.workspace.program_strings import may_publish
 from urdfkit.workspace.resolve import Resolver
 
 _STAMPED = "enable_stamped_cmd_vel"
@@ -121,10 +122,11 @@ def unpublished_commands(context: Context) -> Findings:
         return
     launches = workspace_launches(context)
     programs = programs_of(launches)
-    is_whole = all(map(is_known_reader, programs)) and not any(
-        launch.has_scopes for launch in launches
-    )
-    if not is_whole:
+    if any(launch.has_scopes for launch in launches) or not all(
+        is_known_reader(node)
+        or not may_publish(node.package, "Twist", context.source.path, context.resolver)
+        for node in programs
+    ):
         return
     published = [topic for topic in _published(smoothers, programs) if topic]
     for section in _sections(context.launch, context.resolver):

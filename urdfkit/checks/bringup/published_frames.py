@@ -17,6 +17,7 @@ from urdfkit.ros.launch.transforms import StaticTransform, has_unknown_child, st
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.install_rules import build_file
 from urdfkit.workspace.manifest import manifest_of
+from urdfkit.workspace.program_strings import may_publish
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: Frames that programs other than those of the robot publish.
@@ -37,6 +38,8 @@ _OF_NAVIGATION = re.compile(
 )
 #: A program in the build file of a package.
 _PROGRAM = rb"(?i)\badd_(?:executable|library)\s*\(|console_scripts[\"']\s*:\s*\[\s*[\"']"
+#: Words of a program that publishes transforms.
+_TRANSFORMS = ("Transform", "TFMessage")
 _WORLD, _NAMES_WORLD = "world", re.compile(rb":\s*[\"']?/?world\b")
 #: Packages of ROS whose nodes publish other frames, of a sensor or a recording.
 _PUBLISHERS_OF_ROS = ("mavros", "realsense2_camera", "rosbag", "rosbag2")
@@ -90,7 +93,13 @@ def _is_of_driver(context: Context, launches: tuple[Launch, ...]) -> bool:
 def _has_map_alone(context: Context) -> bool:
     """True if the root of all frames is that of localization: no node names another one."""
     programs = context.launch.programs
-    if not all(_OF_NAVIGATION.fullmatch(node.package) for node in programs):
+    path, resolver = context.source.path, context.resolver
+    if any(
+        may_publish(node.package, message, path, resolver)
+        for node in programs
+        if not _OF_NAVIGATION.fullmatch(node.package)
+        for message in _TRANSFORMS
+    ):
         return False
     sources = (context.resolver.readable(file.path) for file in context.launch.parameters)
     names_world = any(_NAMES_WORLD.search(source.data) for source in sources if source)

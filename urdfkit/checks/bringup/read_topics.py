@@ -64,6 +64,12 @@ def read_topics(context: Context) -> Iterator[ReadTopic]:
     yield from _read_by_rviz(context)
 
 
+def read_in_other_files(context: Context) -> Iterator[ReadTopic]:
+    """The topics in files other than parameter files; any launch file may start the publisher."""
+    for read in (*_read_by_move_group(context), *_read_by_rviz(context)):
+        yield read._replace(is_of_workspace=True)
+
+
 def _read_by_nodes(context: Context) -> Iterator[ReadTopic]:
     """Topics in parameter files."""
     inputs: dict[str, str] = data("nodes")["inputs"]

@@ -20,6 +20,7 @@ from urdfkit.checks.bringup.read_topics import (
     GRID,
     INFO_TOPIC,
     ReadTopic,
+    read_in_other_files,
     read_topics,
     topic_parameter,
 )
@@ -30,6 +31,7 @@ from urdfkit.checks.bringup.unbridged_sensors import (
     unbridged,
     unbridged_sensor,
 )
+from urdfkit.checks.bringup.unloaded_hardware import CONTROL_NODE
 from urdfkit.checks.bringup.unread_remappings import renamed_topics
 from urdfkit.checks.bringup.workspace_launches import (
     is_included,
@@ -77,8 +79,10 @@ _STARTED = {
 
 
 def unpublished_inputs(context: Context) -> Findings:
-    inputs = [read for read in read_topics(context) if not read.topic.startswith(("$", "~"))]
-    if not inputs or is_included(context):
+    # The including files know the parameters of an included one, but not what else it reads.
+    read = read_in_other_files(context) if is_included(context) else read_topics(context)
+    inputs = [one for one in read if not one.topic.startswith(("$", "~"))]
+    if not inputs:
         return
     of_workspace = workspace_launches(context)
     filtered = _outputs_of_filters((context.launch, *of_workspace))
@@ -276,7 +280,9 @@ def _is_known(program: StartedProgram, message: str, context: Context) -> bool:
         known = _TOPICS_OF_NAVSAT
     is_remapped = renamed is None or not {name.strip("~/") for name in renamed} <= known
     is_placed = program.namespace == "" and package in _PUBLISHERS
-    return program.is_sure and not is_remapped and is_placed
+    # What a controller manager publishes depends on the spawners, which have their own conditions.
+    is_sure = program.is_sure or program.executable == CONTROL_NODE
+    return is_sure and not is_remapped and is_placed
 
 
 def _spawns_others(program: StartedProgram, message: str, context: Context) -> bool:

@@ -93,7 +93,8 @@ def unread_commands(context: Context) -> Findings:
     all_readers = list(command_readers(context, programs))
     readers = {reader.topic: reader.related for reader in all_readers}
     drives = {reader.topic: reader.related for reader in all_readers if not reader.is_mux}
-    read = {topic.removesuffix(_PLAIN) for topic in readers}
+    # Commands for the topic of a drive without stamps are mistyped: see mistyped_commands.
+    read = {*readers, *(topic.removesuffix(_PLAIN) for topic in readers)}
     if drives:
         published = {topic for _, topic in sources}
         free = (one for one in all_readers if one.is_mux and one.topic not in published)
@@ -103,7 +104,7 @@ def unread_commands(context: Context) -> Findings:
     if any(node.package in _SMOOTHERS for node in programs):
         read.update(_SMOOTHED)
     for node, topic in sources if readers else ():
-        if topic.removesuffix(_PLAIN) not in read and not _is_named(topic, launches, context):
+        if topic not in read and not _is_named(topic, launches, context):
             known = drives if node.package == _MUX and drives else readers
             other, message = _unread(node.executable, topic, known)
             yield Finding(node.at, message, f"remap {topic} to {other}", related=(known[other],))

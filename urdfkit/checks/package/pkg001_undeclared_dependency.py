@@ -4,10 +4,11 @@ The file works only on machines where that package is installed. On other machin
 install it, colcon and catkin build in the wrong order, and `$(find ...)`, `package://` and the
 launch file fail with "package not found". In a launch file it is an info. In launch files of ROS 2,
 packages of the ROS distribution are reported, too: a smaller installation lacks `xacro`,
-`ros_gz_sim`, or MoveIt's solvers and planners (a warning if it is the only one of several that is
-not declared). So are the control plugin of Gazebo and the controllers of its robots, with the
-plugins of their kinematics, if neither their own packages declare them, nor those of the workspace
-on which the launch file depends: "class diff_drive_controller/DiffDriveController does not exist".
+`ros_gz_sim`, or MoveIt's solvers and planners (a warning if it is the only one that is not
+declared, of several that the launch file starts, or next to many in `package.xml`). So are the
+control plugin of Gazebo and the controllers of its robots, with the plugins of their kinematics, if
+neither their own packages declare them, nor those of the workspace on which the launch file
+depends: "class diff_drive_controller/DiffDriveController does not exist".
 
 A package that is found only by the name of its directory has another name in its `package.xml`: ROS
 does not find it.
@@ -57,6 +58,8 @@ _GRIPPER = "/GripperActionController"
 _MOVE_GROUP = "moveit_ros_move_group"
 #: Declared packages of ROS that a launch file starts, if another one was forgotten.
 _DECLARED = 2
+#: Declared packages of ROS, if one other that the launch file starts is enough.
+_OF_CAREFUL_AUTHOR = 4
 _KINEMATICS = "kinematics.yaml"
 #: Packages of the planners whose classes begin with another name.
 _PLANNERS = {
@@ -145,7 +148,9 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
         if name != manifest.package and span.source.path == own:
             places.setdefault(name, span)
     missing = [name for name in places if not _is_brought(name, manifest.dependencies)]
-    is_forgotten = len(missing) == 1 and len(places) > _DECLARED
+    others = len(places) - 1
+    is_careful = sum(map(comes_with_ros, manifest.dependencies)) >= _OF_CAREFUL_AUTHOR
+    is_forgotten = len(missing) == 1 and others >= (1 if is_careful else _DECLARED)
     for name in missing:
         line = f"<exec_depend>{name}</exec_depend>"
         yield Finding(
