@@ -131,3 +131,21 @@ def test_plugins_of_nav2(tmp_path: Path, yaml: str, words: str) -> None:
     found = messages("LAU039", tmp_path, yaml)
     found = [one for one in found if "model_dt" not in one]
     assert [words in one for one in found] == [True] * bool(words)
+
+
+@pytest.mark.parametrize(
+    ("navigator", "count"),
+    [
+        ("nav2_bt_navigator::NavigateToPoseNavigator", 0),
+        ("nav2_bt_navigator/NavigateToPoseNavigator", 1),
+    ],
+)
+def test_navigators_of_another_release(tmp_path: Path, navigator: str, count: int) -> None:
+    section = "{}: {{ros__parameters: {{a: {{plugin: {}}}}}}}\n".format
+    yaml = section("bt_navigator", navigator)
+    yaml += section("planner_server", "nav2_navfn_planner::NavfnPlanner")
+    yaml += section("behavior_server", "nav2_behaviors::Spin")
+    text = PROGRAM.format(CONTROLLER, '"controller_server"')
+    found = reported(tmp_path / "arm", "LAU039", "a.launch.py", text, {"a.yaml": yaml})
+    expected = ["write nav2_bt_navigator::NavigateToPoseNavigator"] * count
+    assert [one.help for one in found] == expected

@@ -24,6 +24,13 @@ BAD = [
         ),
         naming("e", "arm", "own"),
     ),
+    (  # OpenArm: a frame behind the flange
+        (
+            '<group name="a"><link name="hand"/></group><group name="h"><link name="arm"/></group>'
+            '<end_effector name="e" group="h" parent_link="base" parent_group="a"/>'
+        ),
+        naming("e", "base", "a"),
+    ),
     (  # Kawasaki's arms: one finding for the shared link, to which the effector is attached
         (
             '<group name="a"><link name="base"/><link name="arm"/></group><group name="h">'
@@ -38,6 +45,10 @@ GOOD = [
         '<group name="a"><chain base_link="base" tip_link="arm"/></group>'
         '<group name="h"><link name="hand"/></group>'
         '<end_effector name="e" group="h" parent_link="arm" parent_group="a"/>'
+    ),
+    (  # MoveIt finds the parent group itself
+        '<group name="a"><link name="hand"/></group><group name="h"><link name="arm"/></group>'
+        '<end_effector name="e" group="h" parent_link="base"/>'
     ),
     (  # KUKA's iiwa: a group of the tip for moveit_visual_tools
         '<group name="a"><chain base_link="base" tip_link="hand"/></group>'

@@ -47,7 +47,9 @@ _NAVIGATORS = "navigators"
 #: Least similarity of a misspelt critic: ObstacleCritic is ObstaclesCritic.
 _MIN_SIMILARITY = 0.8
 #: The classes with a slash up to Iron, and colons from Jazzy on.
-_RENAMED = re.compile(r"nav2_(?:behaviors|navfn_planner|smac_planner|theta_star_planner)(/|::)")
+_RENAMED = re.compile(
+    r"nav2_(?:behaviors|bt_navigator|navfn_planner|smac_planner|theta_star_planner)(/|::)"
+)
 
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))

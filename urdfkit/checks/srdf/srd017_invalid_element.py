@@ -140,6 +140,9 @@ def _end_effectors(srdf: Srdf) -> Findings:
         if link in hand and link not in shared:
             message = f"end effector '{name}' is attached to '{link}', its own link"
             yield _warning(effector, message, help)
+        elif arm and link in srdf.known("link") - arm - hand:
+            message = f"end effector '{name}' is attached to '{link}', which is not in its parent "
+            yield _warning(effector, f"{message}group '{parent}'", help)
 
 
 def _warning(at: Element, message: str, help: str) -> Finding:
