@@ -4,6 +4,7 @@ import pytest
 
 from tests.launched import MANIFEST, launch
 from tests.naming import naming
+from tests.workspaces import add_files
 from urdfkit import Diagnostic, Severity, check
 
 
@@ -262,6 +263,48 @@ def test_the_only_package_that_is_not_declared(
     (tmp_path / "a.launch.xml").write_text(launch(nodes))
     found = check(tmp_path / "a.launch.xml", select=["PKG001"]).diagnostics
     assert [one.severity for one in found] == severities
+
+
+@pytest.mark.parametrize(
+    ("declared", "other", "helps"),
+    [
+        ("robot_localisation", "", ["write robot_localization"]),
+        (
+            "robot_location",
+            "",
+            ["add <exec_depend>robot_localization</exec_depend> to package.xml"],
+        ),
+        ("robot_localization robot_localisation", "", []),
+        (
+            "robot_localisation",  # a package of the workspace
+            "robot_localisation",
+            ["add <exec_depend>robot_localization</exec_depend> to package.xml"],
+        ),
+    ],
+)
+def test_a_typo_in_a_dependency(
+    tmp_path: Path, declared: str, other: str, helps: list[str]
+) -> None:
+    lines = "".join(f"<exec_depend>{name}</exec_depend>\n" for name in declared.split())
+    lines += "<export><build_type>ament_cmake</build_type></export></package>"
+    files = {"arm/package.xml": MANIFEST.replace("</package>", lines)}
+    files["arm/a.launch.xml"] = launch('<node pkg="robot_localization" exec="ekf_node"/>')
+    files |= {f"{other}/package.xml": f"<package><name>{other}</name></package>"} if other else {}
+    add_files(tmp_path, files)
+    found = check(tmp_path / "arm" / "a.launch.xml", select=["PKG001"]).diagnostics
+    assert [one.help for one in found] == helps
+
+
+def test_the_place_of_a_typo_in_a_dependency(tmp_path: Path) -> None:
+    lines = "<exec_depend>tf2_rso</exec_depend>\n"
+    lines += "<export><build_type>ament_cmake</build_type></export></package>"
+    manifest = tmp_path / "package.xml"
+    manifest.write_text(MANIFEST.replace("</package>", lines))
+    node = '<node pkg="tf2_ros" exec="static_transform_publisher"/>'
+    (tmp_path / "a.launch.xml").write_text(launch(node))
+    (found,) = check(tmp_path / "a.launch.xml", select=["PKG001"]).diagnostics
+    assert (found.severity, found.span.source.path) == (Severity.WARNING, str(manifest))
+    assert found.message == naming("tf2_rso", "tf2_ros")
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,8 @@ neither their own packages declare them, nor those of the workspace on which the
 depends: "class diff_drive_controller/DiffDriveController does not exist".
 
 A package that is found only by the name of its directory has another name in its `package.xml`: ROS
-does not find it.
+does not find it. A dependency may have a typo in the name of a package that a launch file starts:
+rosdep cannot resolve it.
 
 Sources:
     REP 149, package.xml: https://www.ros.org/reps/rep-0149.html
@@ -23,11 +24,12 @@ from collections.abc import Iterator
 from urdfkit.checks.package.build_files import is_registered
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
+from urdfkit.core.suggest import is_typo
 from urdfkit.errors import PackageNotFound
-from urdfkit.lint.rules import Context, Finding, Findings, Fix, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Fix, Related, Severity, rule
 from urdfkit.mesh.samples import PLATE
 from urdfkit.ros.catalog import data
-from urdfkit.text.document import CallFrame
+from urdfkit.text.document import CallFrame, Element
 from urdfkit.text.editing.edits import insert_after, insert_last
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, Span
@@ -152,6 +154,12 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
     is_careful = sum(map(comes_with_ros, manifest.dependencies)) >= _OF_CAREFUL_AUTHOR
     is_forgotten = len(missing) == 1 and others >= (1 if is_careful else _DECLARED)
     for name in missing:
+        if misspelt := _misspelt(name, context, manifest):
+            message = f"dependency '{misspelt.text.strip()}' is not a package of ROS; "
+            related = (Related(places[name], f"'{name}' is started here"),)
+            message += f"did you mean '{name}'?"
+            yield Finding(misspelt, message, f"write {name}", related=related)
+            continue
         line = f"<exec_depend>{name}</exec_depend>"
         yield Finding(
             places[name],
@@ -161,6 +169,16 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
             group_key="undeclared",
             severity=None if is_forgotten else Severity.INFO,
         )
+
+
+def _misspelt(name: str, context: Context, manifest: Manifest) -> Element | None:
+    """The dependency with a typo in the name of a package; None if there is none."""
+    typos = {other for other in manifest.dependencies if is_typo(other, name)}
+    known = context.resolver.packages.known(manifest.path) if typos else {}
+    typos = {other for other in typos if other not in known and not comes_with_ros(other)}
+    root = read_xml(context.resolver.read(manifest.path))[0] if typos else None
+    children = root.root.children if root else ()
+    return next((child for child in children if child.text.strip() in typos), None)
 
 
 def _loaded(context: Context) -> Iterator[tuple[str, Span]]:
