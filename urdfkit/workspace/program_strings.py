@@ -7,6 +7,7 @@ from functools import lru_cache
 from itertools import islice
 
 from urdfkit.text.file_kinds import is_launch
+from urdfkit.text.source import Source
 from urdfkit.workspace.file_head import read_head
 from urdfkit.workspace.manifest import manifest_of
 from urdfkit.workspace.resolve import Resolver
@@ -74,6 +75,17 @@ def strings_in_programs(
         if not is_launch(path) and re.search(containing, data)
         for word in strings
     }
+
+
+def sources_of_programs(package: str, near: str, resolver: Resolver) -> Iterator[Source]:
+    """The source files of the programs of a package in the workspace of a file."""
+    top = resolver.packages.known(near).get(package)
+    files = resolver.directories.walk(top) if top else ()
+    programs = (path for path in files if path.endswith(_SUFFIXES) and not is_launch(path))
+    for path in islice(programs, MAX_FILES):
+        source = resolver.readable(path)
+        if source and len(source.data) <= MAX_BYTES:
+            yield source
 
 
 def may_publish(package: str, message: str, near: str, resolver: Resolver) -> bool:

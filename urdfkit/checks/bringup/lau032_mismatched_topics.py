@@ -13,6 +13,8 @@
   reads them on another topic. Reported only if all programs of the workspace are known.
 - A teleoperation node, or Nav2, publishes `Twist` on the topic of a drive that reads
   `TwistStamped`, as those of ros2_control do: no message arrives, without an error.
+- A program of the workspace names the action of a controller, or one of several joints, with a
+  typo: it waits for ever, or the controller rejects its goals.
 - The collision monitor of Nav2 reads commands on another topic than that of the velocity smoother.
 
 A launch file is not checked if it includes unavailable files that are not part of ROS.
@@ -32,6 +34,7 @@ import re
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
 from urdfkit.checks.bringup.gz_bridges import may_bridge_transforms
 from urdfkit.checks.bringup.known_programs import are_topics_known
+from urdfkit.checks.bringup.names_in_programs import misspelt_names
 from urdfkit.checks.bringup.navigation_commands import mistyped_navigation, unpublished_commands
 from urdfkit.checks.bringup.odometry import of_global_filters
 from urdfkit.checks.bringup.unpublished_topics import unpublished_inputs, unpublished_scans
@@ -70,6 +73,7 @@ _STILL, _MOVING = re.compile(r"topic_tools|twist_stamper"), ("tf2_ros", _FILTER)
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
+    yield from misspelt_names(context)
     if are_topics_known(context):
         yield from unpublished_inputs(context)
         yield from unpublished_scans(context)
