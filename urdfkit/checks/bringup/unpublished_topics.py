@@ -80,8 +80,8 @@ _STARTED = {
 
 def unpublished_inputs(context: Context) -> Findings:
     # The including files know the parameters of an included one, but not what else it reads.
-    read = read_in_other_files(context) if is_included(context) else read_topics(context)
-    inputs = [one for one in read if not one.topic.startswith(("$", "~"))]
+    found = read_in_other_files(context) if is_included(context) else read_topics(context)
+    inputs = [read for read in found if not read.topic.startswith(("$", "~"))]
     if not inputs:
         return
     of_workspace = workspace_launches(context)
