@@ -45,6 +45,16 @@ def test_a_link_that_an_argument_switches_off(reference: str, severity: Severity
     assert found.severity is severity
 
 
+def test_a_link_of_a_macro_that_is_not_called() -> None:
+    text = xacro_xml(
+        '<xacro:macro name="tool" params=""><link name="tip"/></xacro:macro>',
+        '<link name="base"/>',
+        block("<mu1>1</mu1>", "tip"),
+    )
+    (found,) = reported("GAZ001", text.encode(), "robot.xacro")
+    assert found.help == "call macro 'tool', which defines it"
+
+
 def test_a_frame_is_not_the_link_that_it_is_on() -> None:
     """PAL's TIAGo has a block for a 'base_imu_link' that this variant lacks."""
     block = '<gazebo reference="base_{}"><sensor name="s" type="imu"/></gazebo>'

@@ -23,6 +23,10 @@ from tests.sensing import findings, scan
         ("<kp>1.2.</kp>", "<kp> is '1.2.', which Gazebo reads as 1.2"),
         ("<minDepth>1 mm</minDepth>", "<minDepth> is '1 mm', which Gazebo reads as 1"),
         ("<kd>nan</kd>", "<kd> is 'nan': the simulation spreads it to all links"),
+        (
+            "<mu1>-1</mu1>",
+            "<mu1> is '-1', must be >= 0: contacts pull or the simulation becomes unstable",
+        ),
         ("<fdir1>a b c</fdir1>", "<fdir1> is 'a b c', not 3 numbers"),
         ("<selfCollide>on</selfCollide>", "<selfCollide> is 'on', which Gazebo reads as false"),
         (

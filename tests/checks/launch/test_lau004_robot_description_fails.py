@@ -85,6 +85,14 @@ def test_xacro_replaces_the_tabs_of_a_urdf(tmp_path: Path, program: str, count: 
     assert len([one for one in found if one.severity is Severity.ERROR]) == count
 
 
+def test_a_robot_in_one_line_that_is_a_key_and_its_value(tmp_path: Path) -> None:
+    urdf = '<robot name="r"> <!-- Author: me --><link name="base"/></robot>'
+    text = COMMAND.format(f"Command(['cat ', '{tmp_path / 'r.urdf'}'])")
+    (found,) = reported(tmp_path, "LAU004", "a.launch.py", text, {"r.urdf": urdf})
+    assert found.message.endswith("which finds a mapping or list, not text, in line 1")
+    assert isinstance(yaml.safe_load(urdf), dict)
+
+
 @pytest.mark.parametrize(("passed", "count"), [("", 1), (" side:=left", 0)])
 def test_an_argument_above_its_default(tmp_path: Path, passed: str, count: int) -> None:
     argument = '<xacro:arg name="side" default="left"/>'

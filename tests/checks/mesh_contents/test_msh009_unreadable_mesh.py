@@ -40,6 +40,7 @@ NAN = float("nan")
             naming("Git LFS", "684 bytes"),
             naming("git lfs pull"),
         ),
+        ("a.stl", b"PK\x03\x04", naming("zip archive"), naming("unpack")),
         ("a.stl", b"404: Not Found", naming("format", "404: Not Found"), GET),
         ("a.stl", made.binary_stl()[:-1], naming("4 triangles", "3"), DOWNLOAD),
         ("a.glb", made.glb()[:8], naming("after", "8 bytes", "inside"), DOWNLOAD),

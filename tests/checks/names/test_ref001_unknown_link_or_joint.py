@@ -152,15 +152,27 @@ def test_what_mimic_joints_agree_on_is_right(drives: int, right: str) -> None:
     assert fixed("REF001", robot.format("sholder", *["shoulder"] * drives)) == after
 
 
-def test_a_link_that_an_argument_adds() -> None:
+@pytest.mark.parametrize(
+    ("adding", "help"),
+    [
+        (
+            '<xacro:if value="$(arg big)"><link name="box"/></xacro:if>',
+            "pass the argument that adds the link",
+        ),
+        (
+            '<xacro:macro name="car"><link name="box"/></xacro:macro>',
+            "call macro 'car', which defines the link",
+        ),
+    ],
+)
+def test_a_link_that_is_in_the_file(adding: str, help: str) -> None:
     """A kit for several vehicles: each has its own base."""
-    text = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+    text = f"""<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 <xacro:arg name="big" default="false"/><link name="imu"/>
-<xacro:if value="$(arg big)"><link name="box"/></xacro:if>
+{adding}
 <joint name="j" type="fixed"><parent link="box"/><child link="imu"/></joint></robot>"""
     (found,) = reported("REF001", text.encode(), "robot.xacro")
-    assert found.severity is Severity.WARNING
-    assert found.help == "pass the argument that adds the link"
+    assert (found.severity, found.help) == (Severity.WARNING, help)
 
 
 def test_the_world_is_not_added_next_to_a_root() -> None:

@@ -28,6 +28,7 @@ def reported(directory: Path, manifest: str, more: str = USES) -> list[Diagnosti
     [
         ("  <license>Apache-2.0</license>\n", "", "the package has no <license>", 2),
         ("<version>1.0.0</version>", "", "the package has no <version>", 2),
+        (">arm<", ">arm!<", "'arm!' is not a valid package name", 3),
         (">1.0.0<", ">1.0<", "version '1.0' does not", 4),
         (">1.0.0<", "><", "version '' does not", 4),
         (' email="arm@example.org"', "", "the maintainer has", 6),

@@ -90,3 +90,17 @@ def test_a_broadcaster_commands_no_joints(tmp_path: Path) -> None:
     add_file(tmp_path / "config" / "ros2_controllers.yaml", control.encode())
     found = check(path, select=["SRD029"]).diagnostics
     assert [(one.span.text, "'claw'" in one.message) for one in found] == [("hand", True)]
+
+
+def test_a_controller_without_a_type(tmp_path: Path) -> None:
+    moveit = MOVEIT.replace(b"{type: FollowJointTrajectory, ", b"{", 1)
+    control = CONTROL.format("hand") + "arm: {ros__parameters: {joints: [j]}}\n"
+    add_file(tmp_path / "package.xml", MANIFEST)
+    path = add_file(tmp_path / "r.urdf", ROBOT)
+    add_file(tmp_path / "config" / "r.srdf", SRDF)
+    add_file(tmp_path / "config" / "moveit_controllers.yaml", moveit)
+    add_file(tmp_path / "config" / "ros2_controllers.yaml", control.encode())
+    found = check(path, select=["SRD029"]).diagnostics
+    assert [(one.span.text, one.help) for one in found] == [
+        ("arm", "write type: FollowJointTrajectory")
+    ]
