@@ -10,6 +10,7 @@ from tests.checks.worlds.started import (
     messages,
     only_finding,
 )
+from tests.workspaces import add_file
 from urdfkit import Severity
 
 CODE = "WLD007"
@@ -36,3 +37,20 @@ def test_topics_of_another_world(tmp_path: Path, name: str, count: int) -> None:
     found = findings(tmp_path, CODE, world="", launch=INCLUDE + bridge)
     assert ["'empty', but world 'hall'" in each.message for each in found] == [True] * count
     assert [each.severity for each in found] == [Severity.WARNING] * count  # another may be given
+
+
+@pytest.mark.parametrize(("is_file", "help"), [(True, "name the started"), (False, "write /world")])
+def test_a_file_of_topics_that_launch_files_share(tmp_path: Path, is_file: bool, help: str) -> None:
+    """OriginBot: one launch file starts the world that the topics name, two start others."""
+    entry = "- {ros_topic_name: a, gz_topic_name: /world/empty/clock, "
+    entry += "ros_type_name: rosgraph_msgs/msg/Clock, gz_type_name: gz.msgs.Clock}\n"
+    add_file(tmp_path / "b.yaml", entry)
+    words = "'/world/empty/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock'"
+    given = (
+        f"parameters=[{{'config_file': '{tmp_path}/b.yaml'}}]"
+        if is_file
+        else f"arguments=[{words}]"
+    )
+    bridge = f'\nNode(package="ros_gz_bridge", executable="parameter_bridge", {given})'
+    (found,) = findings(tmp_path, CODE, world="", launch=INCLUDE + bridge)
+    assert found.help.startswith(help)

@@ -60,10 +60,13 @@ def _other_worlds(context: Context, opened: OpenedWorld) -> Findings:
         for topic in bridged_topics(program, context.resolver):
             match = _OF_WORLD.match(topic.topic)
             if match and match.group(1) != opened.name:
+                help = f"write /world/{opened.name}{topic.topic[match.end(1) :]}"
+                if topic.places:  # other launch files, which start that world, may use the file
+                    help = f"name the started world '{match.group(1)}', too; or {help}"
                 yield Finding(
                     Location(topic.at("gz_topic_name", "topic_name"), program.frame),
                     f"the bridge has '{topic.topic}' of world '{match.group(1)}', but world "
                     f"'{opened.name}' is started",
-                    f"write /world/{opened.name}{topic.topic[match.end(1) :]}",
+                    help,
                     severity=Severity.WARNING,
                 )
