@@ -57,6 +57,12 @@ class Interface(Record):
         return number(found.text.strip()) if found else None
 
 
+#: A condition of xacro with a plugin or the whole hardware in it.
+_CONDITIONAL = (
+    r"(?s)<xacro:(?:if|unless)\b(?:(?!</?xacro:(?:if|unless)\b).)*?<(?:hardware|plugin)\b"
+)
+
+
 class ControlPart(Record):
     """A ``<joint>``, ``<sensor>`` or ``<gpio>`` in ``<ros2_control>``; ``kind`` is its tag."""
 
@@ -82,6 +88,11 @@ class Component(Record):
     def hardware(self) -> str:
         """The hardware class; empty if missing."""
         return self.plugin.text.strip() if self.plugin else ""
+
+    @property
+    def has_conditional_plugin(self) -> bool:
+        """True if arguments of the robot select the hardware class, or whether it has one."""
+        return bool(re.search(_CONDITIONAL, self.at.tag_at.whole_span.text))
 
     @property
     def joints(self) -> list[ControlPart]:

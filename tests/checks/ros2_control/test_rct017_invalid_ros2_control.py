@@ -149,6 +149,7 @@ def test_unknown_type(kind: str, hint: list[str]) -> None:
     ("kind", "hardware", "severity"),
     [
         ("own/Driver", "own/Driver", Severity.WARNING),
+        ("own/Driver", GZ, Severity.WARNING),
         ("own/Driver", MOCK, Severity.ERROR),
         ("sensors", "own/Driver", Severity.ERROR),
     ],

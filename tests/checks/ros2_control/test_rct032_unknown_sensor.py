@@ -12,11 +12,13 @@ from tests.controls import (
     control,
     controller,
     driven,
+    plugin,
     reported_with_file,
 )
 from tests.naming import naming
 from tests.reported import fixed, messages, reported
-from urdfkit import Diagnostic
+from urdfkit import Diagnostic, check
+from urdfkit.lint.rule_examples import whole_robot
 from urdfkit.text.diagnostic import Confidence, Severity
 
 IMU = '<sensor name="{}"><state_interface name="orientation.x"/></sensor>'
@@ -83,6 +85,22 @@ def test_a_driver_that_exports_what_its_block_does_not_name(
     blocks = control(driven("swing"), SENSOR, plugin=hardware)
     text = controller("b", IMU_BROADCASTER, sensor_name=sensor)
     assert len(reported_broadcaster(tmp_path, text, blocks)) == count
+
+
+@pytest.mark.parametrize(("condition", "count"), [("xacro:if", 0), ("!--", 1)])
+def test_a_driver_that_an_argument_selects(tmp_path: Path, condition: str, count: int) -> None:
+    """The same robot, which is simulated without arguments."""
+    own = f'<{condition} value="0"><plugin>own/Driver</plugin></xacro:if>'
+    own = own.replace("</xacro:if>", "-->") if count else own
+    blocks = control(SENSOR, plugin=GZ).replace("<hardware>", f"<hardware>{own}")
+    text = controller("b", IMU_BROADCASTER, sensor_name="sonar")
+    (tmp_path / "c.yaml").write_text(text)
+    names = plugin("gz_ros2_control-system", f"<parameters>{tmp_path}/c.yaml</parameters>")
+    robot = whole_robot(ROBOT + blocks + names)
+    path = tmp_path / "r.urdf.xacro"
+    path.write_text(robot.replace("<robot", '<robot xmlns:xacro="http://ros.org/wiki/xacro"', 1))
+    found = check(path, select=["RCT032"]).diagnostics
+    assert sum("'sonar'" in one.message for one in found) == count
 
 
 def test_an_interface_of_a_missing_sensor(tmp_path: Path) -> None:

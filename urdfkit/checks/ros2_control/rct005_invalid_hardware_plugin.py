@@ -22,8 +22,6 @@ Sources:
     gazebo_ros2_control: https://github.com/ros-controls/gazebo_ros2_control/blob/master/doc/index.rst
 """
 
-import re
-
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.samples import robot_xml
@@ -36,7 +34,6 @@ from urdfkit.ros.gazebo.samples import SHOULDER, control_xml, driven_xml
 from urdfkit.ros.launch.releases import is_for_jazzy
 from urdfkit.ros.ros_control import Component, ControlPlugin, called, components, control_plugins
 from urdfkit.ros.targets import CLASSIC, GZ, Targets
-from urdfkit.text.document import Element
 from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.grammar import is_expression
 from urdfkit.workspace.plugin_descriptions import why_unknown
@@ -48,10 +45,6 @@ FIXED = GOOD = BAD.replace("mock_component/", "mock_components/")
 _BASE = "hardware_interface"
 #: The control plugin of gz-sim.
 _OF_GZ = "gz_ros2_control"
-#: A condition with a plugin or the whole hardware in it.
-_CONDITIONAL = re.compile(
-    r"<xacro:(?:if|unless)\b(?:(?!</?xacro:(?:if|unless)\b).)*?<(?:hardware|plugin)\b", re.DOTALL
-)
 #: Hardware classes of ros2_control, and of a package that many simulators use.
 _COMMON = ("mock_components/GenericSystem", "topic_based_ros2_control/TopicBasedSystem")
 _FORMER = "fake_components/"
@@ -62,7 +55,8 @@ _ADD_PLUGIN = "add <hardware><plugin>package/Class</plugin></hardware> to the bl
 def check(context: Context) -> Findings:
     plugins = control_plugins(context.model)
     for component in components(context.model):
-        if component.plugin is None and _is_left_to_arguments(component.at):
+        # Without arguments, a robot with a false condition is only displayed.
+        if component.plugin is None and component.has_conditional_plugin:
             continue
         yield from _missing(component)
         yield from _misspelt(component, context)
@@ -96,14 +90,6 @@ def _padded(component: Component) -> Findings:
     if name and component.plugin is not None and component.plugin.text != name:
         message = f"{component.called}: white space around hardware '{name}', which is not removed"
         yield Finding(component.plugin, message, f"write <plugin>{name}</plugin>")
-
-
-def _is_left_to_arguments(component: Element) -> bool:
-    """True if the plugin is in a condition that is false with the default arguments.
-
-    Without arguments, such a robot is only displayed.
-    """
-    return bool(_CONDITIONAL.search(component.tag_at.whole_span.text))
 
 
 def _misspelt(component: Component, context: Context) -> Findings:

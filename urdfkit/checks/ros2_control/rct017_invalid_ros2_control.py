@@ -8,7 +8,8 @@ The parser of ros2_control throws an exception and the controller manager does n
 - `rw_rate`, or the `size` of an interface of a GPIO, is not a positive integer;
 - the type is missing, or an `actuator` has more than one joint; or the type is not `system`,
   `actuator` or `sensor` (case-sensitive): then the block is not loaded, and its interfaces are
-  missing (a warning if the robot's own hardware in another block may export them).
+  missing (a warning if the robot's own hardware in another block may export them, or if Gazebo's,
+  which goes on without them, is there).
 
 Warnings are unknown elements in a joint, sensor or GPIO, which are ignored, as are unknown
 attributes (an info, unless misspelt); a misspelt parameter of mock hardware; an interface whose
@@ -71,11 +72,11 @@ _DATA_TYPES = ("double", "bool")
 )
 def check(context: Context) -> Findings:
     blocks = components(context.model)
-    own = sum(map(_is_own, blocks))
+    lenient = sum(map(_is_lenient, blocks)) if any(map(_has_unknown_type, blocks)) else 0
     for component in blocks:
         block = component.at
         yield from _elements(component)
-        yield from _type(component, own > _is_own(component))
+        yield from _type(component, lenient)
         yield from _name(component)
         yield from _second_plugin(component)
         for transmission in block.all("transmission"):
@@ -178,11 +179,26 @@ def _named(block: Element) -> Iterator[Element]:
                 yield from inner.all("param")
 
 
-def _type(component: Component, has_other_hardware: bool) -> Findings:
+def _is_lenient(component: Component) -> bool:
+    """True for hardware that may lack the interfaces of another block.
+
+    The robot's own may export them, and Gazebo's goes on without; so is mock hardware that other
+    arguments replace.
+    """
+    name = component.hardware
+    return bool(name) and (not name.startswith(_MOCK) or component.has_conditional_plugin)
+
+
+def _has_unknown_type(component: Component) -> bool:
+    kind = component.at.get("type")
+    return kind is not None and kind not in component_types() and not is_expression(kind)
+
+
+def _type(component: Component, lenient: int) -> Findings:
     """A missing or unknown type, of which ros2_control loads nothing.
 
     Args:
-        has_other_hardware: hardware of another block, the robot's own, may export its interfaces.
+        lenient: number of blocks whose hardware may lack the interfaces of others.
     """
     known = component_types()
     kind = component.at.attributes.get("type")
@@ -192,13 +208,13 @@ def _type(component: Component, has_other_hardware: bool) -> Findings:
     elif kind.value not in known and not is_expression(kind.value):
         message = f"{component.called}: type '{kind.value}' is not one of {', '.join(known)}"
         suggested = nearest(kind.value, known)
-        is_served = has_other_hardware and not suggested
+        goes_on = lenient > _is_lenient(component) and not suggested
         yield Finding(
             kind,
             message + did_you_mean(kind.value, known),
             help,
             fix_value(kind, suggested),
-            severity=Severity.WARNING if is_served else None,
+            severity=Severity.WARNING if goes_on else None,
         )
     elif kind.value == "actuator" and len(component.joints) > 1:
         message = f"{component.called}: type actuator with {len(component.joints)} joints, not 1"

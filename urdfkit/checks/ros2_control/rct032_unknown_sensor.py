@@ -75,7 +75,7 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
         return  # the broadcaster may be for another robot, and not be started
     exported = {part.name for part in parts}
     # The robot's own hardware may export sensors that its block does not name.
-    is_closed = all(_is_known(component.hardware) for component in blocks)
+    is_closed = all(map(_is_known, blocks))
     for file, controller in context.controllers:
         for name, value in named_sensors(controller).items():
             # A namespace before the name may be added by the broadcaster.
@@ -91,6 +91,8 @@ def _not_in_ros2_control(context: Context, blocks: list[Component]) -> Findings:
                 )
 
 
-def _is_known(hardware: str) -> bool:
+def _is_known(component: Component) -> bool:
     """True for hardware that exports the sensors of its block and no others, or is missing."""
-    return not hardware or hardware in simulated_hardware() or hardware.startswith(_MOCK)
+    name = component.hardware
+    is_listed = name in simulated_hardware() or name.startswith(_MOCK)
+    return not name or (is_listed and not component.has_conditional_plugin)
