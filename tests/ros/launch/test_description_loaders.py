@@ -114,3 +114,12 @@ def test_a_robot_is_read_with_the_values_of_its_launch_file(package: Path) -> No
     assert robot.path == str(package / "urdf" / "arm.xacro")
     assert robot.arguments == {"camera": "false", "gazebo": "true"}
     assert launch.problems == ()
+
+
+def test_a_command_line_of_any_length(package: Path) -> None:
+    """A name stands for a long text, thousands of times; the command line is not read."""
+    name = "x" * 1000
+    for count, files in ((10, 1), (200, 0)):
+        names = ", ".join(["name"] * count)
+        launch = read(package, f"name = '{name}'\nCommand(['xacro /', {names}])")
+        assert len(launch.files) == files

@@ -9,6 +9,7 @@ import ast
 from collections import Counter
 from collections.abc import Callable, Iterator
 from copy import deepcopy
+from functools import lru_cache
 
 from urdfkit.core.record import Record
 from urdfkit.ros.launch.repeated_calls import MAX_NODES
@@ -33,8 +34,13 @@ class _Loader(Record):
 
 def with_loaders(tree: ast.Module, find: FindModule) -> ast.Module:
     """The tree with the calls of such methods replaced; the same tree if there are none."""
-    classes = dict(_imported_classes(tree, find))
-    loaders = _loaders(tree, classes) if classes else {}
+    classes = tuple(_imported_classes(tree, find))
+    return _replaced(tree, classes) if classes else tree
+
+
+@lru_cache(maxsize=4)  # a file is read once for each set of its arguments
+def _replaced(tree: ast.Module, classes: tuple[tuple[str, ast.ClassDef], ...]) -> ast.Module:
+    loaders = _loaders(tree, dict(classes))
     if not loaders:
         return tree
     try:
@@ -115,15 +121,15 @@ class _Replacer(ast.NodeTransformer):
         name = function.value.id
         loader = self._loaders.get(name)
         method = loader.methods.get(function.attr) if loader else None
-        returned = returned_value(method) if method and _takes_only_itself(method) else None
-        if loader is None or method is None or returned is None or node.args or node.keywords:
+        if loader is None or method is None or loader.is_open or self._left < 0:
             return node
-        self._left -= sum(1 for _ in ast.walk(returned))
-        if loader.is_open or self._left < 0:
+        returned = returned_value(method) if _takes_only_itself(method) else None
+        if returned is None or node.args or node.keywords:
             return node
         values = _attributes(loader, name, node.lineno)
         result: ast.expr = _Attributes(method.args.args[0].arg, values).visit(deepcopy(returned))
         for inner in ast.walk(result):
+            self._left -= 1
             if isinstance(inner, ast.expr):
                 ast.copy_location(inner, node)
         self.has_replaced = True

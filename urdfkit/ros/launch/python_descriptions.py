@@ -9,6 +9,9 @@ from urdfkit.ros.launch.command_line import UNKNOWN_PART
 from urdfkit.ros.launch.commands import missing_program, missing_space
 from urdfkit.ros.launch.python_file import PythonLaunchFile
 
+#: Greatest length of a command line that is read: one name may stand there thousands of times.
+_MAX_LENGTH = 100_000
+
 
 def untyped_commands(file: PythonLaunchFile) -> Iterator[ast.expr]:
     """The commands whose output becomes a parameter of a node without a type."""
@@ -32,7 +35,7 @@ def run_command(file: PythonLaunchFile, call: ast.Call, untyped: Collection[ast.
     if text is None or any(_is_open_path(file, item) for item in items):
         pieces = (None if _is_open_path(file, item) else file.values.text(item) for item in items)
         text = "".join(UNKNOWN_PART if piece is None else piece for piece in pieces)
-    if text:
+    if text and len(text) <= _MAX_LENGTH:
         span, frame = file.values.span(call), file.call_frame(call)
         if mistake := missing_program(file.values, command, text):
             file.collector.problems.append(mistake)
