@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from urdfkit.checks.joints.fingers import OddJoint
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.spatial import Vector, dot, rotate, times
@@ -13,7 +14,6 @@ from urdfkit.robot.fingers import finger_of, odd_one
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import direction
-from urdfkit.text.document import Element
 
 #: Part of a range on the other side of zero up to which a joint bends to one side.
 _OTHER_SIDE = 0.1
@@ -28,16 +28,6 @@ _MIN_JOINTS = 3
 _MIN_CONSISTENT = 2
 
 
-class BendingFinger(Record):
-    """A joint that bends the other way, and why this is a mistake."""
-
-    joint: Joint
-    at: Element
-    difference: str
-    help: str
-    other: Joint  # a joint that bends as it should
-
-
 class _Bend(Record):
     """A joint and the axis in the root frame about which it bends from zero."""
 
@@ -45,7 +35,7 @@ class _Bend(Record):
     axis: Vector
 
 
-def bending_fingers(context: Context) -> Iterator[BendingFinger]:
+def bending_fingers(context: Context) -> Iterator[OddJoint]:
     fingers = _fingers(context)
     straight = [finger for finger in fingers if _odd_joint(finger) is None]
     odd = [found for finger in fingers if (found := _odd_joint(finger))]
@@ -54,7 +44,7 @@ def bending_fingers(context: Context) -> Iterator[BendingFinger]:
         difference = f"bends the other way than the other joints of its finger, '{other.name}'; "
         difference += f"all joints of {len(straight)} other fingers bend one way"
         at = bend.joint.at.child_or_self("axis")
-        yield BendingFinger(bend.joint, at, difference, "invert its <axis>", other)
+        yield OddJoint(bend.joint, at, difference, "invert its <axis>", other)
     if not odd:
         yield from _turned_fingers(straight)
 
@@ -105,7 +95,7 @@ def _odd_joint(finger: list[_Bend]) -> tuple[_Bend, Joint] | None:
     return (few[0], many[0].joint) if len(few) == 1 < len(many) else None
 
 
-def _turned_fingers(fingers: list[list[_Bend]]) -> Iterator[BendingFinger]:
+def _turned_fingers(fingers: list[list[_Bend]]) -> Iterator[OddJoint]:
     """The finger that bends the other way than the three others of its hand."""
     named = [(_hand_and_finger(finger), finger) for finger in fingers]
     hands = by_key((hand, (word, finger)) for (hand, word), finger in named if word)
@@ -121,7 +111,7 @@ def _turned_fingers(fingers: list[list[_Bend]]) -> Iterator[BendingFinger]:
             difference = f"bends its finger the other way than {names}"
             at = joint.at.child_or_self("origin")
             help = "correct the rpy of its <origin>, or invert the <axis> of all its joints"
-            yield BendingFinger(joint, at, difference, help, others[0])
+            yield OddJoint(joint, at, difference, help, others[0])
 
 
 def _hand_and_finger(finger: list[_Bend]) -> tuple[str, str]:

@@ -22,19 +22,20 @@ _MAX_RATIO = 5.0
 _MISTAKES = (10.0, 0.1, 100.0, 0.01, 180 / pi, pi / 180, -1.0)
 #: Relative tolerance of such a ratio.
 _TOLERANCE = 0.02
+_DIFFERS = "differs from the joints of all other fingers:"
 
 
-class OddFinger(Record):
-    """A joint of one finger, and what all other fingers have instead."""
+class OddJoint(Record):
+    """A joint of one finger or leg that differs from those of all others by mistake."""
 
     joint: Joint
     at: Element | Attribute  # what differs
-    difference: str  # such as ``effort 160, not 1.6 N·m``
+    difference: str  # a predicate whose subject is the joint
     help: str
-    other: Joint  # of another finger
+    other: Joint  # one that is as it should be
 
 
-def odd_fingers(context: Context) -> Iterator[OddFinger]:
+def odd_fingers(context: Context) -> Iterator[OddJoint]:
     joints = {joint.name: joint for joint in context.model.joints if joint.is_single_dof}
     for names in series(joints):
         fingers = [joints[name] for name in names]
@@ -43,7 +44,7 @@ def odd_fingers(context: Context) -> Iterator[OddFinger]:
         yield from _parents(fingers)
 
 
-def _limits(fingers: list[Joint]) -> Iterator[OddFinger]:
+def _limits(fingers: list[Joint]) -> Iterator[OddJoint]:
     for key in ("effort", "velocity", "lower", "upper"):
         placed: dict[str, Placed[float]] = {
             joint.name: value
@@ -58,8 +59,8 @@ def _limits(fingers: list[Joint]) -> Iterator[OddFinger]:
             joint, other = _named(fingers, name)
             unit = {"effort": joint.effort_unit, "velocity": f"{joint.unit}/s"}.get(key, joint.unit)
             what = f"{key} limit" if key in ("lower", "upper") else key
-            difference = f"{what} {value:g}, not {expected:g} {unit}"
-            yield OddFinger(joint, placed[name].at, difference, f"write {expected:g}", other)
+            difference = f"{_DIFFERS} {what} {value:g}, not {expected:g} {unit}"
+            yield OddJoint(joint, placed[name].at, difference, f"write {expected:g}", other)
 
 
 def _is_mistake(key: str, value: float, expected: float) -> bool:
@@ -71,7 +72,7 @@ def _is_mistake(key: str, value: float, expected: float) -> bool:
     return any(isclose(ratio, mistake, rel_tol=_TOLERANCE) for mistake in _MISTAKES)
 
 
-def _axes(fingers: list[Joint]) -> Iterator[OddFinger]:
+def _axes(fingers: list[Joint]) -> Iterator[OddJoint]:
     """The joint with the same limits as all others that turns the other way."""
     odd = odd_one({joint.name: direction(joint) for joint in fingers})
     if odd is None or len({bounds(joint) for joint in fingers}) != 1:
@@ -79,11 +80,12 @@ def _axes(fingers: list[Joint]) -> Iterator[OddFinger]:
     joint, other = _named(fingers, odd[0])
     if direction(joint) == times(direction(other), -1):
         at = joint.at.child_or_self("axis")
-        difference = f"axis {spaced(direction(joint), 3)}, not {spaced(direction(other), 3)}"
-        yield OddFinger(joint, at, difference, "write the same axis, or mirror the limits", other)
+        axes = f"axis {spaced(direction(joint), 3)}, not {spaced(direction(other), 3)}"
+        difference = f"{_DIFFERS} {axes}"
+        yield OddJoint(joint, at, difference, "write the same axis, or mirror the limits", other)
 
 
-def _parents(fingers: list[Joint]) -> Iterator[OddFinger]:
+def _parents(fingers: list[Joint]) -> Iterator[OddJoint]:
     """The joint whose parent is a link of another finger."""
     is_own = {
         joint.name: finger_of(joint.name) == finger_of(joint.parent_name) for joint in fingers
@@ -93,9 +95,9 @@ def _parents(fingers: list[Joint]) -> Iterator[OddFinger]:
     joint, other = _named(fingers, odd[0])
     expected = other.parent_name.replace(finger_of(other.name), finger_of(joint.name))
     if finger_of(joint.parent_name):
-        difference = f"parent '{joint.parent_name}', not '{expected}'"
+        difference = f"{_DIFFERS} parent '{joint.parent_name}', not '{expected}'"
         at = joint.at.child_or_self("parent")
-        yield OddFinger(joint, at, difference, f"name '{expected}' as its parent", other)
+        yield OddJoint(joint, at, difference, f"name '{expected}' as its parent", other)
 
 
 def _named(fingers: list[Joint], name: str) -> tuple[Joint, Joint]:

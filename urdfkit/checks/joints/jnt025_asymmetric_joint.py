@@ -125,26 +125,11 @@ def check(context: Context) -> Findings:
     yield from _axes(context)
     yield from _ranges(context)
     yield from _fixed(context)
-    for leg in odd_legs(context):
-        if leg.joint.name not in placed:
-            yield Finding(
-                leg.at,
-                f"joint '{leg.joint.name}' {leg.difference}",
-                leg.help,
-                related=(Related(leg.other.at.span, f"joint '{leg.other.name}'"),),
-            )
-    for bent in bending_fingers(context):
-        yield Finding(
-            bent.at,
-            f"joint '{bent.joint.name}' {bent.difference}",
-            bent.help,
-            related=(Related(bent.other.at.span, f"joint '{bent.other.name}'"),),
-        )
-    for odd in odd_fingers(context):
+    legs = (leg for leg in odd_legs(context) if leg.joint.name not in placed)
+    for odd in (*legs, *bending_fingers(context), *odd_fingers(context)):
         yield Finding(
             odd.at,
-            f"joint '{odd.joint.name}' differs from the joints of all other fingers: "
-            f"{odd.difference}",
+            f"joint '{odd.joint.name}' {odd.difference}",
             odd.help,
             related=(Related(odd.other.at.span, f"joint '{odd.other.name}'"),),
         )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from urdfkit.core.record import Record
+from urdfkit.checks.joints.fingers import OddJoint
 from urdfkit.core.spatial import Vector, dot, rotate
 from urdfkit.core.words import rounded
 from urdfkit.lint.context import Context
@@ -14,7 +14,6 @@ from urdfkit.robot.joint_limits import bounds
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.legs import legs
 from urdfkit.robot.symmetry import on_separate_branches
-from urdfkit.text.document import Element
 
 #: Cosine of the angle between two axes above which they are parallel.
 _PARALLEL = 0.99
@@ -29,17 +28,7 @@ _MAX_ODD = 3
 _DECIMALS = 4
 
 
-class OddLeg(Record):
-    """A joint of one leg that differs from the same joint of the other legs."""
-
-    joint: Joint
-    at: Element
-    difference: str
-    help: str
-    other: Joint  # of another leg
-
-
-def odd_legs(context: Context) -> Iterator[OddLeg]:
+def odd_legs(context: Context) -> Iterator[OddJoint]:
     series = _series(context)
     yield from _axes(series, context)
     for joints in series:
@@ -61,7 +50,7 @@ def _series(context: Context) -> list[dict[str, Joint]]:
     ]
 
 
-def _axes(series: list[dict[str, Joint]], context: Context) -> Iterator[OddLeg]:
+def _axes(series: list[dict[str, Joint]], context: Context) -> Iterator[OddJoint]:
     """The joint that turns the other way than the same joint of all other legs.
 
     If two of four legs are mounted the other way round, it turns like those; the other joints with
@@ -83,7 +72,7 @@ def _axes(series: list[dict[str, Joint]], context: Context) -> Iterator[OddLeg]:
         difference = f"turns about {rounded(axes[corner], 2)} in the root frame, so that the same "
         difference += f"joint turns one way in {len(turns) - 1} legs and the other way in one"
         at = joint.at.child_or_self("axis")
-        yield OddLeg(joint, at, difference, "invert its <axis>", other)
+        yield OddJoint(joint, at, difference, "invert its <axis>", other)
 
 
 def _axes_of(joints: dict[str, Joint], context: Context) -> dict[str, Vector]:
@@ -115,7 +104,7 @@ def _differ_in(corner: str, turns: dict[str, bool], patterns: list[dict[str, boo
     return corrected in patterns or opposite in patterns
 
 
-def _origins(joints: list[Joint]) -> Iterator[OddLeg]:
+def _origins(joints: list[Joint]) -> Iterator[OddJoint]:
     """The joint whose origin differs from all others in one number, whatever its sign."""
     sizes = {
         joint.name: tuple(round(abs(part), _DECIMALS) for part in joint.origin.position)
@@ -132,4 +121,4 @@ def _origins(joints: list[Joint]) -> Iterator[OddLeg]:
         difference = f"has {joint.origin.position[index]:g} m as the {'xyz'[index]} of its origin, "
         difference += f"all other legs have {common[index]:g} m or its negative"
         at = joint.at.child_or_self("origin")
-        yield OddLeg(joint, at, difference, f"write {common[index]:g} with its sign", other)
+        yield OddJoint(joint, at, difference, f"write {common[index]:g} with its sign", other)
