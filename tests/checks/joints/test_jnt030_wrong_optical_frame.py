@@ -184,3 +184,22 @@ def test_a_frame_on_a_camera_that_is_rotated_already(mount: str, count: int) -> 
             f'<child link="{child}"/></joint>'
         )
     assert len(reported("JNT030", text)) == count
+
+
+@pytest.mark.parametrize(
+    ("rpy", "pose", "count"),
+    [
+        ("0 3.14159 1.5708", "", 1),
+        ("0 3.14159 1.5708", "<pose>0 0 0 1.5708 -1.5708 0</pose>", 0),
+        ("0 0 0", "", 0),  # x-forward, whatever its name
+        ("3.14159 0 0", "", 0),  # as of OpenGL
+        ("0 0.3 0.7", "", 0),  # tilted
+    ],
+)
+def test_a_camera_of_gazebo_on_an_optical_frame_that_looks_down(
+    rpy: str, pose: str, count: int
+) -> None:
+    sensor = f'<sensor name="s" type="camera">{pose}</sensor>'
+    text = robot(rpy) + f'<gazebo reference="camera_optical_frame">{sensor}</gazebo>'
+    found = [one for one in messages("JNT030", text) if one.startswith("sensor")]
+    assert found == [naming("s", "camera_optical_frame")] * count

@@ -54,6 +54,8 @@ _NO_CAMERAS = (
 )  # fmt: skip
 #: Words in the link names of underwater vehicles, some of which have z down in all frames.
 _UNDER_WATER = ("thruster", "dvl", "sonar", "ned", "auv", "rov", "uuv", "rexrov")
+#: Cosine of the angle between two axes above which they are the same.
+_ALONG = 0.99
 #: Allows for pi with few digits.
 _TOLERANCE = 0.01
 #: Elements of a camera's plugin or sensor that contain the frame of its images.
@@ -121,8 +123,9 @@ def _gazebo_cameras(context: Context) -> Findings:
             continue
         link = sensor.reference
         if "optical" in link:
-            if _looks_aside(context, link) and not _is_rotated(sensor.find("pose")):
-                message = f"{sensor.who} looks along x of '{link}', to the robot's right"
+            where = _where_x_points(context, link)
+            if where and not _is_rotated(sensor.find("pose")):
+                message = f"{sensor.who} looks along x of '{link}', {where}"
                 help = "refer to the camera's link, and name the optical frame in the plugin"
                 yield Finding(sensor.at, message, help)
             continue
@@ -138,10 +141,15 @@ def _gazebo_cameras(context: Context) -> Findings:
                 )
 
 
-def _looks_aside(context: Context, optical: str) -> bool:
-    """True if z of an optical frame points forward, so that x points aside."""
-    joints = context.tree.parents.get(optical, ())
-    return any(rotate(joint.origin.rotation, Z_AXIS)[0] > 0.99 for joint in joints)
+def _where_x_points(context: Context, optical: str) -> str:
+    """Where a sensor on an optical frame looks; empty if the frame is not turned as one."""
+    for joint in context.tree.parents.get(optical, ()):
+        rotation = joint.origin.rotation
+        if rotate(rotation, Z_AXIS)[0] > _ALONG:
+            return "to the robot's right"
+        if _is_square(rotation) and rotation[0][0] < _ALONG:
+            return "not along z, as an optical frame does"
+    return ""
 
 
 def _is_rotated(pose: Element | None) -> bool:
