@@ -57,27 +57,24 @@ class OdometryTransform(Record):
     named_at: Element | None = None  # the tag that names the child in a plugin of Gazebo
 
 
-def of_filters(programs: Iterable[StartedProgram], context: Context) -> Iterator[OdometryTransform]:
-    """The transforms of robot_localization."""
+def of_filters(
+    programs: Iterable[StartedProgram],
+    context: Context,
+    parent: str = "odom_frame",
+    child: str = "base_link_frame",
+) -> Iterator[OdometryTransform]:
+    """The transforms of robot_localization between the frames that two parameters name."""
     for program in programs:
         frames = _frames_of_filter(program, context)
-        if frames and frames["world_frame"] == frames["odom_frame"]:
-            publisher = f"'{program.title}'"
-            parent, child = frames["odom_frame"], frames["base_link_frame"]
-            yield OdometryTransform(parent, child, publisher, program.at)
+        if frames and frames["world_frame"] == frames[parent] != frames[child]:
+            yield OdometryTransform(frames[parent], frames[child], f"'{program.title}'", program.at)
 
 
 def of_global_filters(
     programs: Iterable[StartedProgram], context: Context
 ) -> Iterator[OdometryTransform]:
     """The transforms of robot_localization from the map to odometry."""
-    for program in programs:
-        frames = _frames_of_filter(program, context)
-        if frames and frames["world_frame"] == frames["map_frame"] != frames["odom_frame"]:
-            publisher = f"'{program.title}'"
-            yield OdometryTransform(
-                frames["map_frame"], frames["odom_frame"], publisher, program.at
-            )
+    return of_filters(programs, context, "map_frame", "odom_frame")
 
 
 def _frames_of_filter(program: StartedProgram, context: Context) -> dict[str, str]:

@@ -33,7 +33,7 @@ def published_robots(context: Context) -> list[Context]:
         if not any(_NEEDING.fullmatch(node.package) for node in context.launch.programs):
             return []
         launches = workspace_launches(context)
-    publishing = [launch for launch in launches if any(map(_is_publisher, launch.programs))]
+    publishing = _publishing(launches)
     publishers = filter(_is_publisher, programs_of(publishing))
     descriptions = distinct_descriptions(publishing)
     are_whole = all(description.is_whole for description in descriptions)
@@ -51,9 +51,7 @@ def runs_in_simulation_only(context: Context) -> bool:
     own = context.launch.programs
     if any(map(_is_publisher, own)) or any(map(_has_sim_time, own)):
         return False
-    launches = [
-        file for file in workspace_launches(context) if any(map(_is_publisher, file.programs))
-    ]
+    launches = _publishing(workspace_launches(context))
     return all(any(map(model_spawner, file.programs)) for file in launches)
 
 
@@ -64,14 +62,16 @@ def runs_in_display_only(context: Context) -> bool:
     """
     if any(map(_is_publisher, context.launch.programs)):
         return False
-    launches = [
-        file for file in workspace_launches(context) if any(map(_is_publisher, file.programs))
-    ]
     return all(
         {program.package for program in file.programs} <= _OF_DISPLAY
         and any(program.package in _RVIZ for program in file.programs)
-        for file in launches
+        for file in _publishing(workspace_launches(context))
     )
+
+
+def _publishing(launches: tuple[Launch, ...]) -> list[Launch]:
+    """The launch files that start robot_state_publisher."""
+    return [launch for launch in launches if any(map(_is_publisher, launch.programs))]
 
 
 def _has_sim_time(started: StartedProgram) -> bool:
