@@ -15,6 +15,7 @@ from tests.checks.bringup.nav2 import (
     rows,
 )
 from tests.launched import reported
+from tests.naming import naming
 
 
 @pytest.mark.parametrize(
@@ -213,3 +214,25 @@ def test_a_parameter_at_another_level(tmp_path: Path, values: str, words: str) -
     values = values.replace("%s", "'nav2_mppi_controller::MPPIController'")
     found = messages("LAU024", tmp_path, f"controller_server: {{ros__parameters: {{{values}}}}}\n")
     assert [words in one for one in found] == [True] * bool(words)
+
+
+@pytest.mark.parametrize(
+    ("name", "section", "count"),
+    [
+        ("teleop_twist_joy_node", "teleop_twist_joy_node", 0),
+        ("teleop", "teleop_twist_joy_node", 1),
+        ("teleop", "teleop_twist_joy", 1),
+        ("teleop", "other_node", 0),  # of a node that another launch file starts
+    ],
+)
+def test_a_section_with_the_name_of_the_package(
+    tmp_path: Path, name: str, section: str, count: int
+) -> None:
+    """Next to that of another node, which reads its own."""
+    sections = ("joy_node", section)
+    yaml = "".join(f"{node}: {{ros__parameters: {{rate: 5.0}}}}\n" for node in sections)
+    load = '<param from="../a.yaml"/></node>'
+    text = f'<node pkg="joy" exec="joy_node" name="joy_node">{load}\n'
+    text += f'<node pkg="teleop_twist_joy" exec="teleop_node" name="{name}">{load}\n'
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.xml", text, {"a.yaml": yaml})
+    assert [one.message for one in found] == [naming(section, name)] * count

@@ -37,17 +37,24 @@ def test_meshes_in_rviz(tmp_path: Path, path: str, count: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("server", "durability", "count"),
-    [("map_server", "Volatile", 1), ("map_server", "Transient Local", 0), ("other", "Volatile", 0)],
+    ("server", "durability", "more", "count"),
+    [
+        ("map_server", "Volatile", "", 1),
+        ("map_server", "Volatile", ", namespace='hall'", 0),  # RViz shows another map
+        ("map_server", "Volatile", ", remappings=[('map', 'hall')]", 0),
+        ("map_server", "Transient Local", "", 0),
+        ("other", "Volatile", "", 0),
+    ],
 )
-def test_a_map_in_rviz(tmp_path: Path, server: str, durability: str, count: int) -> None:
+def test_a_map_in_rviz(tmp_path: Path, server: str, durability: str, more: str, count: int) -> None:
     rviz = (
         "Visualization Manager:\n  Displays:\n  - Class: rviz_default_plugins/Map\n"
         f"    Topic: {{Durability Policy: {durability}, Value: /map}}\n"
     )
     text = (
         "from launch_ros.actions import Node\n"
-        f"nodes = [Node(package='nav2_map_server', executable='{server}'), Node(package='rviz2', "
+        f"nodes = [Node(package='nav2_map_server', executable='{server}'{more}), "
+        "Node(package='rviz2', "
         "executable='rviz2', arguments=['-d', get_package_share_directory('arm') + '/a.rviz'])]\n"
     )
     found = reported(tmp_path / "arm", "LAU027", "a.launch.py", text, {"a.rviz": rviz})

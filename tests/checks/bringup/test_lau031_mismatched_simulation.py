@@ -7,6 +7,7 @@ import pytest
 from tests.checks.bringup.nodes import MANAGER, NODE, STATE, messages
 from tests.launched import reported
 from tests.naming import naming
+from urdfkit import Severity
 
 
 @pytest.mark.parametrize(
@@ -104,6 +105,52 @@ def test_a_node_without_simulation_time(tmp_path: Path, value: str | None, words
     found = [one for one in messages(tmp_path, "LAU031", text) if "use_sim_time" in one]
     assert len(found) == bool(words)
     assert all(words in one for one in found)
+
+
+CHOICE = "condition=UnlessCondition(LaunchConfiguration('sim'))"
+
+
+@pytest.mark.parametrize(
+    ("own", "more", "words"),
+    [
+        ("{'use_sim_time': False}", "", "is false, but"),
+        ("{'use_sim_time': True}", "", ""),
+        ("{}", "", "lacks use_sim_time"),
+        ("{}", "SetParameter('use_sim_time', True)\n", ""),
+        ("{'use_sim_time': False}", "SetParameter('use_sim_time', True)\n", "is false, but"),
+    ],
+)
+def test_a_choice_between_gazebo_and_the_robot(
+    tmp_path: Path, own: str, more: str, words: str
+) -> None:
+    """What another choice starts does not make the clock of the others uncertain."""
+    text = (
+        "from launch_ros.actions import Node, SetParameter\n"
+        "DeclareLaunchArgument('sim', default_value='true')\n"
+        + more
+        + NODE.format("own", "driver", CHOICE)
+        + NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
+        + NODE.format("ros_gz_sim", "create", "arguments=['-string', '<robot/>']")
+        + NODE.format("nav2_amcl", "amcl", f"parameters=[{own}]")
+    )
+    files = {"src/own/package.xml": "<package><name>own</name></package>"}
+    found = reported(tmp_path, "LAU031", "a.launch.py", text, files)
+    assert [words in one.message for one in found] == [True] * bool(words)
+
+
+def test_the_clock_of_an_included_file(tmp_path: Path) -> None:
+    included = "IncludeLaunchDescription(os.path.join(os.path.dirname(__file__), 'b.launch.py'))\n"
+    text = (
+        "import os\n"
+        + NODE.format("rviz2", "rviz2", "parameters=[{'use_sim_time': True}]")
+        + NODE.format("ros_gz_sim", "create", "arguments=['-string', '<robot/>']")
+        + included
+    )
+    amcl = NODE.format("nav2_amcl", "amcl", "parameters=[{'use_sim_time': False}]")
+    files = {"launch/b.launch.py": amcl}
+    (found,) = reported(tmp_path, "LAU031", "a.launch.py", text, files)
+    expected = 'give it {"use_sim_time": True}, or pass use_sim_time to b.launch.py'
+    assert (found.help, found.severity) == (expected, Severity.WARNING)
 
 
 SWITCHED = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r"><link name="a"/>

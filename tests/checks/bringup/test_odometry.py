@@ -41,6 +41,8 @@ def test_odometry_of_another_launch_file(tmp_path: Path, topic: str, count: int)
         ("true, world_frame: map", "true", "", 0),
         ("false", "true", "", 0),
         ("false", "false", NODE.format("rf2o_laser_odometry", "rf2o", ""), 0),
+        ("false", "false", NODE.format("watching", "watch", ""), 1),
+        ("false", "false", NODE.format("sending", "send", ""), 0),
         (
             "false",
             "false",
@@ -57,6 +59,10 @@ def test_nothing_publishes_odometry(
         "c.yaml": drive,
         "ekf.yaml": f"ekf: {{ros__parameters: {{publish_tf: {of_filter}, "
         "odom0: base/odom, odom0_config: [true]}}\n",
+        "src/watching/package.xml": "<package><name>watching</name></package>",
+        "src/watching/watch.py": "rate = 5\n",
+        "src/sending/package.xml": "<package><name>sending</name></package>",
+        "src/sending/send.py": "sender = TransformBroadcaster(node)\n",
     }
     text = (
         NODE.format("controller_manager", "ros2_control_node", f"parameters=['{tmp_path}/c.yaml']")

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.naming import naming
 from tests.workspaces import add_file
-from urdfkit import check
+from urdfkit import Severity, check
 
 MANIFEST = b"""<package format="3"><name>p</name>
 <export><build_type>ament_cmake</build_type></export></package>"""
@@ -104,3 +105,36 @@ def test_a_controller_without_a_type(tmp_path: Path) -> None:
     assert [(one.span.text, one.help) for one in found] == [
         ("arm", "write type: FollowJointTrajectory")
     ]
+
+
+@pytest.mark.parametrize(
+    ("kind", "joints", "count"),
+    [
+        ("position_controllers", "[g]", 0),
+        ("position_controllers", "[g, j]", 0),  # with a mimic joint
+        ("position_controllers", "[j]", 1),
+        ("parallel_gripper_action_controller", "[j]", 1),
+        ("acme_controllers", "[j]", 0),
+    ],
+)
+def test_the_joint_of_a_gripper(tmp_path: Path, kind: str, joints: str, count: int) -> None:
+    name = "Other" if kind == "acme_controllers" else "GripperActionController"
+    kinds = {"parallel_gripper_action_controller": "ParallelGripperCommand"}
+    action = f"type: {kinds.get(kind, 'GripperCommand')}, action_ns: gripper_cmd"
+    moveit = MOVEIT.decode().replace(
+        "type: FollowJointTrajectory, action_ns: follow_joint_trajectory, joints: [g]",
+        f"{action}, joints: {joints}",
+    )
+    control = CONTROL.format("hand").replace(
+        "hand: {type: joint_trajectory_controller/JointTrajectoryController}",
+        f"hand: {{type: {kind}/{name}}}",
+    )
+    control += "arm: {ros__parameters: {joints: [j]}}\nhand: {ros__parameters: {joint: g}}\n"
+    add_file(tmp_path / "package.xml", MANIFEST)
+    path = add_file(tmp_path / "r.urdf", ROBOT)
+    add_file(tmp_path / "config" / "r.srdf", SRDF)
+    add_file(tmp_path / "config" / "moveit_controllers.yaml", moveit.encode())
+    add_file(tmp_path / "config" / "ros2_controllers.yaml", control.encode())
+    found = check(path, select=["SRD029"]).diagnostics
+    assert [one.message for one in found] == [naming("hand", "ros2_control")] * count
+    assert all(one.severity is Severity.WARNING for one in found)

@@ -32,6 +32,12 @@ def known_programs(context: Context) -> tuple[StartedProgram, ...]:
     return programs if _is_whole(context.launch) and _are_sure(programs) else ()
 
 
+def running_programs(context: Context) -> tuple[StartedProgram, ...]:
+    """The programs that certainly run, of a launch file that names nothing unknown."""
+    programs = context.launch.programs
+    return tuple(node for node in programs if node.is_sure) if _is_whole(context.launch) else ()
+
+
 def are_topics_known(context: Context) -> bool:
     """True if a launch file starts known programs in known namespaces, and nothing else.
 

@@ -23,10 +23,11 @@ Sources:
     Ekumen-OS/andino_gz#39: https://github.com/Ekumen-OS/andino_gz/issues/39
 """
 
+import os
 from collections.abc import Sequence
 
 from urdfkit.checks.bringup.gz_bridges import bridges_of_gz
-from urdfkit.checks.bringup.known_programs import known_programs
+from urdfkit.checks.bringup.known_programs import known_programs, running_programs
 from urdfkit.checks.bringup.unloaded_hardware import (
     CONTROL_NODE,
     MOCK,
@@ -170,9 +171,13 @@ def _bridges_clock(bridges: list[StartedProgram], resolver: Resolver) -> bool:
 
 def _wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     """Nodes without simulation time, while other nodes use it."""
-    if context.launch.has_scopes or context.launch.sets_sim_time:
+    running = running_programs(context)
+    is_simulated = any(map(model_spawner, running))
+    if is_simulated:
+        programs = running  # other choices, such as that of the real robot, run no Gazebo
+    if context.launch.has_scopes or (context.launch.sets_sim_time and not is_simulated):
         return
-    resolver, is_simulated = context.resolver, any(map(model_spawner, programs))
+    resolver = context.resolver
     other = _waiting(programs, resolver)
     if other is not None and not is_simulated and (most := _most(programs, resolver)):
         yield Finding(
@@ -184,21 +189,41 @@ def _wall_clock_nodes(context: Context, programs: tuple[StartedProgram, ...]) ->
         return
     for node in programs:
         severity = data("nodes")["stamping"].get(node.package)
-        own = _sim_time(node, resolver) if severity else None
         is_slider = node.package.startswith(_SLIDERS) and not is_simulated
-        if own is None or own is True or is_slider or not node.is_sure:
+        if severity is None or is_slider or not node.is_sure:
             continue
-        if is_simulated and own is False and (other is not None or node.package == _PUBLISHER):
-            message = f"{_SIM_TIME} of {node.executable} is false, but Gazebo is started"
-        elif other is not None and own is False and severity == Severity.WARNING.value:
-            message = f"{_SIM_TIME} of {node.executable} is false, unlike that of "
-            message += f"'{other.executable}'"
-        elif other is not None and (is_simulated or severity == Severity.WARNING.value):
-            message = f"{node.executable} lacks {_SIM_TIME}, which '{other.executable}' sets"
-        else:
-            continue
-        help = f'give it {{"{_SIM_TIME}": True}}'
-        yield Finding(node.at, message, help, severity=Severity(severity))
+        needs_time = is_simulated or severity == Severity.WARNING.value
+        if message := _wrong_clock(context, node, other, is_simulated, needs_time=needs_time):
+            help = f'give it {{"{_SIM_TIME}": True}}'
+            if node.frame is not None and _SIM_TIME in node.parameters.values:
+                help += f", or pass {_SIM_TIME} to {os.path.basename(node.span.source.path)}"
+            yield Finding(node.at, message, help, severity=Severity(severity))
+
+
+def _wrong_clock(
+    context: Context,
+    node: StartedProgram,
+    other: StartedProgram | None,
+    is_simulated: bool,
+    *,
+    needs_time: bool,
+) -> str:
+    """The message about a node with the wall clock; empty if it has the right clock, or may have.
+
+    Args:
+        other: a node with simulation time.
+        is_simulated: True if a robot is spawned in Gazebo.
+    """
+    own = _sim_time(node, context.resolver)
+    if own is False and is_simulated and (other is not None or node.package == _PUBLISHER):
+        return f"{_SIM_TIME} of {node.executable} is false, but Gazebo is started"
+    if other is None or not needs_time:
+        return ""
+    if own is False:
+        return f"{_SIM_TIME} of {node.executable} is false, unlike that of '{other.executable}'"
+    if own == "" and not context.launch.sets_sim_time:
+        return f"{node.executable} lacks {_SIM_TIME}, which '{other.executable}' sets"
+    return ""
 
 
 def _most(programs: Sequence[StartedProgram], resolver: Resolver) -> list[StartedProgram]:

@@ -92,7 +92,7 @@ def _unpublished_odometry(context: Context) -> Findings:
         return
     launches = all_launches(context)
     programs = programs_of(launches)
-    if not all(is_known_reader(node) and node.package != "tf2_ros" for node in programs):
+    if any(_may_publish_transforms(node, context) for node in programs):
         return
     others = [node for node in programs if node.executable in _FILTERS]
     silent = [given_parameter(node, _SWITCH, context.resolver) or "" for node in others]
@@ -118,6 +118,13 @@ def _unpublished_odometry(context: Context) -> Findings:
                 f"write {_WORLD}: odom" if are_global else f"write {_SWITCH}: true",
                 related=(Related(of_drive.span, "the other one"),),
             )
+
+
+def _may_publish_transforms(program: StartedProgram, context: Context) -> bool:
+    """True if a program, next to filters and drives, may publish transforms."""
+    if program.package == "tf2_ros" or is_known_reader(program):
+        return program.package == "tf2_ros"
+    return may_publish(program.package, "Transform", context.source.path, context.resolver)
 
 
 def _navigation_without_odometry(context: Context) -> Findings:

@@ -40,7 +40,10 @@ def _of_other_nodes(
     for node in unserved[:1] if is_for_none else unserved:
         likely = node.executable if node.executable in spare else None
         likely = likely or nearest(node.name, spare, SIMILAR if is_for_none else CLOSE_TYPO)
-        likely = likely or next((name for name in spare if _is_same_word(name, node.name)), None)
+        words = (node.name, node.package)  # many nodes have the name of their package
+        likely = likely or next(
+            (name for name in spare if any(_is_same_word(name, word) for word in words)), None
+        )
         if likely is None and not is_for_none:
             continue
         section = sections.get(likely or "", files[path][0])

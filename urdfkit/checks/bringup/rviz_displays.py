@@ -16,7 +16,7 @@ from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.contents import FileUse, Launch, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter, topic_of_program
 from urdfkit.ros.launch.rviz import displays, other_classes, tools, topic_of
-from urdfkit.ros.launch.spawned_controllers import resolve_name
+from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
 from urdfkit.text.located_yaml import Node, Value, scalar
 from urdfkit.text.source import Source, Span
 
@@ -92,8 +92,9 @@ def _plain(name: str) -> str:
 
 def volatile_maps(context: Context) -> Findings:
     """Displays of the map that miss it: map_server publishes it once, for late subscribers, too."""
-    programs = context.launch.programs  # slam_toolbox repeats the map
-    if not any(node.executable == "map_server" for node in programs):
+    servers = [node for node in context.launch.programs if node.executable == "map_server"]
+    topics = {topic_name("map", node) for node in servers}  # slam_toolbox repeats the map
+    if context.launch.has_scopes or "/map" not in topics:
         return
     for file, display, name in read_by_rviz(context):
         durability = scalar(display, "Topic", "Durability Policy")

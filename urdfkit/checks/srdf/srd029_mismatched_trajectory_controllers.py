@@ -69,6 +69,7 @@ _WITHOUT_ACTION = (
     "forward_command_controller/MultiInterfaceForwardCommandController",
 )
 _TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
+_GRIPPER = "/GripperActionController"
 
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
@@ -92,6 +93,7 @@ def check(context: Context) -> Findings:
             continue
         yield from _action(key, entry, same)
         yield from _other_joints(key, entry, same, omitted_joints(context.model, srdf))
+        yield from _other_finger(key, entry, same)
     yield from _not_spawned(context, srdf, [key for key, _ in entries if key.strip("/") in defined])
 
 
@@ -174,13 +176,27 @@ def _other_joints(
         for controller in known
     ):
         return
-    commanded = _commanded(known[0])
+    yield _differing(key, joints, joints - omitted, known[0])
+
+
+def _other_finger(key: Key, entry: dict[str, Node], same: list[Controller]) -> Findings:
+    """A gripper controller that moves none of the joints: MoveIt may list mimic joints, too."""
+    joints = _joints(entry)
+    commanded = set[str]().union(*map(_commanded, same))
+    are_grippers = all(controller.type.endswith(_GRIPPER) for controller in same)
+    is_known = joints and commanded and not any(map(_has_unknown_joints, same))
+    if are_grippers and is_known and joints.isdisjoint(commanded):
+        yield _differing(key, joints, joints, same[0])._replace(severity=Severity.WARNING)
+
+
+def _differing(key: Key, joints: set[str], moved: set[str], controller: Controller) -> Finding:
+    commanded = _commanded(controller)
     differing = few([*sorted(moved - commanded), *sorted(commanded - joints)], 4)
-    yield Finding(
+    return Finding(
         key.span,
         f"controller '{key}' has other joints here than in ros2_control: {differing}",
         "list the same joints in both files",
-        related=(Related(known[0].type_at, f"controller '{key}'"),),
+        related=(Related(controller.type_at, f"controller '{key}'"),),
     )
 
 
