@@ -116,6 +116,11 @@ def test_joints_that_may_bend_the_other_way() -> None:
     assert messages("JNT025", both.replace('upper="1.3"', 'lower="-1.3" upper="1.3"')) == []
 
 
+def test_inverted_limits_do_not_bend() -> None:
+    text = bending(FINGERS[:3]).replace('upper="0.8"', 'upper="-0.8"', 1)
+    assert messages("JNT025", text) == []
+
+
 @pytest.mark.parametrize(
     ("fingers", "over", "found"),
     [

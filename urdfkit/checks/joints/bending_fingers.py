@@ -77,10 +77,10 @@ def _are_parallel(one: _Bend, other: _Bend) -> bool:
 def _bends(context: Context) -> Iterator[_Bend]:
     for joint in context.model.joints:
         frame, ends = context.tree.frames.get(joint.child_name), bounds(joint)
-        if not joint.is_rotational or frame is None or ends is None:
-            continue
+        if not joint.is_rotational or frame is None or ends is None or ends[0] >= ends[1]:
+            continue  # JNT003
         small, large = sorted(ends, key=abs)
-        if abs(small) <= _OTHER_SIDE * abs(large) and large:
+        if abs(small) <= _OTHER_SIDE * abs(large):
             side = 1.0 if large > 0 else -1.0
             yield _Bend(joint, times(rotate(frame.rotation, direction(joint)), side))
 
