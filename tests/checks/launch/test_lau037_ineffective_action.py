@@ -9,6 +9,7 @@ from tests.launched import reported
 from tests.naming import naming
 from urdfkit import Severity
 
+SPAWNING = f"def spawn():\n    return {SPAWNER}\n"
 ROS_2 = '<let name="x" value="$(var x)"/>\n'
 
 
@@ -40,11 +41,17 @@ def test_tags_with_an_effect(tmp_path: Path, text: str) -> None:
             "starts when it has",
         ),
         (described(SPAWNER, HANDLED.format("")), "'a' is never started"),
+        (SPAWNING + described("spawn()", HANDLED.format("")), "'a' is never started"),
     ],
 )
 def test_actions_that_launch_does_not_start(tmp_path: Path, text: str, message: str) -> None:
     (found,) = reported(tmp_path, "LAU037", "a.launch.py", text)
     assert found.message.startswith(message)
+
+
+def test_handlers_of_what_a_function_creates(tmp_path: Path) -> None:
+    text = SPAWNING + described("spawn()", HANDLED.format("a, "))
+    assert reported(tmp_path, "LAU037", "a.launch.py", text) == []
 
 
 @pytest.mark.parametrize(("first", "started"), [(SPAWNER, "[b]"), (LASTING, "[a, b]")])
@@ -70,7 +77,10 @@ def generate_launch_description():
 """
 
 
-@pytest.mark.parametrize(("second", "count"), [("made('second')", 1), ("text('second')", 0)])
+@pytest.mark.parametrize(
+    ("second", "count"),
+    [("made('second')", 1), ("text('second')", 0), ("GroupAction([made('second')])", 1)],
+)
 def test_what_a_function_creates_is_not_started(tmp_path: Path, second: str, count: int) -> None:
     found = reported(tmp_path, "LAU037", "a.launch.py", MADE.format(second))
     assert [one.message for one in found] == [naming("second")] * count

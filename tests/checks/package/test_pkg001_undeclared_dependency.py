@@ -266,6 +266,28 @@ def test_the_only_package_that_is_not_declared(
 
 
 @pytest.mark.parametrize(
+    ("declared", "severities"),
+    [
+        ("a b", [Severity.WARNING]),
+        ("a b c", []),
+        ("a", [Severity.INFO] * 2),
+    ],
+)
+def test_the_only_package_of_the_workspace(
+    tmp_path: Path, declared: str, severities: list[Severity]
+) -> None:
+    lines = "".join(f"<exec_depend>{name}</exec_depend>" for name in declared.split())
+    lines += "<export><build_type>ament_cmake</build_type></export></package>"
+    nodes = "".join(f'<node pkg="{name}" exec="run"/>' for name in "abc")
+    files = {f"{name}/package.xml": f"<package><name>{name}</name></package>" for name in "abc"}
+    files["arm/package.xml"] = MANIFEST.replace("</package>", lines)
+    files["arm/a.launch.xml"] = launch(nodes)
+    add_files(tmp_path, files)
+    found = check(tmp_path / "arm" / "a.launch.xml", select=["PKG001"]).diagnostics
+    assert [one.severity for one in found] == severities
+
+
+@pytest.mark.parametrize(
     ("declared", "other", "helps"),
     [
         ("robot_localisation", "", ["write robot_localization"]),

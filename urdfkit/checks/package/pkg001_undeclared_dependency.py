@@ -2,13 +2,14 @@
 
 The file works only on machines where that package is installed. On other machines rosdep does not
 install it, colcon and catkin build in the wrong order, and `$(find ...)`, `package://` and the
-launch file fail with "package not found". In a launch file it is an info. In launch files of ROS 2,
-packages of the ROS distribution are reported, too: a smaller installation lacks `xacro`,
-`ros_gz_sim`, or MoveIt's solvers and planners (a warning if it is the only one that is not
-declared, of several that the launch file starts, or next to many in `package.xml`). So are the
-control plugin of Gazebo and the controllers of its robots, with the plugins of their kinematics, if
-neither their own packages declare them, nor those of the workspace on which the launch file
-depends: "class diff_drive_controller/DiffDriveController does not exist".
+launch file fail with "package not found". In a launch file it is an info (a warning if all others
+of several packages are declared). In launch files of ROS 2, packages of the ROS distribution are
+reported, too: a smaller installation lacks `xacro`, `ros_gz_sim`, or MoveIt's solvers and planners
+(a warning if it is the only one that is not declared, of several that the launch file starts, or
+next to many in `package.xml`). So are the control plugin of Gazebo and the controllers of its
+robots, with the plugins of their kinematics, if neither their own packages declare them, nor those
+of the workspace on which the launch file depends: "class diff_drive_controller/DiffDriveController
+does not exist".
 
 A package that is found only by the name of its directory has another name in its `package.xml`: ROS
 does not find it. A dependency may have a typo in the name of a package that a launch file starts:
@@ -110,8 +111,17 @@ def check(context: Context) -> Findings:
             help_,
             fix,
             group_key="undeclared" if fix else "",
-            severity=Severity.INFO if is_of_launch else None,
+            severity=Severity.INFO
+            if is_of_launch and not _is_only_one(context, manifest)
+            else None,
         )
+
+
+def _is_only_one(context: Context, manifest: Manifest) -> bool:
+    """True if all packages of the workspace that a launch file uses are declared, except one."""
+    used = {name for name, _ in _launched(context) if not comes_with_ros(name)}
+    used.discard(manifest.package)
+    return len(used - manifest.dependencies) == 1 and len(used) > _DECLARED
 
 
 def _other_name(name: str, span: Span, resolver: Resolver) -> Manifest | None:

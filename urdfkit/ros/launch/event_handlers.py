@@ -69,7 +69,7 @@ def waits_for_unstarted(
     reads = Counter(node.id for node in expressions if is_read(node))
     reads.subtract(name.id for name in names)
     for name in names:
-        if not reads[name.id] and called(values.resolved(name)) in _PROCESSES:
+        if not reads[name.id] and _kind(name, values) in _PROCESSES:
             message = f"'{name.id}' is never started, and so nothing that waits for it"
             help = f"add {name.id} to the LaunchDescription"
             yield values.problem("LAU037", name, message, help, Severity.WARNING)
@@ -146,4 +146,10 @@ def _listed(node: ast.expr, values: Values) -> list[ast.expr]:
 
 
 def _is_action(node: ast.expr, values: Values) -> bool:
-    return called(values.resolved(node)) in ACTIONS
+    return _kind(node, values) in ACTIONS
+
+
+def _kind(node: ast.expr, values: Values) -> str:
+    """The class of an action, which a function of the file may create."""
+    value = values.resolved(node)
+    return called(values.created(value)) if value is not None else ""

@@ -15,9 +15,10 @@ from urdfkit.text.source import Source, Span
 _ENTRY = "generate_launch_description"
 #: Actions without effect unless they are in a launch description.
 ACTIONS = ("ExecuteProcess", "IncludeLaunchDescription", "Node")
+_GROUP = "GroupAction"
 #: Arguments with a list of actions, with their places, by action.
 HOLDERS = {
-    "GroupAction": (0, "actions"),
+    _GROUP: (0, "actions"),
     "LaunchDescription": (0, "initial_entities"),
     "TimerAction": (None, "actions"),
 }
@@ -60,7 +61,7 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
     """Actions that are assigned to an unused name, without those that only others of them use."""
     inner = {name.id for call in calls for name in ast.walk(call) if isinstance(name, ast.Name)}
     for call in calls:
-        if called(values.created(call)) not in (*ACTIONS, *TRIGGERS):
+        if called(values.created(call)) not in (*ACTIONS, *TRIGGERS, _GROUP):
             continue
         span = values.span(call)
         name = values.source.data[: span.start].decode("utf-8", "replace").split()[-2]
