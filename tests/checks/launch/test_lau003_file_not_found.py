@@ -126,6 +126,28 @@ def test_a_misspelt_world_of_gazebo(tmp_path: Path) -> None:
     assert reported(tmp_path, "LAU003", "b.launch.py", text, own) == []
 
 
+@pytest.mark.parametrize(
+    ("flags", "glued"),
+    [
+        ("-r ", ""),
+        ("-r", "-r"),
+        ("-r -v4", "-v4"),
+        ("-r -v 4", "4"),
+        ("-r --verbose 3", "3"),
+        ("-r --headless-rendering", "--headless-rendering"),
+        ("-r -v 4 ", ""),
+        ("-r --gui-config ", ""),
+        ("-r --record-path=", ""),
+    ],
+)
+def test_flags_without_a_space(tmp_path: Path, flags: str, glued: str) -> None:
+    world = 'FindPackageShare("arm"), "/worlds/hall.sdf"'
+    text = GZ.replace('"-r ", WORLD', f'"{flags}", {world}')
+    files = {"worlds/hall.sdf": "<sdf version='1.9'><world name='hall'/></sdf>"}
+    found = reported(tmp_path / "arm", "LAU003", "a.launch.py", text, files)
+    assert [one.help for one in found] == [f"write '{glued} ' with a space"] * bool(glued)
+
+
 def test_a_world_outside_of_the_workspace_is_not_read(tmp_path: Path) -> None:
     world = tmp_path / "other" / "hall.sdf"
     world.parent.mkdir()

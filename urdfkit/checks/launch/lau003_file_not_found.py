@@ -209,9 +209,9 @@ def _worlds(context: Context) -> Findings:
     for world in worlds(context.launch):
         if world.span.source is not context.source:
             continue
-        if world.is_glued:
-            message = f"missing space between '-r' and the world '{world.name}'"
-            yield Finding(world.span, message, "write '-r ' with a space")
+        if world.glued_to:
+            message = f"missing space between '{world.glued_to}' and the world '{world.name}'"
+            yield Finding(world.span, message, f"write '{world.glued_to} ' with a space")
         elif os.path.isabs(world.name):
             if not world.name.startswith(UNKNOWN):
                 yield from _world_file(context, world)

@@ -28,6 +28,10 @@ _COMMANDS = {("gz", "sim"): GZ, ("ign", "gazebo"): GZ, ("gazebo",): CLASSIC, ("g
 #: Directories of a workspace that are searched for a world without a path.
 _MAX_DIRECTORIES = 2000
 
+#: The option for messages, and its long form.
+_VERBOSE = ("-v", "--verbose")
+#: An option, or the number of the verbosity, and an absolute path.
+_GLUED = re.compile(r"(-\w+|--[a-z-]+|\d+)(/.*)")
 #: The option that starts the simulation at once, alone or with others of one letter.
 _RUN = re.compile(r"-[a-z]*r[a-z]*\d*$")
 
@@ -44,7 +48,7 @@ class StartedWorld(Record):
     frame: CallFrame | None  # the including launch files
     is_sure: bool  # False if it depends on a condition that is known only at run time
     is_paused: bool = False  # True if gz sim waits until the user starts the simulation
-    is_glued: bool = False  # True if there is no space between ``-r`` and the path of the world
+    glued_to: str = ""  # the option or its value from which no space separates the world
 
     @property
     def at(self) -> Location:
@@ -116,9 +120,18 @@ def _of_program(program: StartedProgram) -> StartedWorld | None:
     return world._replace(libraries=_OF_ROS) if world and program.package else world
 
 
-def _split(word: str) -> list[str]:
-    """A word of the command line; two words if a path follows ``-r`` without a space."""
-    return ["-r", word[2:]] if word.startswith("-r/") else [word]
+def _split(words: list[str]) -> tuple[list[str], str]:
+    """The words of a command line, and what a path follows without a space; empty if nothing."""
+    parts: list[str] = []
+    glued = ""
+    for word in words:
+        match = _GLUED.fullmatch(word)
+        if match and (word.startswith("-") or (parts and parts[-1] in _VERBOSE)):
+            parts += match.groups()
+            glued = match[1]
+        else:
+            parts.append(word)
+    return parts, glued
 
 
 def _started(
@@ -129,8 +142,8 @@ def _started(
     options: dict[str, str] = {}
     libraries: list[str] = []
     names: list[str] = []
-    is_glued = any(word.startswith("-r/") for word in words)
-    rest = iter(part for word in words for part in _split(word))
+    parts, glued_to = _split(words) if generation == GZ else (words, "")
+    rest = iter(parts)
     for word in rest:
         option, _, value = word.partition("=")
         if not word.startswith("-"):
@@ -155,5 +168,5 @@ def _started(
         by.frame,
         by.is_sure,
         is_paused=generation == GZ and not runs,
-        is_glued=is_glued,
+        glued_to=glued_to,
     )
