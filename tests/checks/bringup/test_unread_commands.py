@@ -320,3 +320,33 @@ def test_a_mux_with_the_wrong_type(tmp_path: Path, stamped: str, who: str) -> No
     text = MUX.format(given) + COMMANDS + teleop
     found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
     assert [one.message.split("'")[1] for one in found] == [who]
+
+
+@pytest.mark.parametrize(
+    ("stamped", "read", "message"),
+    [
+        (
+            "true",
+            "Twist",
+            naming("collision_monitor", "TwistStamped", "/cmd_vel", "where Twist is"),
+        ),
+        ("false", "Twist", ""),
+        ("", "Twist", ""),
+        ("false", "TwistStamped", naming("collision_monitor", "Twist", "/cmd_vel", "TwistStamped")),
+        (
+            "",
+            "TwistStamped",
+            naming("collision_monitor", "up to Jazzy", "Twist", "/cmd_vel", "TwistStamped"),
+        ),
+        ("$(var stamped)", "TwistStamped", ""),
+    ],
+)
+def test_stamps_of_nav2(tmp_path: Path, stamped: str, read: str, message: str) -> None:
+    own = f", enable_stamped_cmd_vel: {stamped}" if stamped else ""
+    files = {"n.yaml": f"collision_monitor: {{ros__parameters: {{use_sim_time: true{own}}}}}\n"}
+    monitor = NODE.format(
+        "nav2_collision_monitor", "collision_monitor", f"parameters=['{tmp_path}/n.yaml']"
+    )
+    drive = COMMANDS.replace("/drive/cmd_vel", "/cmd_vel").replace("msg/Twist]", f"msg/{read}]")
+    found = reported(tmp_path, "LAU032", "a.launch.py", monitor + drive, files)
+    assert [one.message for one in found] == [message] * bool(message)
