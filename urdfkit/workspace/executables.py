@@ -101,6 +101,18 @@ def script_of(directory: str, package: str, name: str) -> str:
     return ""
 
 
+def program_of(directory: str, package: str, name: str) -> str:
+    """The path of the Python program that a build installs as an executable; empty if unknown."""
+    setup = os.path.join(directory, "setup.py")
+    text = head_text(setup) if disk.is_file(setup) else ""
+    entries = (entry_points(text) or []) if text else []
+    for entry in entries:
+        path = os.path.join(*entry.module.split(".")) + ".py"
+        if entry.name == name and is_inside(path):
+            return os.path.join(directory, path)
+    return script_of(directory, package, name)
+
+
 def _misplaced(text: str, package: str, name: str) -> str:
     """Where a build installs an executable that ROS looks for in ``lib/PACKAGE``; empty if unknown.
 

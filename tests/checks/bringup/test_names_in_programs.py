@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.checks.bringup.nodes import NODE, SPAWNER
+from tests.checks.bringup.topics import SCAN
 from tests.growth import assert_linear
 from tests.launched import reported
 from tests.naming import naming
@@ -122,3 +123,52 @@ def test_long_words_and_spaces(head: bytes, piece: bytes) -> None:
         return lambda: (list(pairs_of_words(source)), list(lists_of_words(source)))
 
     assert_linear(reading, 40_000)
+
+
+WATCH = "def start(node, on):\n    node.create_subscription({}, '{}', on, 5)\n"
+
+
+@pytest.mark.parametrize(
+    ("program", "node", "more", "help"),
+    [
+        (WATCH.format("LaserScan", "scan"), "", {}, ""),
+        (WATCH.format("LaserScan", "lidar"), "", {}, "write /scan"),
+        (WATCH.format("LaserScan", "lidar"), "remappings=[('lidar', 'scan')]", {}, ""),
+        (
+            WATCH.format("LaserScan", "scan"),
+            "remappings=[('scan', '/lidar')]",
+            {},
+            "remap scan to /scan",
+        ),
+        (WATCH.format("LaserScan", "scan"), "namespace='a'", {}, "remap scan to /scan"),
+        (WATCH.format("Image", "image"), "", {}, ""),  # this launch file starts no camera
+        (WATCH.format("Odd", "lidar"), "", {}, ""),
+        # what another program names it may publish, even if no launch file starts it
+        (
+            WATCH.format("LaserScan", "lidar"),
+            "",
+            {"src/other/lidar.py": "topic = '/lidar'\n"},
+            "",
+        ),
+        (
+            WATCH.format("LaserScan", "lidar"),
+            "condition=IfCondition(LaunchConfiguration('a'))",
+            {},
+            "",
+        ),
+    ],
+)
+def test_what_a_program_reads(
+    tmp_path: Path, program: str, node: str, more: dict[str, str], help: str
+) -> None:
+    files = {
+        "src/mine/package.xml": "<package><name>mine</name></package>",
+        "src/mine/setup.py": "from setuptools import setup\n"
+        "setup(entry_points={'console_scripts': ['watch = mine.watch:main']})\n",
+        "src/mine/mine/watch.py": program,
+        "src/other/package.xml": "<package><name>other</name></package>",
+        **more,
+    }
+    text = SCAN.format("/scan") + NODE.format("mine", "watch", node)
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    assert [one.help for one in found] == [help] * bool(help)

@@ -1,9 +1,10 @@
 """A topic is read that nothing publishes, or published that nothing reads.
 
-- A filter, a costmap or all displays of RViz read odometry, an IMU, images or a scan from a topic
-  that nothing publishes, while such messages are published on another topic. Reported only if all
-  programs of the workspace, and the publishers of the robot in RViz, are known. One of several
-  displays of scans is, too, if a scan is published that RViz does not show.
+- A filter, a costmap, a program of the workspace or all displays of RViz read odometry, an IMU,
+  images or a scan from a topic that nothing publishes, while such messages are published on another
+  topic. Reported only if all programs of the workspace, and the publishers of the robot in RViz,
+  are known. One of several displays of scans is, too, if a scan is published that RViz does not
+  show.
 - Such a topic is published in Gazebo by a sensor of the robot, but no bridge forwards it.
 - The mask of a filter, or its `filter_info_topic`, is on another topic than its server says.
 - robot_localization and the controller of the wheels both leave the transform from odometry to the

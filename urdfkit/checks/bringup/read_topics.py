@@ -18,10 +18,12 @@ from urdfkit.ros.launch.cartographer import configurations
 from urdfkit.ros.launch.contents import MOVEIT, StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.rviz import topic_of
-from urdfkit.ros.launch.spawned_controllers import topic_name
+from urdfkit.ros.launch.spawned_controllers import resolve_name, topic_name
 from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Node, Value, load, mapping, scalar
 from urdfkit.text.source import Span
+from urdfkit.workspace.executables import program_of
+from urdfkit.workspace.program_strings import sources_of_programs
 
 GRID, FILTER_INFO = "OccupancyGrid", "CostmapFilterInfo"
 #: The node that tells the filters of a costmap where their mask is, and its topics.
@@ -41,6 +43,11 @@ _YAML = (".yaml", ".yml")
 _SHOWN = ("Image", "LaserScan", "Odometry", "PointCloud2")
 
 
+#: A subscription with literals, and its messages that other programs and sensors publish.
+_SUBSCRIBES = re.compile(rb"create_subscription\(\s*(\w+),\s*[\"']([\w/]+)[\"']")
+_OF_PROGRAMS = (*_SHOWN, "Imu")
+
+
 class ReadTopic(Record):
     """A topic that a node reads."""
 
@@ -51,6 +58,7 @@ class ReadTopic(Record):
     others: tuple[str, ...] = ()  # further topics of the same message; one of them is enough
     instruction: str = "write "  # the start of the help, before another topic
     is_of_workspace: bool = False  # True if any launch file may start the publisher
+    is_of_program: bool = False  # True for a topic in the source of a program of the workspace
     switch: str = ""  # the parameter without which the node does not read the topic
 
 
@@ -59,6 +67,7 @@ def read_topics(context: Context) -> Iterator[ReadTopic]:
     yield from _read_by_nodes(context)
     yield from _read_by_defaults(context)
     yield from _read_by_programs(context)
+    yield from _read_by_own_programs(context)
     yield from _read_by_cartographer(context)
     yield from _read_by_move_group(context)
     yield from _read_by_rviz(context)
@@ -126,6 +135,42 @@ def _read_by_programs(context: Context) -> Iterator[ReadTopic]:
                     mask, program.at, GRID, program.title, instruction=instruction
                 )
                 yield read_mask._replace(is_of_workspace=True)
+
+
+def _read_by_own_programs(context: Context) -> Iterator[ReadTopic]:
+    """Topics that Python programs of the workspace read, if only they name them."""
+    near, resolver = context.source.path, context.resolver
+    known = resolver.packages.known(near)
+    for program in context.launch.programs if not context.launch.has_scopes else ():
+        directory = known.get(program.package) if program.is_sure else None
+        path = program_of(directory, program.package, program.executable) if directory else ""
+        source = resolver.readable(path) if path else None
+        for match in _SUBSCRIBES.finditer(source.data) if source else ():
+            message, topic = (part.decode() for part in match.groups())
+            name = topic_name(topic, program)
+            if (
+                source
+                and name
+                and message in _OF_PROGRAMS
+                and not _is_shared_name(topic, path, context)
+            ):
+                is_renamed = name != resolve_name(topic, "")
+                at = program.at if is_renamed else Span(source, match.start(2), match.end(2))
+                instruction = f"remap {topic} to " if is_renamed else "write "
+                yield ReadTopic(
+                    name, at, message, program.title, instruction=instruction, is_of_program=True
+                )
+
+
+def _is_shared_name(topic: str, path: str, context: Context) -> bool:
+    """True if another program of the workspace names a topic, which it may publish."""
+    quoted = re.compile(rb"[\"'/]%b[\"']" % re.escape(topic.strip("/").encode()))
+    packages = context.resolver.packages.known(context.source.path)
+    return any(
+        source.path != path and quoted.search(source.data)
+        for package in packages
+        for source in sources_of_programs(package, context.source.path, context.resolver)
+    )
 
 
 def _read_by_cartographer(context: Context) -> Iterator[ReadTopic]:

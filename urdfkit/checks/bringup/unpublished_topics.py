@@ -90,8 +90,7 @@ def unpublished_inputs(context: Context) -> Findings:
     served: dict[str, str] = {}  # the directories of the topics that nodes get, by node
     waiting: list[tuple[ReadTopic, dict[str, StartedProgram]]] = []
     for read in inputs:
-        started = () if read.is_of_workspace else (context.launch,)
-        published = _publishers(context, started, of_workspace, read.message, spawned)
+        published = _publishers_for(read, context, of_workspace, spawned)
         names = _names(read)
         if published and names & (published.keys() | filtered):
             served.setdefault(read.who, dirname(_absolute(read.topic)))
@@ -221,6 +220,17 @@ def _bridged_types(context: Context, launches: tuple[Launch, ...]) -> dict[str, 
         for topic in bridged_topics(node, context.resolver)
         if topic.direction != TO_GAZEBO and not node.is_remapped
     }
+
+
+def _publishers_for(
+    read: ReadTopic, context: Context, of_workspace: tuple[Launch, ...], spawned: SpawnedTopics
+) -> dict[str, StartedProgram] | None:
+    """As below; None also for a program whose launch file starts no sensor: it may have another."""
+    own = (context.launch,)
+    if read.is_of_program and not any(_published(context, programs_of(own), read.message, spawned)):
+        return None
+    started = () if read.is_of_workspace else own
+    return _publishers(context, started, of_workspace, read.message, spawned)
 
 
 def _publishers(
