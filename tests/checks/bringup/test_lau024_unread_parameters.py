@@ -236,3 +236,18 @@ def test_a_section_with_the_name_of_the_package(
     text += f'<node pkg="teleop_twist_joy" exec="teleop_node" name="{name}">{load}\n'
     found = reported(tmp_path / "arm", "LAU024", "a.launch.xml", text, {"a.yaml": yaml})
     assert [one.message for one in found] == [naming(section, name)] * count
+
+
+@pytest.mark.parametrize(("section", "count"), [("map_saver", 0), ("map_serve", 1)])
+def test_sections_of_the_map_server(tmp_path: Path, section: str, count: int) -> None:
+    """The parameters of Nav2 have a section for map_saver, but often none for map_server."""
+    text = (
+        "from launch.actions import IncludeLaunchDescription\n"
+        "included = IncludeLaunchDescription(PythonLaunchDescriptionSource("
+        "[FindPackageShare('nav2_bringup'), '/launch/localization_launch.py']), "
+        f"launch_arguments={{'params_file': '{tmp_path}/arm/a.yaml'}}.items())\n"
+    )
+    names = ("amcl", section)
+    yaml = "".join(f"{name}: {{ros__parameters: {{use_sim_time: true}}}}\n" for name in names)
+    found = reported(tmp_path / "arm", "LAU024", "a.launch.py", text, {"a.yaml": yaml})
+    assert [one.message for one in found] == [naming(section, "map_server")] * count

@@ -120,8 +120,9 @@ def _misspelt_servers(sections: list[NodeParameters], users: list[StartedProgram
         user.executable: user for user in users if user.executable in managed and not user.name
     }
     lacking = servers.keys() - {section.name for section in sections}
+    known = {*servers, *data("node_parameters")["nodes"]}  # a map_saver is no map_server
     for section in sections:
-        suggested = nearest(section.name, lacking) if section.name not in servers else None
+        suggested = nearest(section.name, lacking) if section.name not in known else None
         if suggested and suggested.startswith(section.name.partition("_")[0]):
             yield _of_other_name(section, servers[suggested], suggested, f"write {suggested}")
 
