@@ -138,7 +138,7 @@ def _read_by_programs(context: Context) -> Iterator[ReadTopic]:
 
 
 def _read_by_own_programs(context: Context) -> Iterator[ReadTopic]:
-    """Topics that Python programs of the workspace read, if only they name them."""
+    """Topics that Python programs of the workspace read."""
     near, resolver = context.source.path, context.resolver
     known = resolver.packages.known(near)
     for program in context.launch.programs if not context.launch.has_scopes else ():
@@ -148,12 +148,7 @@ def _read_by_own_programs(context: Context) -> Iterator[ReadTopic]:
         for match in _SUBSCRIBES.finditer(source.data) if source else ():
             message, topic = (part.decode() for part in match.groups())
             name = topic_name(topic, program)
-            if (
-                source
-                and name
-                and message in _OF_PROGRAMS
-                and not _is_shared_name(topic, path, context)
-            ):
+            if source and name and message in _OF_PROGRAMS:
                 is_renamed = name != resolve_name(topic, "")
                 at = program.at if is_renamed else Span(source, match.start(2), match.end(2))
                 instruction = f"remap {topic} to " if is_renamed else "write "
@@ -162,12 +157,13 @@ def _read_by_own_programs(context: Context) -> Iterator[ReadTopic]:
                 )
 
 
-def _is_shared_name(topic: str, path: str, context: Context) -> bool:
-    """True if another program of the workspace names a topic, which it may publish."""
-    quoted = re.compile(rb"[\"'/]%b[\"']" % re.escape(topic.strip("/").encode()))
+def is_named_by_another(read: ReadTopic, context: Context) -> bool:
+    """True if another program of the workspace names what a program reads: it may publish it."""
+    own = read.at.source.path if isinstance(read.at, Span) else ""
+    quoted = re.compile(rb"[\"'/]%b[\"']" % re.escape(read.topic.strip("/").encode()))
     packages = context.resolver.packages.known(context.source.path)
     return any(
-        source.path != path and quoted.search(source.data)
+        source.path != own and quoted.search(source.data)
         for package in packages
         for source in sources_of_programs(package, context.source.path, context.resolver)
     )

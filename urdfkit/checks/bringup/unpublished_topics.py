@@ -20,6 +20,7 @@ from urdfkit.checks.bringup.read_topics import (
     GRID,
     INFO_TOPIC,
     ReadTopic,
+    is_named_by_another,
     read_in_other_files,
     read_topics,
     topic_parameter,
@@ -96,7 +97,9 @@ def unpublished_inputs(context: Context) -> Findings:
             served.setdefault(read.who, dirname(_absolute(read.topic)))
         elif published is not None and not names & filtered:
             may_be_filtered = None in filtered and read.message == _ODOMETRY
-            waiting += [] if may_be_filtered else [(read, published)]
+            waiting += (
+                [] if may_be_filtered or _is_of_others(read, context) else [(read, published)]
+            )
     types = _bridged_types(context, of_workspace) if waiting else {}
     sensors = sensors_of_workspace(context, of_workspace) if waiting else []
     directories = dict(served)
@@ -220,6 +223,11 @@ def _bridged_types(context: Context, launches: tuple[Launch, ...]) -> dict[str, 
         for topic in bridged_topics(node, context.resolver)
         if topic.direction != TO_GAZEBO and not node.is_remapped
     }
+
+
+def _is_of_others(read: ReadTopic, context: Context) -> bool:
+    """True for a topic of a program that another program may publish, though nothing starts it."""
+    return read.is_of_program and is_named_by_another(read, context)
 
 
 def _publishers_for(
