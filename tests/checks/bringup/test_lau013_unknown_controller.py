@@ -246,6 +246,25 @@ def test_an_included_file_with_spawners(
     assert [one.span.text for one in found] == [name] * count
 
 
+@pytest.mark.parametrize(("name", "count"), [("grip", 0), ("hand", 1)])
+def test_a_file_with_controllers_that_is_passed_by_the_launch_file_of_a_robot(
+    tmp_path: Path, name: str, count: int
+) -> None:
+    """CHAMP: the launch file of each robot passes its own file to that of Gazebo."""
+    text = '<arg name="file" default="$(find arm)/config/c.yaml"/><rosparam file="$(arg file)"/>\n'
+    include = '<include file="$(find arm)/launch/spawn.launch">'
+    include += '<arg name="file" value="$(find robot)/c.yaml"/></include>'
+    files = {
+        **ROS_1,
+        "../robot/package.xml": "<package><name>robot</name></package>",
+        "../robot/c.yaml": f"{name}: {{type: a/B}}",
+        "../robot/robot.launch": f"<launch>{include}</launch>",
+    }
+    text += SPAWN_1.format("spawner", "arm_controller grip")
+    found = reported(tmp_path / "src/arm", "LAU013", "spawn.launch", text, files)
+    assert len(found) == count
+
+
 @pytest.mark.parametrize(
     ("including", "more", "count"),
     [

@@ -7,9 +7,9 @@ that commands another one, as in `pid/wheel_joint`, needs that one, which must b
 (warning), and a broadcaster needs the sensor that it reads. A controller whose parameters are in a
 file that nothing loads has none (warning): its spawner needs `--param-file`. The YAML files
 of the package and of the packages that the launch file references are searched; if it loads none,
-and another file includes it, those of the workspace. If one of these
-packages is not found, only typos of known names are reported. A launch file that names parameters
-itself, for example with the `ns` of a `<rosparam>`, is not checked.
+and another file includes it, those of the workspace. What the files that include it load counts, as
+well. If one of these packages is not found, only typos of known names are reported. A launch file
+that names parameters itself, for example with the `ns` of a `<rosparam>`, is not checked.
 
 Sources:
     ros_control, spawner: https://github.com/ros-controls/ros_control/blob/noetic-devel/controller_manager/scripts/spawner
@@ -90,8 +90,11 @@ def check(context: Context) -> Findings:
     has_names = bool(loaded) and not any("$" in name for name in known)
     is_whole = has_names and _is_whole(context.launch) and any(map(_is_whole, launches))
     suggester = Suggester({name for name in known if "$" not in name})
-    for controller in spawned:
-        name = controller.name.rpartition("/")[2]
+    names = [controller.name.rpartition("/")[2] for controller in spawned]
+    if not known.issuperset(names) and not including:
+        # A launch file that includes this one may pass the file that defines it.
+        known |= set(controllers_of(context, _including(context)))
+    for controller, name in zip(spawned, names, strict=True):
         suggested = suggester.suggested(name)
         # The common ending makes ``hand_controller`` resemble ``head_controller``.
         is_misspelt = bool(suggested) and is_typo(name, suggested)
