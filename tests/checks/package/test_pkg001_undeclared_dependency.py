@@ -287,6 +287,38 @@ def test_the_only_package_of_the_workspace(
     assert [one.severity for one in found] == severities
 
 
+OPTIONAL = """
+from ament_index_python.packages import {asker}
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package=name, executable='run') for name in {names}])
+"""
+
+
+@pytest.mark.parametrize("names", [["rviz2", "nav2_amcl", "slam_toolbox"], ["a", "b", "c"]])
+@pytest.mark.parametrize(
+    ("asker", "severity"),
+    [
+        ("get_package_share_directory", Severity.WARNING),
+        ("get_packages_with_prefixes", Severity.INFO),
+        ("PackageNotFoundError", Severity.INFO),
+    ],
+)
+def test_a_launch_file_that_asks_which_packages_are_installed(
+    tmp_path: Path, names: list[str], asker: str, severity: Severity
+) -> None:
+    lines = "".join(f"<exec_depend>{name}</exec_depend>" for name in names[:2])
+    lines += "<export><build_type>ament_cmake</build_type></export></package>"
+    files = {f"{name}/package.xml": f"<package><name>{name}</name></package>" for name in "abc"}
+    files["arm/package.xml"] = MANIFEST.replace("</package>", lines)
+    files["arm/a.launch.py"] = OPTIONAL.format(asker=asker, names=names)
+    add_files(tmp_path, files)
+    found = check(tmp_path / "arm" / "a.launch.py", select=["PKG001"]).diagnostics
+    assert [one.severity for one in found] == [severity]
+
+
 @pytest.mark.parametrize(
     ("declared", "other", "helps"),
     [

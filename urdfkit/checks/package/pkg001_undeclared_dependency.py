@@ -9,7 +9,7 @@ reported, too: a smaller installation lacks `xacro`, `ros_gz_sim`, or MoveIt's s
 next to many in `package.xml`). So are the control plugin of Gazebo and the controllers of its
 robots, with the plugins of their kinematics, if neither their own packages declare them, nor those
 of the workspace on which the launch file depends: "class diff_drive_controller/DiffDriveController
-does not exist".
+does not exist". All of these are infos in a launch file that asks which packages are installed.
 
 A package that is found only by the name of its directory has another name in its `package.xml`: ROS
 does not find it. A dependency may have a typo in the name of a package that a launch file starts:
@@ -70,6 +70,8 @@ _PLANNERS = {
     "ompl_interface": "moveit_planners_ompl",
     "stomp_moveit": "moveit_planners_stomp",
 }
+#: In launch files that do without a package that is not installed.
+_ASKED = (b"get_packages_with_prefixes", b"PackageNotFoundError")
 #: colcon and catkin reject cyclic dependencies of packages.
 _CYCLE = (
     "'{0}' depends on '{1}', so to declare it makes a cycle: move the file that is used to '{1}', "
@@ -121,7 +123,13 @@ def _is_only_one(context: Context, manifest: Manifest) -> bool:
     """True if all packages of the workspace that a launch file uses are declared, except one."""
     used = {name for name, _ in _launched(context) if not comes_with_ros(name)}
     used.discard(manifest.package)
-    return len(used - manifest.dependencies) == 1 and len(used) > _DECLARED
+    is_forgotten = len(used - manifest.dependencies) == 1 and len(used) > _DECLARED
+    return is_forgotten and not _asks_for_packages(context.source)
+
+
+def _asks_for_packages(source: Source) -> bool:
+    """True for a launch file that asks which packages are installed: it may do without them."""
+    return any(name in source.data for name in _ASKED)
 
 
 def _other_name(name: str, span: Span, resolver: Resolver) -> Manifest | None:
@@ -163,6 +171,7 @@ def _of_ros(context: Context, manifest: Manifest) -> Findings:
     others = len(places) - 1
     is_careful = sum(map(comes_with_ros, manifest.dependencies)) >= _OF_CAREFUL_AUTHOR
     is_forgotten = len(missing) == 1 and others >= (1 if is_careful else _DECLARED)
+    is_forgotten = is_forgotten and not _asks_for_packages(context.source)
     for name in missing:
         if misspelt := _misspelt(name, context, manifest):
             message = f"dependency '{misspelt.text.strip()}' is not a package of ROS; "
