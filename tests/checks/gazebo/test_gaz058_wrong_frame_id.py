@@ -149,6 +149,15 @@ def test_a_contact_sensor_needs_no_frame():
 
 
 @pytest.mark.parametrize(
+    ("kind", "count"), [("", 0), ('gz:type="odometer"', 0), ('gz:type="dvl"', 1)]
+)
+def test_the_plugin_of_a_custom_sensor_knows_its_frame(kind: str, count: int) -> None:
+    """giacomotambe/traquad_gazebo: a lidar of RGL, whose plugin has a <frame>."""
+    robot = BASE + f'<gazebo reference="base"><sensor name="s" type="custom" {kind}/></gazebo>'
+    assert len(reported("GAZ058", robot, targets=("ros2", "gz-harmonic"))) == count
+
+
+@pytest.mark.parametrize(
     ("frame", "count"), [("camera/left", 0), ("left", 0), ("amera/left", 1), ("camera/right", 1)]
 )
 def test_a_namespace_in_front_of_a_frame(frame: str, count: int) -> None:

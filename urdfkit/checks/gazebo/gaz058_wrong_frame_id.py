@@ -12,7 +12,8 @@ A sensor of gz-sim without a frame publishes a name of Gazebo's own, such as
 versions read. Only Fortress reads `<ignition_frame_id>`, too, and only Gazebo from Ionic on (Jetty)
 reads `<frame_id>`. Images of a camera have the frame in the `<optical_frame_id>` of `<camera>`,
 except in Jetty, which no longer reads it. Without ROS there is no TF, and a missing frame is an
-info; so it is if a PosePublisher publishes the poses of the sensors under these names.
+info; so it is if a PosePublisher publishes the poses of the sensors under these names. The plugin
+of a custom sensor, such as a lidar of RGL, has a parameter of its own for the frame.
 
 Sources:
     REP 105, frames: https://www.ros.org/reps/rep-0105.html
@@ -175,6 +176,8 @@ def _has_no_frame(sensor: Sensor, readers: list[tuple[str, ...]]) -> bool:
     """True if one of the readers finds no frame for the sensor."""
     if sensor.type == "contact":  # publishes which bodies touch, not where it is
         return False
+    if sensor.type == "custom" and "dvl" not in map(sensor.at.get, ("gz:type", "ignition:type")):
+        return False  # a plugin publishes it, with a frame of its own
     kind = types().get(sensor.type)
     if kind is None or not kind.gz:
         return False
