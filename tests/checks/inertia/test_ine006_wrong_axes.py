@@ -169,3 +169,20 @@ def test_a_tensor_about_the_joint() -> None:
 )
 def test_other_tensors_of_a_rod(moments: tuple[float, ...], center: float) -> None:
     assert messages("INE006", rod(moments, center)) == []
+
+
+@pytest.mark.parametrize(
+    ("moments", "center", "count"),
+    [
+        ((SIDE + 0.09, SIDE + 0.09, OWN), "0 0 0.3", 1),
+        ((SIDE + 0.0925, SIDE + 0.09, OWN + 0.0025), "0 0.05 0.3", 0),  # of a motor on one side
+        ((0.1, 0.1, 0.0005), "0 0 0.3", 0),  # a guess
+    ],
+)
+def test_what_a_tensor_about_the_joint_needs(
+    moments: tuple[float, ...], center: str, count: int
+) -> None:
+    body = shape("collision", '<box size="0.05 0.05 0.6"/>', "0 0 0.3")
+    robot = link("rod", body, inertial(1, moments, center))
+    found = [one for one in messages("INE006", robot) if "about the origin" in one]
+    assert len(found) == count

@@ -5,7 +5,7 @@ from functools import cached_property
 from math import inf
 
 from urdfkit.core.grouping import by_key
-from urdfkit.core.spatial import Vector, dot, rotate, transposed
+from urdfkit.core.spatial import Vector, dot, length, minus, rotate, transposed
 from urdfkit.robot import inertia
 from urdfkit.robot.link import Body, Inertial, Link, Tensor
 from urdfkit.robot.rigid_bodies import RigidBody
@@ -34,7 +34,9 @@ _OF_SOLID = 1.2
 
 #: The factor for moments about the origin of the link, and that of the largest of them to the one
 #: about the centre of mass.
-_SHIFTED, _FAR_FROM_CENTER = 1.5, 3.0
+_SHIFTED, _FAR_FROM_CENTER = 1.35, 3.0
+#: Largest distance of the centre of mass from that of the solid, as a part of its length.
+_CENTERED = 0.08
 
 #: Change of a tensor entry by a significant rotation, as a part of the largest moment.
 TURNED = 0.25
@@ -261,11 +263,16 @@ class LinkInertia:
     def is_about_origin(self) -> bool:
         """True if the tensor is that of the uniform solid about the link's origin, not its centre.
 
-        The difference between the two must be large.
+        The difference between the two must be large, and the centre of mass that of the solid: a
+        motor next to an outline has a tensor of its own. Few digits fit by chance.
         """
-        if self.expected is None or not inertia.agree(self.about_center, self.expected, _SHIFTED):
+        if self.expected is None or self.solid is None or self.has_round_numbers:
             return False
-        return max(self.ratios(self.expected)) > _FAR_FROM_CENTER
+        shift = minus(self.solid.properties(1.0).center, self.inertial.origin.position)
+        if length(shift) > _CENTERED * max(self.bounds.edges):
+            return False
+        is_shifted = max(self.ratios(self.expected)) > _FAR_FROM_CENTER
+        return is_shifted and inertia.agree(self.about_center, self.expected, _SHIFTED)
 
     @cached_property
     def turned_axis(self) -> tuple[Vector, Vector] | None:
