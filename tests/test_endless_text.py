@@ -161,6 +161,7 @@ LAUNCH += "<node pkg='arm' exec='b'/>"
         ("a.launch.py", "generate_launch_description('", " '/home/a/b'", ""),
         ("CMakeLists.txt", "add_executable(b)", "installinstall", ""),
         ("CMakeLists.txt", "add_executable(b)", "include(a ", ""),
+        (".gitmodules", "[submodule]", "\n" * 5, ""),
         ("CMakeLists.txt", "rosidl_generate_interfaces(a", " ", ""),
         ("part.xacro", "<robot><!--", "xacro:include ", "--></robot>"),
     ],

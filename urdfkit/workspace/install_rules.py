@@ -39,7 +39,7 @@ _MACRO = r"(?is)\b(?:macro|function)\s*\(\s*(\w+)(.*)"
 _MAX_MACROS = 100
 _END_OF_MACRO = r"(?i)\bend(?:macro|function)\b"
 _AFTER_VARIABLE = r"\$\{\w+\}([\w.-]+)"
-_COMMAND = r"(?i)\b(set|foreach|install)\s*\(\s*(\w*)([^()]*)\)"
+_COMMAND = r"(?i)\b(set|foreach|install)\s*\(([^()]*)\)"
 _VARIABLE = r"\$\{(\w+)\}"
 _IS_PYTHON = rb"<build_type\b[^<>]*>\s*ament_python\s*<"
 #: Words of a setup.py that lists its files at build time.
@@ -170,11 +170,11 @@ class InstallRules:
         if re.search(_UNCLEAR, self._text):
             return True
         known = set(known_variables(self._package))
-        for command, first, rest in re.findall(_COMMAND, self._text):
-            if not known.issuperset(re.findall(_VARIABLE, rest)):
+        for command, arguments in re.findall(_COMMAND, self._text):
+            if not known.issuperset(re.findall(_VARIABLE, arguments)):
                 return True
             if command.lower() != "install":
-                known.add(first)
+                known.update(arguments.split()[:1])
         return False
 
 

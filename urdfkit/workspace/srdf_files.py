@@ -17,8 +17,8 @@ _NAMED = rb"<robot\b[^<>]*\bname\s*="
 _ROBOT_NAME = r"<robot\b[^<>]*\bname\s*=\s*[\"']([^\"'$]+)[\"']"
 #: A section of ``.setup_assistant`` with its content; compiled when needed, which is rare.
 _SECTION = r"(?mi)^([ \t]*){}:[ \t]*\n((?:\1[ \t]+\S.*\n?)+)"
-_ENTRY = r"(?m)^\s*{}:\s*\"?([^\s\"]+)"
-_ARGUMENTS = r"(?m)^\s*xacro_args:[ \t]*[\"']?([^\"'\n]*)"
+_ENTRY = r"(?m)^[ \t]*{}:\s*\"?([^\s\"]+)"
+_ARGUMENTS = r"(?m)^[ \t]*xacro_args:[ \t]*[\"']?([^\"'\n]*)"
 
 
 def srdf_files(robot: str, resolver: Resolver) -> list[str]:
