@@ -54,6 +54,18 @@ def test_handlers_of_what_a_function_creates(tmp_path: Path) -> None:
     assert reported(tmp_path, "LAU037", "a.launch.py", text) == []
 
 
+AFTER = """\
+def after(gate, action):
+    return RegisterEventHandler(OnProcessExit(target_action=gate, on_exit=[action]))
+"""
+
+
+def test_a_function_with_a_handler(tmp_path: Path) -> None:
+    """ZainAlabidinShbani/mobile_manipulator_ws: the node has another name outside of it."""
+    text = SPAWNING + AFTER + described("spawn()", "LaunchDescription([a, after(a, b)])")
+    assert reported(tmp_path, "LAU037", "a.launch.py", text) == []
+
+
 @pytest.mark.parametrize(("first", "started"), [(SPAWNER, "[b]"), (LASTING, "[a, b]")])
 def test_a_handler_that_is_not_used_either(tmp_path: Path, first: str, started: str) -> None:
     """indy-ros2: the author replaced the handler of RViz with RViz itself, and left it there."""

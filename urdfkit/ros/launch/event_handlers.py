@@ -66,10 +66,14 @@ def waits_for_unstarted(
     """
     targets = [argument(call, 0, "target_action") for call in calls if called(call) in _OF_PROCESS]
     names = [target for target in targets if isinstance(target, ast.Name)]
+    expressions = list(expressions)
     reads = Counter(node.id for node in expressions if is_read(node))
     reads.subtract(name.id for name in names)
+    # A parameter of a function has other names where the function is called.
+    assigned = {node.id for node in expressions if isinstance(node, ast.Name) and not is_read(node)}
     for name in names:
-        if not reads[name.id] and _kind(name, values) in _PROCESSES:
+        is_idle = name.id in assigned and not reads[name.id]
+        if is_idle and _kind(name, values) in _PROCESSES:
             message = f"'{name.id}' is never started, and so nothing that waits for it"
             help = f"add {name.id} to the LaunchDescription"
             yield values.problem("LAU037", name, message, help, Severity.WARNING)
