@@ -20,7 +20,8 @@ def assert_linear(work: Callable[[int], Callable[[], object]], size: int) -> Non
         size: of the large input.
     """
     small = min(_processor_time(work(size // FACTOR)) for _ in range(5))
-    assert _processor_time(work(size)) < 20 * FACTOR * small
+    # Other processes take the cache of the processor: one of three runs counts.
+    assert any(_processor_time(work(size)) < 20 * FACTOR * small for _ in range(3))
 
 
 def _processor_time(run: Callable[[], object]) -> float:
