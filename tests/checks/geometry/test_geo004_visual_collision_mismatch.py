@@ -27,6 +27,13 @@ def test_a_cube_that_is_moved(shift: str, common: str | None) -> None:
     assert messages("GEO004", pair(CUBE, CUBE, shift)) == expected
 
 
+@pytest.mark.parametrize(("xyz", "rpy"), [("0 0 0.9", "0 0 0"), ("0 0 0", "0 1.5 0")])
+def test_a_link_without_a_name(xyz: str, rpy: str) -> None:
+    rod = '<cylinder radius="0.05" length="1"/>'
+    (message,) = messages("GEO004", pair(rod, rod, xyz, rpy).replace('name="a"', 'name=""'))
+    assert message.startswith("link '': ")
+
+
 def test_the_bounding_boxes_are_those_of_turned_shapes() -> None:
     rod = '<cylinder radius="0.05" length="1"/>'
     assert messages("GEO004", pair(rod, rod, rpy=f"0 {pi / 2!r} 0")) == [

@@ -215,7 +215,7 @@ def _of_another_link(body: Body, link: str) -> str:
 def _rotated(
     pair: VisualCollisionPair, context: Context, foreign: tuple[Body, str] | None
 ) -> Finding:
-    joints = context.tree.parents[pair.link.name]
+    joints = context.tree.parents.get(pair.link.name, [])
     bodies = (*pair.link.collisions, *pair.link.visuals)
     across = [body for body in bodies if any(_lies_across(body, joint) for joint in joints)]
     turn = pair.best_turn(across) or pair.turn
@@ -251,7 +251,7 @@ def _misplaced(pair: VisualCollisionPair, context: Context) -> tuple[Body, Body,
     link = pair.link
     collision, visual = link.collisions[0], link.visuals[0]
     inertial = link.inertial.origin if link.inertial else Transform()
-    joints = context.tree.parents[link.name]
+    joints = context.tree.parents.get(link.name, [])  # none without a name
     is_of_joint = any(joint.origin == collision.origin for joint in joints)
     if pair.has_one_shape and any(inertial.position) and not is_of_joint:
         gaps = [_distance(solid, inertial.position) for solid in (pair.collision, pair.visual)]
