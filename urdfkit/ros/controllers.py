@@ -27,6 +27,7 @@ from urdfkit.text.document import Element
 from urdfkit.text.grammar import is_expression
 from urdfkit.text.located_yaml import Key, Node, Value, items, load, mapping, scalar, scalars
 from urdfkit.text.source import Source, Span
+from urdfkit.text.source_cache import cached_by_source
 
 MANAGER = "controller_manager"
 
@@ -256,6 +257,7 @@ def named_sections(description: RosDescription) -> dict[str, Section]:
     return sections
 
 
+@cached_by_source
 def _sections(source: Source) -> dict[tuple[str, ...], Section]:
     """The parameters of each ROS node, by namespace and name; empty for ROS 1."""
     sections: dict[tuple[str, ...], Section] = {}

@@ -6,11 +6,11 @@ Source: ``rcl_yaml_param_parser`` of ros2/rcl.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from functools import lru_cache
 
 from urdfkit.core.record import Record
 from urdfkit.text.located_yaml import Key, Node, items, load, mapping
 from urdfkit.text.source import Source, Span
+from urdfkit.text.source_cache import cached_by_source
 from urdfkit.workspace.resolve import Resolver
 
 #: The key below which the parameters of a node are.
@@ -43,7 +43,7 @@ def nodes_in_files(paths: Iterable[str], resolver: Resolver) -> Iterator[NodePar
         yield from node_parameters(source)
 
 
-@lru_cache(maxsize=4)  # many nodes of a launch file load the same files
+@cached_by_source  # many nodes load the same files, and rules read those of the workspace
 def node_parameters(source: Source) -> tuple[NodeParameters, ...]:
     """The nodes of a file, in order; keys above ``ros__parameters`` are namespaces."""
     return tuple(_nodes(source))

@@ -1,6 +1,7 @@
 """Controllers that are defined for a launch file, or for all of its workspace."""
 
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 
 from urdfkit.checks.bringup.workspace_launches import (
     distinct_descriptions,
@@ -23,6 +24,7 @@ def controllers_of(context: Context, launches: Sequence[Launch]) -> dict[str, Co
     return _defined(context, launches, robots)
 
 
+@lru_cache(maxsize=1)  # several rules ask for those of the launch file that they check
 def controllers_of_workspace(context: Context) -> dict[str, Controller]:
     """The controllers of all launch files of the workspace, by name."""
     launches, robots = workspace_launches(context), robots_of_workspace(context)
