@@ -85,7 +85,7 @@ def is_gone(group: int) -> bool:
 def test_ctrl_c_ends_all_processes_without_a_word(tmp_path: Path) -> None:
     """In whatever order they hear of it."""
     robot = (MOBILE_BASE).read_bytes()
-    for number in range(400):
+    for number in range(3000):
         (tmp_path / f"{number}.xacro").write_bytes(robot)
     command = [sys.executable, "-m", "urdfkit", "check", str(tmp_path), "--jobs", "2"]
     with subprocess.Popen(

@@ -222,6 +222,20 @@ def test_sliders_that_may_not_run(tmp_path: Path, condition: str, spawn: str, co
     assert len(found) == count
 
 
+@pytest.mark.parametrize(
+    ("package", "count"), [("nav2_amcl", 2), ("moveit_ros_move_group", 2), ("acme_robots", 0)]
+)
+def test_navigation_that_may_not_run(tmp_path: Path, package: str, count: int) -> None:
+    """A choice of localization or planning changes neither joint states nor the manager."""
+    condition = "condition=IfCondition(LaunchConfiguration('x'))"
+    arguments = ["arm", "-c", "/a/controller_manager"]
+    text = STATE.format("") + SPAWNER.format(arguments) + NODE.format(package, "node", condition)
+    found = messages(tmp_path, "LAU022", text)
+    expected = [naming("/a/controller_manager", "/controller_manager")]
+    expected.append("nothing publishes the joint states: no joint_state_broadcaster is started")
+    assert sorted(found, key=len, reverse=True) == expected[:count]
+
+
 def test_a_spawner_that_may_not_run(tmp_path: Path) -> None:
     """Its controllers may not be started, and it may be one of another robot."""
     condition = "condition=IfCondition(LaunchConfiguration('x'))"

@@ -77,7 +77,12 @@ def test_programs_that_do_not_use_their_time(tmp_path: Path, publisher: str, cou
 
 @pytest.mark.parametrize(
     ("package", "clock", "count"),
-    [("rviz2", "use_sim_time", 1), ("rviz2", "other", 0), ("acme_robots", "use_sim_time", 0)],
+    [
+        ("rviz2", "use_sim_time", 1),
+        ("rviz2", "other", 0),
+        ("nav2_amcl", "use_sim_time", 1),
+        ("acme_robots", "use_sim_time", 0),
+    ],
 )
 def test_a_clock_without_optional_programs(
     tmp_path: Path, package: str, clock: str, count: int

@@ -1,5 +1,6 @@
 """Launch files of which all programs are known."""
 
+import re
 from collections.abc import Iterable
 
 from urdfkit.checks.bringup.unread_commands import is_part_of_ros
@@ -19,6 +20,8 @@ _OPTIONAL = frozenset(
         "controller_manager/spawner",
     )
 )
+#: Packages whose programs publish no joint states.
+_NAVIGATION = re.compile(r"nav2_\w+|slam_toolbox|robot_localization|moveit_ros_move_group")
 #: Files that change no topic; maps are often not committed.
 _SILENT = (MAP, POSE_GRAPH, RVIZ)
 
@@ -30,6 +33,13 @@ def known_programs(context: Context) -> tuple[StartedProgram, ...]:
     """
     programs = context.launch.programs
     return programs if _is_whole(context.launch) and _are_sure(programs) else ()
+
+
+def programs_of_robot(context: Context) -> tuple[StartedProgram, ...]:
+    """The same, though localization or planning may depend on a condition."""
+    programs = context.launch.programs
+    others = (node for node in programs if not _NAVIGATION.fullmatch(node.package))
+    return programs if _is_whole(context.launch) and _are_sure(others) else ()
 
 
 def running_programs(context: Context) -> tuple[StartedProgram, ...]:

@@ -27,7 +27,11 @@ from collections.abc import Iterable
 
 from urdfkit.checks.bringup.defined_controllers import defined_controllers
 from urdfkit.checks.bringup.gz_bridges import bridges_of_gz
-from urdfkit.checks.bringup.known_programs import are_topics_known, known_programs
+from urdfkit.checks.bringup.known_programs import (
+    are_topics_known,
+    known_programs,
+    programs_of_robot,
+)
 from urdfkit.checks.bringup.mismatched_names import (
     manager_in_another_namespace,
     missing_description,
@@ -86,15 +90,16 @@ _MAX_NAMED = 2
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    programs = known_programs(context)
-    yield from _missing_broadcaster(context, programs)
+    programs, of_robot = known_programs(context), programs_of_robot(context)
+    yield from _missing_broadcaster(context, of_robot)
     yield from untyped_controllers(programs)
     if programs and are_topics_known(context):
         yield from unpublished_description(context, programs)
         yield from unread_description(programs)
         yield from missing_description(context, programs)
         yield from _unpublished_joint_states(context, programs)
-        yield from manager_in_another_namespace(context, programs)
+    if of_robot and are_topics_known(context):
+        yield from manager_in_another_namespace(context, of_robot)
 
 
 def _missing_broadcaster(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:

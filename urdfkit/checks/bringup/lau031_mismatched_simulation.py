@@ -40,7 +40,7 @@ from urdfkit.checks.bringup.unloaded_hardware import (
 from urdfkit.checks.bringup.workspace_launches import is_included
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
 from urdfkit.ros.catalog import data
-from urdfkit.ros.launch.bridges import bridged_topics
+from urdfkit.ros.launch.bridges import bridged_topics, is_bridge
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
@@ -50,6 +50,7 @@ from urdfkit.ros.node_parameters import node_parameters
 from urdfkit.ros.ros_control import components
 from urdfkit.text.located_yaml import Value
 from urdfkit.workspace.resolve import Resolver
+from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "launch/simulation.launch.py"
 BAD = """\
@@ -81,7 +82,7 @@ _WITHOUT_BRIDGE = (
 def check(context: Context) -> Findings:
     programs = known_programs(context)
     yield from _wall_clock_nodes(context, programs)
-    yield from _missing_clock(context, programs)
+    yield from _missing_clock(context)
     yield from _stopped_controllers(context, programs)
     yield from _paused(context, programs)
     yield from unloaded_hardware(context, programs)
@@ -106,11 +107,15 @@ def _paused(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
             )
 
 
-def _missing_clock(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
+def _missing_clock(context: Context) -> Findings:
     """Nodes that use the time of a gz-sim whose clock is not bridged."""
+    optional = (node for node in context.launch.programs if not node.is_sure)
+    if any(is_bridge(node) or not comes_with_ros(node.package) for node in optional):
+        return
+    programs = running_programs(context)
     timed = [node for node in programs if (node.package, node.executable) not in _TIMELESS]
     waiting = _waiting(timed, context.resolver)
-    starts_gz = any(world.generation == GZ for world in worlds(context.launch))
+    starts_gz = any(world.generation == GZ and world.is_sure for world in worlds(context.launch))
     if waiting is None or not starts_gz or not all(map(_starts_no_bridge, context.launch.unread)):
         return
     bridges = bridges_of_gz(programs)

@@ -5,6 +5,8 @@ is in a Python module of a package, and a method returns the command line of xac
 replaced by what the method returns, with the values of the attributes.
 """
 
+from __future__ import annotations
+
 import ast
 from collections import Counter
 from collections.abc import Callable, Iterator
