@@ -34,10 +34,12 @@ def is_switched_off(context: Context, name: str) -> bool:
 
     The condition may be that of its include.
 
-    The joint of a controller may have the name of a link by mistake.
+    The joint of a controller may have the name of a link by mistake. A definition behind a prefix
+    is in no false condition if the robot has the name with a prefix.
     """
     expanded, model = context.reading.xacro, context.model
-    if expanded is None or name in model.links_by_name or name in model.joints_by_name:
+    known = (*model.links_by_name, *model.joints_by_name)
+    if expanded is None or any(other.endswith(name) for other in known):
         return False
     return name in _defined(all_sources(context))
 

@@ -151,3 +151,21 @@ def test_few_of_many_get_a_suggestion(tmp_path: Path) -> None:
     found = findings(tmp_path, groups + states + pairs, "SRD001")
     assert len(found) == 101
     assert ["did you mean" in one.message for one in found] == [True] * 50 + [False] * 51
+
+
+@pytest.mark.parametrize(("tip", "suggested"), [("tool0", "arm_tool0"), ("tool1", None)])
+def test_a_forgotten_prefix(tmp_path: Path, tip: str, suggested: str | None) -> None:
+    """The definition behind the prefix is in no false condition."""
+    links = '<link name="arm_base"/><link name="${p}tool0"/>'
+    joint = (
+        '<joint name="j" type="fixed"><parent link="arm_base"/><child link="arm_tool0"/></joint>'
+    )
+    (tmp_path / "r.urdf.xacro").write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        f'<xacro:property name="p" value="arm_"/>{links}{joint}</robot>'
+    )
+    group = f'<group name="g"><chain base_link="arm_base" tip_link="{tip}"/></group>'
+    (tmp_path / "r.srdf").write_text(f'<robot name="r">{group}</robot>')
+    (found,) = check(tmp_path / "r.urdf.xacro", select=["SRD001"]).diagnostics
+    hint = f"; did you mean '{suggested}'?" if suggested else ""
+    assert found.message == f"unknown link '{tip}'{hint}"

@@ -20,7 +20,7 @@ import re
 from functools import cached_property
 
 from urdfkit.checks.srdf.namesakes import has_incomplete_namesake, names_in_namesakes
-from urdfkit.core.suggest import SIMILAR, Suggester
+from urdfkit.core.suggest import SIMILAR, Suggester, hint_for
 from urdfkit.lint.misspelt_names import corrected_definition
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.lint.switched_off import all_sources, is_switched_off, uncalled_macro
@@ -140,7 +140,11 @@ class _Suggestions:
         defined = (model.links_by_name if kind == "link" else model.joints_by_name).get(suggested)
         fix = corrected_definition(context, defined, name.value) if kind != "group" else None
         fix = fix or fix_value(name, suggested)
-        message = f"unknown {kind} '{name.value}'{Suggester(known, SIMILAR).hint(name.value)}"
+        longer = [other for other in known if other.endswith(f"_{name.value}")]
+        hint = Suggester(known, SIMILAR).hint(name.value)
+        if not hint and len(longer) == 1:  # the prefix is forgotten
+            hint = hint_for(longer[0])
+        message = f"unknown {kind} '{name.value}'{hint}"
         arguments = " ".join(f"{key}:={value}" for key, value in context.arguments.items())
         related = Related(
             context.document.root.span, f"compared with this robot{arguments and ', '}{arguments}"
