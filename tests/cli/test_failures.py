@@ -7,7 +7,6 @@ import signal
 import subprocess
 import sys
 import time
-from functools import partial
 from pathlib import Path
 
 import pytest
@@ -89,15 +88,12 @@ def test_ctrl_c_ends_all_processes_without_a_word(tmp_path: Path) -> None:
     for number in range(1000):
         (tmp_path / f"{number}.xacro").write_bytes(robot)
     command = [sys.executable, "-m", "urdfkit", "check", str(tmp_path), "--jobs", "2"]
+    # A shell ignores the signal in what it starts in the background, as this test may be.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     with subprocess.Popen(
-        command,
-        cwd=ROOT,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        start_new_session=True,
-        # A shell ignores the signal in what it starts in the background, as this test may be.
-        preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL),
+        command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
     ) as process:
+        signal.signal(signal.SIGINT, before)
         children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
         while len(busy(children)) < 2:
             time.sleep(0.01)
