@@ -36,6 +36,6 @@ def test_what_is_merged_with_the_child() -> None:
 
 @pytest.mark.parametrize(("root", "count"), [("world", 0), ("footprint", 1)])
 def test_a_camera_above_an_arm_that_is_fixed_to_the_world(root: str, count: int) -> None:
-    """An arm of a course: its camera hangs on the ceiling, and has the base for its parent."""
+    """An arm of a course: its camera is mounted on the ceiling, and has the base for its parent."""
     robot = link(root) + link("base", SMALL) + joint(root, "base")
     assert len(messages("JNT037", robot + CAMERA)) == count

@@ -88,6 +88,25 @@ def test_other_files(package: Path, name: str, text: str) -> None:
     assert found(check(package, config=config)) == []
 
 
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("planner_server:\n  ros__parameters: {a: [}\n", "LAU044"),
+        ("ros__parameters: {a: 1}\n", "LAU044"),
+        (b"planner_server:\n  ros__parameters: {a: \xff}\n", "LAU044"),
+        ("ros__parameters: " + "[" * 50_000, "LAU044"),
+        (NAV2 + "#" * 1024 * 1024, "CFG003"),
+    ],
+    ids=["not YAML", "without a node", "not UTF-8", "deep", "large"],
+)
+def test_a_file_that_cannot_be_read_is_not_green(
+    package: Path, text: str | bytes, code: str
+) -> None:
+    report = check(add_file(package / "config" / "nav2.yaml", text))
+    assert report.crashed == ()
+    assert {one.code for one in report.diagnostics} == {code}
+
+
 def test_frames_are_compared_with_the_robot_that_launch_files_start(package: Path) -> None:
     text = "planner_server:\n  ros__parameters: {}\nlocal_costmap:\n  local_costmap:\n"
     text += "    ros__parameters: {robot_base_frame: base_linc, global_frame: odom}\n"

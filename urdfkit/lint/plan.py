@@ -14,6 +14,7 @@ from urdfkit.lint.config import ConfigError, matches
 from urdfkit.lint.report import Crashed, Launched, Skipped, crash
 from urdfkit.text.file_kinds import is_launch, is_parameter_file
 from urdfkit.text.source import Source, shown
+from urdfkit.workspace.file_head import MAX_BYTES
 from urdfkit.workspace.resolve import Resolver
 
 if TYPE_CHECKING:
@@ -240,6 +241,10 @@ class Plan:
             self._add_launch(source)
             return
         if is_parameter_file(source):
+            if len(source.data) > MAX_BYTES:
+                message = f"parameter file not checked: it is larger than {MAX_BYTES:,} bytes"
+                self.unchecked.append((source.path, message, "divide it"))
+                return
             self._parameter_files += 1
             self.jobs.append(Job(source.path, "", {}, False, source=source))
             return

@@ -209,9 +209,15 @@ def syntax_error(source: Source, *, in_python: bool = False) -> tuple[Span, str]
     loader: Any = yaml.SafeLoader
     if not in_python and b"\t" in source.data:
         loader = getattr(yaml, "CSafeLoader", loader)
+    level = 0
     try:
-        for _ in yaml.parse(source.data, loader):
-            pass
+        for event in yaml.parse(source.data, loader):
+            level += isinstance(event, yaml.CollectionStartEvent)
+            level -= isinstance(event, yaml.CollectionEndEvent)
+            mark = event.start_mark
+            if level > MAX_LEVELS and mark:
+                at = source.offset(mark.line + 1, mark.column + 1)
+                return Span(source, at, at + 1), f"more than {MAX_LEVELS} levels"
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         reason = error.problem or str(error)

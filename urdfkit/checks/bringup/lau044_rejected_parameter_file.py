@@ -20,6 +20,7 @@ from urdfkit.ros.controllers import MANAGER
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.node_parameters import PARAMETERS, NodeParameters
 from urdfkit.ros.parameter_types import TYPES, correction, type_of
+from urdfkit.text.file_kinds import is_parameter_file
 from urdfkit.text.located_yaml import (
     Key,
     Node,
@@ -54,27 +55,30 @@ _REWRITTEN = (b"RewrittenYaml", b"ReplaceString")
 
 @rule(Severity.ERROR, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
-    readers: dict[str, StartedProgram] = {}
+    readers: dict[str, StartedProgram | None] = {}
+    if is_parameter_file(context.source):  # also with no section of a known program
+        readers[context.source.path] = None
     # Those of nodes first: a file may be a component's, too.
     for node in sorted(context.launch.started, key=lambda node: node.is_component):
         for path in node.parameters.files if node.is_ros_2 else ():
             readers.setdefault(path, node)
     is_rewritten = any(name in context.source.data for name in _REWRITTEN)
     has_robots = bool(context.launch.descriptions)
-    for path, node in readers.items():
+    for path, reader in readers.items():
         source = context.resolver.readable(path)
         if source is None:
             continue
-        note = Related(node.span, f"'{node.title}' stops at it")
+        notes = (Related(reader.span, f"'{reader.title}' stops at it"),) if reader else ()
         if error := syntax_error(source, in_python=is_rewritten):
             if not has_robots:  # else RCT026 reports it
                 at, reason = error
-                yield Finding(at, f"invalid YAML: {reason}", "fix the file", related=(note,))
+                yield Finding(at, f"invalid YAML: {reason}", "fix the file", related=notes)
             continue
         # RCT026 reports it for a robot.
-        may_be_outside = node.is_component or (has_robots and MANAGER in mapping(load(source)))
+        is_component = reader is not None and reader.is_component
+        may_be_outside = is_component or (has_robots and MANAGER in mapping(load(source)))
         for finding in _rejected(source, may_be_outside, is_rewritten=is_rewritten):
-            yield finding._replace(related=(note,))
+            yield finding._replace(related=notes)
     for section in all_parameters(context):
         yield from _lists_of_lists(section)
 
