@@ -225,3 +225,24 @@ def test_an_absolute_path_that_is_meant(tmp_path: Path, part: str, count: int) -
     program = f"import os\npath = os.path.join('arm', {part!r}, 'arm.rviz')\n"
     found = reported(tmp_path / "arm", "LAU003", "a.launch.py", program)
     assert [one.message for one in found] == [naming(part)] * count
+
+
+@pytest.mark.parametrize(("installed", "count"), [("urdf/*", 0), ("meshes/*", 1)])
+def test_a_spawned_file_that_setup_py_installs_elsewhere(
+    tmp_path: Path, installed: str, count: int
+) -> None:
+    """A setup.py that installs `urdf/*` into `share/arm`, without `urdf`."""
+    setup = (
+        "from glob import glob\nfrom setuptools import setup\n"
+        f"setup(name='arm', data_files=[('share/arm', glob('{installed}'))])\n"
+    )
+    program = (
+        "import os\n"
+        "from ament_index_python.packages import get_package_share_directory\n"
+        "from launch_ros.actions import Node\n"
+        "FILE = os.path.join(get_package_share_directory('arm'), 'arm.urdf')\n"
+        "node = Node(package='gazebo_ros', executable='spawn_entity.py',\n"
+        "            arguments=['-entity', 'arm', '-file', FILE])\n"
+    )
+    files = {"setup.py": setup, "urdf/arm.urdf": '<robot name="arm"><link name="base"/></robot>'}
+    assert len(reported(tmp_path / "arm", "LAU016", "a.launch.py", program, files)) == count

@@ -100,7 +100,12 @@ def _file(context: Context, path: str, place: Location) -> Findings:
     if path.endswith(".xacro") and not _is_expanded(context, path):
         message = f"'{os.path.basename(path)}' is a xacro file, which Gazebo does not expand"
         yield Finding(place, message, f"publish the expanded robot on {_TOPIC} and spawn that")
-    elif os.path.isabs(path) and not path.startswith(f"{UNKNOWN}/") and not disk.exists(path):
+    elif (
+        os.path.isabs(path)
+        and not path.startswith(f"{UNKNOWN}/")
+        and not disk.exists(path)
+        and not context.resolver.installed(path)
+    ):
         is_inside = context.resolver.allows(path, context.source.path)
         is_made = is_ignored(path) if is_inside else path.startswith("/tmp/")
         if not is_made and not _is_mentioned(context, path):
