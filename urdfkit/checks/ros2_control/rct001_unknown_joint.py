@@ -7,9 +7,10 @@
 - A controller in a parameter file: it cannot be activated ("not in the list of available
   interfaces"). A controller without any joint of the robot is assumed to belong to another variant
   if other controllers fit, or if the names differ only in a prefix; but not if the others drive
-  all joints of the robot except one. A file of many joints, none of which the robot has, is one
-  finding: it is for another robot. So is the file of a robot that launch files start, if they do
-  not start this one (a warning). A joint that an argument of the robot disables is not reported:
+  all joints of the robot except one. So it is if launch files load the file for a robot that has
+  its joints, and start this one without it. A file of many joints, none of which the robot has, is
+  one finding: it is for another robot. So is the file of a robot that launch files start, if they
+  do not start this one (a warning). A joint that an argument of the robot disables is not reported:
   nothing may start the controller. A warning in ROS 1, where hardware may use other names, unless
   the hardware is a Gazebo plugin and the controller has other joints of the robot or a misspelt
   one. If it is for the other side of the robot, the one joint without a counterpart is a warning.
@@ -29,7 +30,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfkit.checks.ros2_control.started_robots import started_robot_of
+from urdfkit.checks.ros2_control.started_robots import is_of_other_robot, started_robot_of
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, hint_for, nearest
@@ -171,6 +172,11 @@ class _Use(Record):
     joints: list[Value]
     fits: bool  # True if the robot has one of them
 
+    @property
+    def named(self) -> tuple[str, set[str]]:
+        """The names of the controller and of its joints."""
+        return self.controller.name, {joint.text for joint in self.joints}
+
 
 def _controller_joints(context: Context) -> Findings:
     known = set(context.model.joints_by_name)
@@ -194,7 +200,10 @@ def _controller_joints(context: Context) -> Findings:
         found: list[Finding] = []
         for use in of_file:
             is_of_robot = use.fits or _is_broadcaster_of_robot(use, uses)
-            for joint in _unknown_to_robot(use, known, context, is_of_robot=is_of_robot):
+            lacking = list(_unknown_to_robot(use, known, context, is_of_robot=is_of_robot))
+            if lacking and not use.fits and is_of_other_robot(*use.named, path, context):
+                continue
+            for joint in lacking:
                 hint = _hint(joint.text, use, suggester, free) or hint_for(rest)
                 is_likely = is_of_robot or bool(hint)
                 if is_likely or not is_fitting:

@@ -6,6 +6,7 @@ from collections.abc import Collection
 from urdfkit.core import disk
 from urdfkit.lint.rules import Context
 from urdfkit.ros.launch.robot_arguments import launches_of_workspace
+from urdfkit.ros.launch.spawned_controllers import spawned_controllers
 
 
 def started_robot_of(path: str, joints: Collection[str], context: Context) -> str:
@@ -22,12 +23,39 @@ def started_robot_of(path: str, joints: Collection[str], context: Context) -> st
         source = context.resolver.readable(file)
         if source and name in source.data:
             robot = context.other_robot(file, {})
-            if robot.is_readable and _fits(robot, path, joints):
+            if _has(robot, joints) and _names(robot, path):
                 return file
     return ""
 
 
-def _fits(robot: Context, path: str, joints: Collection[str]) -> bool:
-    """True for a robot that names a parameter file and has the joints."""
-    files = {disk.real(file.path) for file, _ in robot.controllers}
-    return disk.real(path) in files and all(joint in robot.model.joints_by_name for joint in joints)
+def is_of_other_robot(
+    controller: str, joints: Collection[str], path: str, context: Context
+) -> bool:
+    """True if launch files load a parameter file for another robot, which has all the joints.
+
+    They must start the checked robot, too, without the controller.
+    """
+    path, checked = disk.real(path), disk.real(context.source.path)
+    is_started = has_joints = False
+    for launch in launches_of_workspace(context.source.path, context.resolver):
+        robots = {disk.real(robot.path): robot for robot in launch.descriptions}
+        if checked in robots:
+            is_started = True
+            if any(found.name == controller for found in spawned_controllers(launch.programs)):
+                return False
+        elif not has_joints and path in {disk.real(file.path) for file in launch.parameters}:
+            has_joints = any(
+                context.resolver.readable(robot.path)
+                and _has(context.other_robot(robot.path, robot.arguments), joints)
+                for robot in robots.values()
+            )
+    return is_started and has_joints
+
+
+def _has(robot: Context, joints: Collection[str]) -> bool:
+    return robot.is_readable and robot.model.joints_by_name.keys() >= set(joints)
+
+
+def _names(robot: Context, path: str) -> bool:
+    """True for a robot that names a parameter file."""
+    return disk.real(path) in {disk.real(file.path) for file, _ in robot.controllers}
