@@ -192,8 +192,11 @@ def test_a_pattern_without_its_directory(tmp_path: Path, pattern: str, count: in
 @pytest.mark.parametrize(
     ("listed", "help"),
     [
-        ("launch/b.launch.py", "write "),
+        ("launch/arn.launch.py", "write launch/arm.launch.py"),
+        ("launch/arn.launch.py', 'launch/arm.launch.py", "remove it"),  # which is installed already
+        ("launch/b.launch.py", "remove it"),
         ("launch/arm.launch.py", None),
+        ("launch/arm.pt", "remove it"),  # a model is not a launch file
         ("x.txt", "remove it"),
         ("models/walk.pt", "remove it"),  # spider_robot_ws: nor does the directory exist
     ],
@@ -201,7 +204,8 @@ def test_a_pattern_without_its_directory(tmp_path: Path, pattern: str, count: in
 def test_a_listed_file(tmp_path: Path, listed: str, help: str | None) -> None:
     setup = RUNNING.replace("setup(", f"setup(data_files=[('share/arm', ['{listed}'])], ")
     found = started(tmp_path, setup, more=("launch/arm.launch.py",))
-    assert [one.span.text for one in found] == ([] if help is None else [f"'{listed}'"])
+    missing = listed.partition("'")[0]
+    assert [one.span.text for one in found] == ([] if help is None else [f"'{missing}'"])
     assert all(one.help.startswith(help or "") for one in found)
 
 

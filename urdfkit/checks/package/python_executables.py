@@ -9,7 +9,7 @@ from fnmatch import fnmatchcase
 
 from urdfkit.checks.package.build_files import is_missing, is_registered, package_file
 from urdfkit.core import disk
-from urdfkit.core.suggest import did_you_mean, hint_for, nearest, nearest_file_name
+from urdfkit.core.suggest import did_you_mean, hint_for, nearest_file_name
 from urdfkit.lint.rules import Finding, Findings, Severity
 from urdfkit.ros.launch.python_names import bound_names
 from urdfkit.text.python_source import nodes, parse
@@ -156,15 +156,17 @@ def _unmatched_patterns(setup: Source, tree: ast.Module, directory: str) -> Find
 
 def _missing_files(setup: Source, tree: ast.Module, directory: str) -> Findings:
     """Files that a setup.py installs and that do not exist: colcon stops."""
-    for path, node in listed_files(tree):
+    listed = list(listed_files(tree))
+    installed = {posixpath.normpath(path) for path, _ in listed}
+    for path, node in listed:
         if not path.startswith(_MARKER) and is_missing(directory, path):
-            folder = os.path.dirname(path)
+            folder, name = posixpath.split(path)
             files = disk.names_or_empty(os.path.join(directory, folder))
-            names = [posixpath.join(folder, file) for file in files]
+            free = {file for file in files if posixpath.join(folder, file) not in installed}
             message = f"'{path}' is installed and does not exist: the build fails"
             help = f"remove it, or create {path}"
-            if match := nearest(path, names):
-                help = f"write {match}"
+            if match := nearest_file_name(name, free):
+                help = f"write {posixpath.join(folder, match)}"
             yield Finding(_span(setup, node), message, help, group_key="not there")
 
 
