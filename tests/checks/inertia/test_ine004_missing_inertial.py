@@ -240,3 +240,12 @@ def test_several_links_without_the_inertials_of_their_counterparts() -> None:
     frames = link("left_tip", HEAVY) + link("right_tip")
     frames += joint("left_foot", "left_tip") + joint("right_foot", "right_tip")
     assert reported(legs(HEAVY, frames)) == []
+
+
+def test_a_mass_that_is_not_an_attribute() -> None:
+    """As in SDF, which URD003 reports: the robot has a mass."""
+    inertial = "<inertial><mass>{}</mass></inertial>"
+    robot = BASE + link("arm") + joint("base", "arm", "continuous")
+    for value, count in (("12", 0), ("", 1)):
+        massive = robot.replace(BASE, link("base", inertial.format(value)))
+        assert len(reported(massive, "classic-ros1")) == count

@@ -192,8 +192,11 @@ def test_a_pattern_without_its_directory(tmp_path: Path, pattern: str, count: in
 @pytest.mark.parametrize(
     ("listed", "help"),
     [
-        ("launch/arn.launch.py", "write launch/arm.launch.py"),
-        ("launch/arn.launch.py', 'launch/arm.launch.py", "remove it"),  # which is installed already
+        ("launch/arms.launch.py", "write launch/arm.launch.py"),
+        (
+            "launch/arms.launch.py', 'launch/arm.launch.py",
+            "remove it",
+        ),  # which is installed already
         ("launch/b.launch.py", "remove it"),
         ("launch/arm.launch.py", None),
         ("launch/arm.pt", "remove it"),  # a model is not a launch file

@@ -99,7 +99,7 @@ def _unlike_counterpart(context: Context) -> Findings:
 
 
 def _in_gazebo(context: Context) -> Findings:
-    if context.masses.total == 0:
+    if context.masses.total == 0 and not any(map(_has_unread_mass, context.model.links)):
         yield from _without_any_mass(context)
     elif not context.is_part:  # the robot that includes a part may define the mass
         yield from _without_mass(context)
@@ -176,7 +176,7 @@ def _without_mass(context: Context) -> Findings:
         return
     for body in context.gazebo.massless:
         if any(_has_unread_mass(link) for link, _ in body.links):
-            continue  # URD005
+            continue  # URD003, URD005
         zero = body.top.inertial is not None and body.top.inertial.mass is not None
         reported = body.joint is not None and zero  # INE001
         if not reported and (body.joint or context.targets.any_of(GAZEBO)):
@@ -188,11 +188,11 @@ def _without_mass(context: Context) -> Findings:
 
 
 def _has_unread_mass(link: Link) -> bool:
-    """True for a mass that is not a number, such as ``1.1*0.3`` in a URDF."""
+    """True for a mass that is not a number, such as ``1.1*0.3`` in a URDF, or not an attribute."""
     if link.inertial is None or link.inertial.mass is not None:
         return False
     mass = link.inertial.at.child("mass")
-    return mass is not None and bool((mass.get("value") or "").strip())
+    return mass is not None and bool((mass.get("value") or mass.text).strip())
 
 
 def _help_of_fixed(context: Context, joint: str) -> str:
