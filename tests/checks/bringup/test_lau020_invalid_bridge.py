@@ -134,6 +134,15 @@ def test_points_are_of_the_sensor_that_is_not_bridged(
     assert found.help == f"write {right}"
 
 
+@pytest.mark.parametrize(("kind", "count"), [("depth", 0), ("depth_camera", 0), ("camera", 1)])
+def test_the_type_of_a_sensor_that_gz_sim_also_reads(tmp_path: Path, kind: str, count: int) -> None:
+    """`depth` is `depth_camera` of gz-sim, which publishes points."""
+    camera = f'<sensor name="eye" type="{kind}"><topic>depth</topic></sensor></gazebo></robot>'
+    points = "/depth/points@sensor_msgs/msg/PointCloud2[gz.msgs.PointCloudPacked"
+    robot = ROBOT.replace("</gazebo></robot>", camera)
+    assert len(of_words(tmp_path, points, files={"r.urdf": robot})) == count
+
+
 def test_quotes_are_part_of_a_topic(tmp_path: Path) -> None:
     quoted = ROBOT.replace("<topic>scan<", "<topic>'scan'<")
     word = "/scan@sensor_msgs/msg/LaserScan[gz.msgs.LaserScan"

@@ -29,7 +29,7 @@ DEFAULTS = ("physics", "user-commands", "scene-broadcaster")
     ],
 )
 def test_each_sensor_requires_its_system(kind: str, system: str, tmp_path: Path) -> None:
-    world = systems(*DEFAULTS)
+    world = systems(*DEFAULTS) + "<spherical_coordinates/>"
     (one,) = findings(tmp_path, CODE, world=world, robot=SENSOR.format(kind))
     assert one.message == naming("hall", system, "without", "s", kind)
     assert (one.span.source.path, one.span.line) == (str(tmp_path / "worlds/hall.sdf"), 2)
@@ -179,9 +179,10 @@ def test_a_world_may_load_the_factory(tmp_path: Path) -> None:
     assert messages(tmp_path, CODE, world=plugin, launch=launch + start + SPAWN) == []
 
 
-def test_world_without_spherical_coordinates(tmp_path: Path) -> None:
+@pytest.mark.parametrize("kind", ["navsat", "gps"])
+def test_world_without_spherical_coordinates(kind: str, tmp_path: Path) -> None:
     world = systems(*DEFAULTS, "navsat")
-    (one,) = messages(tmp_path, CODE, world=world, robot=SENSOR.format("navsat"))
+    (one,) = messages(tmp_path, CODE, world=world, robot=SENSOR.format(kind))
     assert "has no <spherical_coordinates>" in one
     world += "<spherical_coordinates/>"
-    assert messages(tmp_path, CODE, world=world, robot=SENSOR.format("navsat")) == []
+    assert messages(tmp_path, CODE, world=world, robot=SENSOR.format(kind)) == []

@@ -28,7 +28,7 @@ from collections.abc import Iterator
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.ros.catalog.plugins import Plugin, all_plugins
-from urdfkit.ros.catalog.sensors import types
+from urdfkit.ros.catalog.sensors import type_in_gz
 from urdfkit.ros.gazebo.samples import gazebo_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.ros.gazebo.worlds import Models, all_systems, default_systems, own_systems, systems_in
@@ -93,7 +93,7 @@ def _without_coordinates(required: list[tuple[Plugin, Sensor]], opened: OpenedWo
     """A world without a location on Earth, and a robot with a NavSat sensor."""
     if opened.world is None or opened.world.at.child("spherical_coordinates"):
         return
-    for sensor in (sensor for _, sensor in required if sensor.type == "navsat"):
+    for sensor in (sensor for _, sensor in required if type_in_gz(sensor.type) == "navsat"):
         yield Finding(
             opened.place,
             f"{opened.title} has no <spherical_coordinates>, without which {sensor.who} "
@@ -126,10 +126,8 @@ def _required(context: Context) -> list[tuple[Plugin, Sensor]]:
     ]
     for _, robot in context.described_robots:
         for sensor in sensors(robot.model):
-            kind = types().get(sensor.type)
-            name = (kind.gz_name or sensor.type) if kind and kind.gz else ""
             for plugin in systems:
-                if name in plugin.sensors:
+                if type_in_gz(sensor.type) in plugin.sensors:
                     required.setdefault(plugin.id, (plugin, sensor))
     return list(required.values())
 

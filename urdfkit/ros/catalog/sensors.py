@@ -24,6 +24,12 @@ def types() -> dict[str, SensorType]:
     return {name: record(SensorType, entry) for name, entry in data("sensors")["types"].items()}
 
 
+def type_in_gz(name: str) -> str:
+    """The name of a type in gz-sim, which also reads ``gps`` and ``depth``; empty for others."""
+    kind = types().get(name)
+    return (kind.gz_name or name) if kind and kind.gz else ""
+
+
 @cache
 def children() -> frozenset[str]:
     """Valid children of a sensor, including those of all types."""

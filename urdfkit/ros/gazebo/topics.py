@@ -8,6 +8,7 @@ from fnmatch import fnmatchcase
 from urdfkit.core.record import Record
 from urdfkit.robot.model import RobotModel
 from urdfkit.ros.catalog import data
+from urdfkit.ros.catalog.sensors import type_in_gz
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
 from urdfkit.text.document import Element
 
@@ -54,7 +55,7 @@ def _of_sensor(sensor: Sensor) -> Iterator[GazeboTopic]:
     topic = written.text.strip().strip("/") if written else ""
     is_default = not topic
     topic = topic or f"world/*/sensor/{sensor.name}/*"
-    for entry in _entries("sensors", sensor.type):
+    for entry in _entries("sensors", type_in_gz(sensor.type)):
         message, _, path = entry.partition(" ")
         parent = topic.rpartition("/")[0]
         start = ".." if path.startswith("..") else "."
@@ -94,7 +95,7 @@ def are_all_known(model: RobotModel) -> bool:
     plugins = (_library(plugin) for gazebo in model.gazebo for plugin in gazebo.all("plugin"))
     silent, silent_sensors = (data("bridge")[key].split() for key in ("silent", "silent_sensors"))
     return all(
-        _entries("sensors", sensor.type) or sensor.type in silent_sensors
+        _entries("sensors", type_in_gz(sensor.type)) or sensor.type in silent_sensors
         for sensor in sensors(model)
     ) and all(_entries("plugins", plugin) or plugin in silent for plugin in plugins)
 
