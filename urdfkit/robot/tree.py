@@ -47,6 +47,14 @@ class KinematicTree:
         links = self.model.links_by_name
         return (parent, child) if parent in links and child in links else None
 
+    def published_joint(self, link: str) -> Joint | None:
+        """The joint above a link whose transform robot_state_publisher publishes; None if none.
+
+        It leaves out floating joints, whose transform is not among the joint states.
+        """
+        joints = self.parents.get(link, ())
+        return next((joint for joint in joints if joint.kind != "floating"), None)
+
     @cached_property
     def is_sound(self) -> bool:
         """True if all links and joints have unique names and form one tree."""

@@ -261,7 +261,7 @@ def second_parent(context: Context, programs: list[StartedProgram]) -> Findings:
     (root,) = roots
     bridged = of_bridges(programs, context, robots[0])
     for odometry in (*filters, *bridged):
-        joints = [next(iter(robot.tree.parents.get(odometry.child, ())), None) for robot in robots]
+        joints = [robot.tree.published_joint(odometry.child) for robot in robots]
         joint = joints[0] if all(joints) else None
         if joint is None or joint.parent_name == odometry.parent:
             continue

@@ -92,7 +92,7 @@ def _transforms(context: Context, programs: list[StartedProgram]) -> Findings:
     trees = [robot.tree for robot in published_robots(context)]
     for node, transform in published:
         child = transform.child
-        joints = [next(iter(tree.parents.get(child.name, ())), None) for tree in trees]
+        joints = [tree.published_joint(child.name) for tree in trees]
         joint = joints[0] if joints and all(joints) else None
         if joint:
             is_equal = _repeats_joint(transform, joint, trees[0])

@@ -73,7 +73,7 @@ def _check_plugin(use: PluginUse, context: Context) -> Findings:
     parameter, frame = frames
     values, name = use.values(parameter), use.value(parameter)
     above = context.tree.parents.get(name.lstrip("/"), [])
-    if len(above) != 1 or above[0].parent is None:
+    if len(above) != 1 or above[0].parent is None or above[0].kind == "floating":
         return
     parent = above[0].parent_name
     if parent == frame.lstrip("/"):
@@ -108,8 +108,10 @@ def _check_controller(controller: Controller, frame: Value, context: Context) ->
     if name not in links:
         message = f"the robot has no link '{name}'{did_you_mean(name, links)}"
     else:
-        above = context.tree.parents[name][0].parent
-        parent = above.value if above else root
+        joint = context.tree.published_joint(name)
+        if joint is None:
+            return
+        parent = joint.parent_name or root
         message = f"'{name}' is a child of '{parent}'; a frame has one parent"
     yield Finding(
         frame.span,
