@@ -134,8 +134,11 @@ def require_robot(context: Context) -> None:
     """Reject a file that is not a robot description, such as an SDF, mesh or world file.
 
     Raises:
-        UnreadableRobot: the root element is not ``<robot>``, and there is no link.
+        UnreadableRobot: the file cannot be read, or the root element is not ``<robot>`` and there
+            is no link.
     """
+    if context.reading.document is None:
+        raise _unreadable(context.source, context.reading.problems)
     root = context.document.root
     if context.model.links or root.tag == "robot":
         return
@@ -205,5 +208,6 @@ def _described(
 
 def _unreadable(source: Source, problems: Iterable[Problem]) -> UnreadableRobot:
     reasons = tuple(dict.fromkeys(f"{p.span}: {p.message}" for p in problems))
-    text = "; ".join(reasons) or f"{source.path}: no robot"
+    no_robot = f"{source.path} is a parameter file and describes no robot; pass the robot file"
+    text = "; ".join(reasons) or no_robot
     return UnreadableRobot(text, tuple(problems))

@@ -278,10 +278,33 @@ def test_what_git_does_not_have_is_said(repository: Path, word: str, reason: str
 
 def test_what_cannot_be_read_is_said(pair: Path) -> None:
     (pair / "b" / "arm.urdf").write_text("<robot")
-    with pytest.raises(UnreadableRobot, match=r"b/arm\.urdf cannot be read"):
+    with pytest.raises(UnreadableRobot, match=r"b/arm\.urdf:1:1: "):
         compare("a/arm.urdf", "b/arm.urdf")
     with pytest.raises(UnreadableFile, match="none"):
         compare("a/arm.urdf", "none.urdf")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "reason"),
+    [
+        ("m.sdf", "<sdf><model name='m'/></sdf>", "the root element is <sdf>, not <robot>"),
+        ("c.yaml", "node:\n  ros__parameters: {}\n", "is a parameter file and describes no robot"),
+        ("m.xacro", "<robot name='m'/>", "it has no link"),
+    ],
+)
+def test_what_is_no_robot_does_not_lack_each_link(
+    pair: Path, name: str, text: str, reason: str
+) -> None:
+    (pair / name).write_text(text)
+    with pytest.raises(UnreadableRobot, match=rf"{name}.*{reason}"):
+        compare("a/arm.urdf", name)
+
+
+def test_a_revision_that_cannot_be_read_is_named(repository: Path) -> None:
+    (repository / "urdf" / "arm.urdf").write_text("<robot>\n<link></robot>")
+    git(repository, "commit", "-am", "three")
+    with pytest.raises(UnreadableRobot, match=r"^HEAD:urdf/arm\.urdf:2:1: "):
+        compare("HEAD~1:urdf/arm.urdf", "HEAD:urdf/arm.urdf")
 
 
 # --- formats

@@ -175,6 +175,13 @@ def test_what_is_no_robot_is_said(tmp_path: Path) -> None:
     launch.write_text("<launch/>")
     with pytest.raises(UnreadableRobot, match="is a launch file and describes no robot"):
         describe(str(launch))
+    for name, text, reason in (
+        ("c.yaml", "node:\n  ros__parameters: {}\n", "is a parameter file"),
+        ("m.sdf", "<sdf/>", "the root element is <sdf>"),
+    ):
+        (tmp_path / name).write_text(text)
+        with pytest.raises(UnreadableRobot, match=reason):
+            describe(str(tmp_path / name))
 
 
 def test_a_launch_file_stands_for_its_robot(tmp_path: Path) -> None:

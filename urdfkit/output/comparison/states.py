@@ -1,12 +1,13 @@
 """A state of a robot: a file, or a file at a revision in git."""
 
 import os
+from collections.abc import Iterable
 from functools import cached_property
 
 from urdfkit.core.paths import is_within
 from urdfkit.errors import UnreadableRobot
 from urdfkit.lint.engine import check
-from urdfkit.lint.loading import context_of
+from urdfkit.lint.loading import context_of, require_robot
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.text.source import Source
@@ -27,7 +28,7 @@ class RobotState:
 
     Raises:
         UnreadableFile: file not found.
-        UnreadableRobot: the robot cannot be read.
+        UnreadableRobot: the robot cannot be read, or the file describes none.
         ConfigError: the configuration has several variants of it, or lacks this variant.
         UrdfkitError: the revision does not exist, or git is not installed.
     """
@@ -45,11 +46,18 @@ class RobotState:
         values = options.config.entry(path, options.arguments, options.variant).arguments
         source, resolver = Source.read(found), Resolver(options.packages)
         self.context = context_of(source, resolver, values, trust=options.trust)  # the description
-        if self.context.reading.document is None:
-            reasons = dict.fromkeys(problem.message for problem in self.context.reading.problems)
-            raise UnreadableRobot(f"{word} cannot be read: {'; '.join(reasons)}")
+        self._require_links()
         config = options.config._replace(packages=options.packages)
         self._options = options._replace(config=config).for_one(self.context.arguments)
+
+    def _require_links(self) -> None:
+        """Reject a file that is no robot, which would differ from a robot in every link."""
+        reading = self.context.reading
+        if reading.document is None or not self.context.model.links:
+            self._rename([self.context.source, *(p.span.source for p in reading.problems)])
+        require_robot(self.context)
+        if not self.context.model.links:
+            raise UnreadableRobot(self.context.tree.unsound)
 
     @cached_property
     def report(self) -> Report:
@@ -57,13 +65,16 @@ class RobotState:
 
     def rename_sources(self) -> None:
         """Rename files to ``REVISION:PATH``, as their temporary directory is removed."""
-        revision = self.word.partition(":")[0]
         known = {id(s): s for s in self.context.document.sources}
         for finding in self.report.diagnostics:
             spans = [finding.span, *(related.span for related in finding.related)]
             spans += [step.span for call in finding.calls for step in call.via]
             known.update((id(span.source), span.source) for span in spans)
-        for source in known.values():
+        self._rename(known.values())
+
+    def _rename(self, sources: Iterable[Source]) -> None:
+        revision = self.word.partition(":")[0]
+        for source in sources:
             if is_within(source.path, self._directory):
                 path = os.path.relpath(source.path, self._directory)
                 source.path = f"{revision}:{path.replace(os.sep, '/')}"

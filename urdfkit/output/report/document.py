@@ -22,7 +22,7 @@ from urdfkit.lint.check_job import given_targets
 from urdfkit.lint.context import Context
 from urdfkit.lint.engine import check_read
 from urdfkit.lint.grouping import grouped
-from urdfkit.lint.loading import context_of
+from urdfkit.lint.loading import context_of, require_robot
 from urdfkit.lint.options import Options
 from urdfkit.lint.report import Report
 from urdfkit.output.formats import json as as_json
@@ -78,7 +78,7 @@ def describe(
 
     Raises:
         UnreadableFile: the file is missing or cannot be read.
-        UnreadableRobot: a launch file describes no robot, or several.
+        UnreadableRobot: the file describes no robot, or a launch file several.
         ConfigError: the configuration has several variants of the file, or lacks this variant.
     """
     options = options.with_config()
@@ -88,6 +88,8 @@ def describe(
     context = context_of(
         source, resolver, values, trust=options.trust, cache=options.cache, targets=targets
     )
+    if context.is_bringup or context.reading.document is not None:
+        require_robot(context)
     report = check_read(options.for_one(context.arguments).resolved(), context)
     reported = ReportInput(_document(context, report), context, tuple(report.diagnostics))
     return reported if quick else completed(reported, progress)
