@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageStat
 
 from urdfkit.core.words import counted
 from urdfkit.render.arrays import Floats, rotated
@@ -18,6 +18,10 @@ from urdfkit.render.soup import cut, soup
 from urdfkit.ros.surface_materials import Colour
 
 INK, PAPER, LEADER = (34, 40, 50, 255), (255, 255, 255, 225), (70, 78, 92, 200)
+#: Letters on a background darker than a mean of `_DARK`, from 0 to 255.
+LIGHT_INK, _DARK = (235, 238, 242, 255), 100
+#: Share of the width of an image that the scale may occupy.
+_SCALE_SHARE = 0.25
 #: Positions of a label around its point, the nearest first: directions and distances in letters.
 _DIRECTIONS = ((1, -1), (-1, -1), (1, 1), (-1, 1), (1, 0), (-1, 0), (0, -1), (0, 1))
 _DISTANCES = (1.2, 2.4, 4.0, 6.0, 9.0, 13.0)
@@ -55,23 +59,39 @@ def caption(image: Image.Image, text: str) -> None:
     """Write a text in the upper left corner of an image."""
     size = max(11, min(22, image.height // 22))
     font, written = writing(text, size)
-    ImageDraw.Draw(image).text((size * 0.7, size * 0.5), written, fill=INK, font=font)
+    draw, start = ImageDraw.Draw(image), (size * 0.7, size * 0.5)
+    fill = ink(image, draw.textbbox(start, written, font=font))
+    draw.text(start, written, fill=fill, font=font)
+
+
+def ink(image: Image.Image, box: tuple[float, float, float, float]) -> tuple[int, int, int, int]:
+    """The colour of letters that are readable in a part of an image."""
+    left, top, right, bottom = (round(edge) for edge in box)
+    part = opaque(image.crop((left, top, max(right, left + 1), max(bottom, top + 1))))
+    return INK if ImageStat.Stat(part.convert("L")).mean[0] >= _DARK else LIGHT_INK
 
 
 def write_legend(image: Image.Image, entries: Sequence[tuple[Colour | None, str]]) -> None:
-    """Write into the lower right corner of an image what colours mean, and words without one."""
+    """Write into the lower right corner of an image what colours mean, and words without one.
+
+    A line that would reach the scale in the lower left corner is continued above.
+    """
     size = max(11, min(18, image.height // 30))
     draw = ImageDraw.Draw(image)
-    right, low = image.width - size * 0.7, image.height - size * 0.7
+    margin, low = image.width - size * 0.7, image.height - size * 0.7
+    right = margin
     for colour, text in reversed(entries):
         font, written = writing(text, size)
+        square = 1.2 * size if colour else 0.0
         left = right - draw.textlength(written, font=font)
-        draw.text((left, low), written, fill=INK, font=font, anchor="ls")
-        right = left - 0.8 * size
+        if left - square < image.width * _SCALE_SHARE and right < margin:
+            left, low = left + margin - right, low - 1.4 * size
+        fill = ink(image, draw.textbbox((left, low), written, font=font, anchor="ls"))
+        draw.text((left, low), written, fill=fill, font=font, anchor="ls")
         if colour:
-            square = (left - 1.2 * size, low - 0.75 * size, left - 0.4 * size, low + 0.05 * size)
-            draw.rectangle(square, fill=tuple(round(part * 255) for part in colour))
-            right -= 1.2 * size
+            box = (left - square, low - 0.75 * size, left - 0.4 * size, low + 0.05 * size)
+            draw.rectangle(box, fill=tuple(round(part * 255) for part in colour))
+        right = left - square - 0.8 * size
 
 
 def write(image: Image.Image, scene: Scene, camera: Camera) -> None:

@@ -6,7 +6,7 @@ from PIL import Image, ImageDraw
 
 from urdfkit.render.camera import Camera
 from urdfkit.render.fonts import writing
-from urdfkit.render.labels import INK
+from urdfkit.render.labels import ink
 
 #: Least numbers of grid squares and bars in the width of an image.
 _SQUARES, _BARS = 7, 6
@@ -39,12 +39,13 @@ def write_scale(image: Image.Image, camera: Camera, level: float) -> None:
     font, text = writing(f"{'' if bar else 'grid '}{_metres(length)}", size)
     draw = ImageDraw.Draw(image)
     left, low = size * 0.7, image.height - size * 0.7
+    base = low - size * 0.5 if bar else low
+    fill = ink(image, draw.textbbox((left, base), text, font=font, anchor="ls"))
     if bar:
         right, tick = left + bar * camera.scale, size * 0.3
         line = [(left, low - tick), (left, low), (right, low), (right, low - tick)]
-        draw.line(line, fill=INK, width=max(1, round(size / 9)))
-        low -= size * 0.5
-    draw.text((left, low), text, fill=INK, font=font, anchor="ls")
+        draw.line(line, fill=fill, width=max(1, round(size / 9)))
+    draw.text((left, base), text, fill=fill, font=font, anchor="ls")
 
 
 def _round(length: float) -> float:
