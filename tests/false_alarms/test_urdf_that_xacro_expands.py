@@ -1,10 +1,11 @@
-"""XAC003: a launch file runs xacro on what is called a plain URDF."""
+"""XAC003: a launch file expands what is called a plain URDF."""
 
 from pathlib import Path
 
 import pytest
 
 from tests.launched import MANIFEST
+from tests.workspaces import add_files
 from urdfkit import check
 
 ROBOT = """<robot name="r"><link name="${'base'}"/><link name="$(arg side)_arm"/>
@@ -48,3 +49,22 @@ def test_a_launch_file_that_expands_it(
         found = check(given, select=["XAC", "REF", "URD"])
         codes = {one.code for one in found.diagnostics if one.span.source.path.endswith("urdf")}
         assert codes == (set() if is_expanded else {"XAC003"})
+
+
+@pytest.mark.parametrize(("replaced", "count"), [("$(find arm)", 0), ("$(find base)", 1)])
+def test_a_launch_file_that_replaces_the_text(tmp_path: Path, replaced: str, count: int) -> None:
+    """A hexapod for gz-sim: only the path of its controllers is an expression."""
+    path = "<parameters>$(find arm)/config/controllers.yaml</parameters>"
+    plugin = f'<plugin filename="gz_ros2_control-system" name="p">{path}</plugin>'
+    robot = f'<robot name="r"><link name="base"/><gazebo>{plugin}</gazebo></robot>'
+    add_files(
+        tmp_path,
+        {
+            "package.xml": MANIFEST,
+            "r.urdf": robot,
+            "launch/a.launch.py": PYTHON.format(
+                f"open('r.urdf').read().replace('{replaced}', '/opt/arm')"
+            ),
+        },
+    )
+    assert len(check(tmp_path / "r.urdf", select=["XAC003"]).diagnostics) == count

@@ -4,7 +4,8 @@
   keep the text: an error. They ignore `<xacro:...>` without a message, so that the elements of the
   macro are missing from the robot: a warning. The file is a xacro without the namespace
   declaration, a part of a xacro that another file includes, or was saved before expansion. urdfkit
-  reads a file as a xacro if a launch file of the workspace passes it to xacro.
+  reads a file as a xacro if a launch file of the workspace passes it to xacro. What a launch file
+  that names the robot replaces in its text, as in `.replace("$(find arm)", path)`, is accepted.
 - In a xacro, because the dollar is missing. xacro replaces `${name}`, but not `{name}`: the link is
   then named `{prefix}wheel`, and a macro that is called twice creates two links of that name. In
   the reference of a `<gazebo>` block the name matches no link, and Gazebo drops the block. A
@@ -16,6 +17,7 @@ Sources:
     measured: 17 of 676 public .urdf files are a xacro, 7 models lack a dollar
 """
 
+import os
 import re
 
 from urdfkit.lint.rules import NAMES, Context, Finding, Findings, Severity, reported, rule
@@ -25,6 +27,7 @@ from urdfkit.text.editing.edits import fix_value
 from urdfkit.text.file_kinds import is_extension
 from urdfkit.text.grammar import is_expression
 from urdfkit.workspace.includes import is_named_by_arguments
+from urdfkit.workspace.launch_files import directories_of_launch_files, launch_files
 from urdfkit.xacro import Xacro
 
 NAME = "example.urdf.xacro"
@@ -41,6 +44,9 @@ FIXED = GOOD = BAD.replace('"{side}', '"${side}')
 
 #: The substitutions of xacro.
 _SUBSTITUTION = r"\$\(\s*(?:anon|arg|cwd|dirname|env|eval|find|optenv)\b"
+
+#: What a launch file in Python replaces: ``.replace("$(find arm)", path)``.
+_REPLACE = re.compile(rb"\.replace\(\s*['\"](\$[({][^'\"\n]{1,200}[)}])['\"]").findall
 
 _BRACES = r"(?<![$\w}])\{([A-Za-z_]\w*)\}"
 
@@ -61,7 +67,7 @@ def check(context: Context) -> Findings:
     if context.reading.xacro:
         yield from _without_dollar(context.document.root, _names(context.reading.xacro))
     elif (b"${" in data or b"$(" in data) and not _is_part(context):
-        yield from _expressions(context.document.root)
+        yield from _expressions(context.document.root, _replaced(context))
 
 
 def _is_part(context: Context) -> bool:
@@ -73,14 +79,31 @@ def _is_part(context: Context) -> bool:
     return len(names) == len(expressions) and is_named_by_arguments(path, names, packages)
 
 
-def _expressions(root: Element) -> Findings:
+def _replaced(context: Context) -> set[str]:
+    """The expressions that launch files replace in the text of the robot."""
+    found: set[str] = set()
+    name = os.path.basename(context.source.path).encode()
+    for place in directories_of_launch_files(context.source.path, context.resolver):
+        for launch in launch_files(*place, context.resolver):
+            if name in launch.data:
+                found.update(each.decode(errors="replace") for each in _REPLACE(launch.data))
+    return found
+
+
+def _expressions(root: Element, replaced: set[str]) -> Findings:
     """Expressions in a plain URDF."""
+
+    def rest(text: str) -> str:
+        for expression in replaced:
+            text = text.replace(expression, "")
+        return text
+
     for element in root.walk():
         for attribute in element.attributes.values():
-            if is_expression(attribute.value):
+            if is_expression(rest(attribute.value)):
                 yield _unexpanded(attribute, f'{attribute.name}="{attribute.value}"')
         text = element.text.strip()
-        if not element.children and _is_of_xacro(text):
+        if not element.children and _is_of_xacro(rest(text)):
             yield _unexpanded(element, f"<{element.tag}>{text}")
 
 
