@@ -75,6 +75,23 @@ def test_the_frame_of_odometry_comes_from_elsewhere() -> None:
 
 
 @pytest.mark.parametrize(
+    ("frame", "drive", "count"),
+    [
+        ("base_sim", "", 1),
+        ("base_sim", "gz-sim-diff-drive-system", 0),
+        ("footprnt", "gz-sim-diff-drive-system", 1),
+    ],
+)
+def test_the_frame_of_the_true_pose(frame: str, drive: str, count: int) -> None:
+    """A robot with a drive, whose odometry drifts, and a publisher of its pose in the world."""
+    robot = BASE + child("footprint", "fixed")
+    robot += plugin(
+        "gz-sim-odometry-publisher-system", f"<robot_base_frame>{frame}</robot_base_frame>"
+    )
+    assert len(messages("GAZ058", robot + (plugin(drive) if drive else ""))) == count
+
+
+@pytest.mark.parametrize(
     ("file", "tag", "count"),
     [
         ("gz-sim-odometry-publisher-system", "odom_frame", 1),

@@ -13,7 +13,8 @@ versions read. Only Fortress reads `<ignition_frame_id>`, too, and only Gazebo f
 reads `<frame_id>`. Images of a camera have the frame in the `<optical_frame_id>` of `<camera>`,
 except in Jetty, which no longer reads it. Without ROS there is no TF, and a missing frame is an
 info; so it is if a PosePublisher publishes the poses of the sensors under these names. The plugin
-of a custom sensor, such as a lidar of RGL, has a parameter of its own for the frame.
+of a custom sensor, such as a lidar of RGL, has a parameter of its own for the frame. Next to a
+drive, which publishes odometry, an OdometryPublisher gives the true pose: it may have other frames.
 
 Sources:
     REP 105, frames: https://www.ros.org/reps/rep-0105.html
@@ -32,6 +33,7 @@ from urdfkit.lint.rules import Confidence, Context, Finding, Findings, Need, Sev
 from urdfkit.robot.model import RobotModel
 from urdfkit.robot.samples import robot_xml
 from urdfkit.ros.catalog.sensors import types
+from urdfkit.ros.gazebo.drives import drive_of
 from urdfkit.ros.gazebo.plugins import PluginParameter, PluginUse
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, sensor_xml, solid_xml
 from urdfkit.ros.gazebo.sensors import Sensor, sensors
@@ -56,6 +58,7 @@ _READ = {
 #: Types of sensors whose images have the frame in the ``<optical_frame_id>`` of ``<camera>``.
 _OPTICAL = ("camera", "depth", "depth_camera", "rgbd", "rgbd_camera")
 _POSES = "gz-sim-pose-publisher-system@gz"
+_ODOMETRY = "gz-sim-odometry-publisher-system@gz"
 #: Parts of the names of frames and parameters that are not links of the robot.
 _ELSEWHERE = ("odom", "map", "world", "earth", "utm")
 
@@ -70,6 +73,7 @@ def check(context: Context) -> Findings:
 def _unknown(context: Context) -> Findings:
     known = context.model.links_by_name
     suggester = Suggester([link for link in known if not link.startswith("/")])
+    own = _frames_of_truth(context)
     for who, at, name in _frames(context):
         bare = name.strip("/").rpartition("/")[2]
         if not bare or is_expression(name):
@@ -79,11 +83,21 @@ def _unknown(context: Context) -> Findings:
             yield Finding(at, message, f"write {name.strip('/')}", fix_value(at, name.strip("/")))
         elif bare not in known and name not in known and not _is_of_the_world(name):
             suggested = suggester.suggested(name)
+            if not suggested and any(at is each for each in own):
+                continue
             help = f"did you mean '{suggested}'?" if suggested else "name a link of the robot"
             message = f"{who}: frame_id '{name}' is not a link of the robot"
             yield Finding(
                 at, message, help, fix_value(at, suggested), confidence=Confidence.INFERRED
             )
+
+
+def _frames_of_truth(context: Context) -> list[Element | Attribute]:
+    """The frames of odometry next to that of a drive: those of a true pose, which may be others."""
+    if not any(map(drive_of, context.plugins)):
+        return []
+    publishers = (use for use in context.plugins if use.plugin and use.plugin.id == _ODOMETRY)
+    return [item.at for use in publishers for item in use.items]
 
 
 def _frames(context: Context) -> Iterator[tuple[str, Element | Attribute, str]]:
