@@ -21,8 +21,33 @@ def test_all_programs_in_one_table(capsys: pytest.CaptureFixture[str]) -> None:
     rows = {line.split()[0]: line.split()[1:] for line in lines[3:12]}
     assert rows["mujoco"] == ["2", "2.2", "2", "A", "welded"]
     assert rows["pybullet"] == ["4", "6.2", "2", "A", "free"]
-    assert lines[-1] == "A: shoulder, elbow"
+    assert lines[13] == "A: shoulder, elbow"
+    assert lines[15:] == [
+        "masses differ:",
+        "  isaac-sim: 1 body has no mass: PhysX computes it from the collision shapes",
+        "  mujoco, pinocchio: 3 kg of links welded to the world have no effect",
+        "  pybullet: 1 link without <inertial> gets 1 kg by default",
+    ]
     assert all(len(line) <= 80 for line in lines)
+
+
+def test_masses_of_links_without_inertial_and_the_same_sum_in_another_order(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    masses = "".join(
+        f'<link name="l{n}"><inertial><mass value="{mass}"/><inertia ixx="1" ixy="0" ixz="0" '
+        f'iyy="1" iyz="0" izz="1"/></inertial></link><joint name="j{n}" type="fixed"><parent '
+        f'link="b"/><child link="l{n}"/></joint>'
+        for n, mass in enumerate((0.1, 0.2, 0.3, 51.53485))
+    )
+    shapes = '<collision><geometry><box size="1 1 1"/></geometry></collision>' * 2
+    file = tmp_path / "a.urdf"
+    file.write_text(f'<robot name="r"><link name="b">{shapes}</link>{masses}</robot>')
+    assert main(["importers", str(file)]) == 0
+    out = capsys.readouterr().out
+    rows = {line.split()[0]: line.split()[2] for line in out.splitlines()[3:12]}
+    assert rows["drake"] == rows["genesis"] == rows["yourdfpy"]
+    assert "  newton: 1 link without <inertial> gets 2000 kg from collision shapes\n" in out
 
 
 def test_a_robot_that_is_no_tree_is_told_above_the_table(

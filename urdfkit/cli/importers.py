@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from itertools import groupby
+from math import isclose
 from typing import Any
 
 from urdfkit.cli import gazebo, options, output
@@ -15,6 +16,7 @@ from urdfkit.ros.importers.changes import changes
 from urdfkit.ros.importers.facts import GAZEBO, IMPORTERS, ImporterFacts, UnknownImporter, selected
 from urdfkit.ros.importers.imported import Imported, ImportedBody, ImportedJoint
 from urdfkit.ros.importers.index_map import IndexMap, index_map
+from urdfkit.ros.importers.mass_differences import ROUNDING, mass_differences
 from urdfkit.text.diagnostic import Diagnostic, Severity
 from urdfkit.text.source import Span, shown
 from urdfkit.text.terminal import RED
@@ -122,6 +124,18 @@ def _overview(robots: list[Imported]) -> Iterator[str]:
     yield ""
     for order, letter in orders.items():
         yield from output.indented(", ".join(order) or "no joints", f"{letter}: ", "   ")
+    yield from _masses(robots)
+
+
+def _masses(robots: list[Imported]) -> Iterator[str]:
+    """Why masses differ, the programs with the same cause in one line."""
+    programs: dict[str, list[str]] = {}
+    for imported in robots:
+        for cause in mass_differences(imported):
+            programs.setdefault(cause, []).append(imported.facts.name)
+    yield from ["", "masses differ:"] if programs else []
+    for cause, names in programs.items():
+        yield from output.indented(cause, f"  {', '.join(names)}: ")
 
 
 def _moving(imported: Imported) -> list[ImportedBody]:
@@ -132,7 +146,11 @@ def _moving(imported: Imported) -> list[ImportedBody]:
 def _total(imported: Imported) -> str:
     masses = [body.mass for body in _moving(imported)]
     known = [mass for mass in masses if mass is not None]
-    return f"{sum(known):g}" if len(known) == len(masses) else "?"
+    if len(known) < len(masses):
+        return "?"
+    total, whole = sum(known), imported.tree.model.mass
+    # The same masses in another order may round to another last digit.
+    return f"{whole if isclose(total, whole, rel_tol=ROUNDING) else total:g}"
 
 
 def _root(imported: Imported) -> str:

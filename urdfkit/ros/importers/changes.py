@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import isclose
 
 from urdfkit.core.record import Record
 from urdfkit.robot.joint import Joint
 from urdfkit.robot.link import Link
 from urdfkit.ros.importers.imported import Imported, ImportedBody
+from urdfkit.ros.importers.mass_differences import ROUNDING
 from urdfkit.ros.importers.orders import WORLD
 from urdfkit.text.document import Element
 
@@ -55,17 +57,13 @@ def _masses(robot: Imported, body: ImportedBody) -> Iterator[Change]:
 
 
 def _mass(robot: Imported, link: Link, mass: float) -> Iterator[Change]:
-    if abs(mass - link.mass) <= _ROUNDING * max(mass, link.mass):
+    if isclose(mass, link.mass, rel_tol=ROUNDING):
         return
     is_computed = bool(robot.facts.density and link.collisions)
     mass_source = "from its collision shapes" if is_computed else "by default"
     original = "no <inertial>" if link.inertial is None else f"{link.mass:g} kg"
     at = (link.inertial or link).at
     yield Change(at, f"link '{link.name}' with {original} gets {mass:.4g} kg {mass_source}")
-
-
-#: Relative difference up to which masses are equal.
-_ROUNDING = 1e-9
 
 
 def _tensors(robot: Imported) -> Iterator[Change]:
