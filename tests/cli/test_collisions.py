@@ -98,7 +98,7 @@ def test_an_srdf_is_written_compared_and_updated(
 ) -> None:
     srdf = tmp_path / "bent.srdf"
     assert main(["collisions", bent, *FEW, "-o", str(srdf)]) == 0
-    assert capsys.readouterr().err == f"{srdf} written\n"
+    assert capsys.readouterr().err == f"wrote {srdf}\n"
     assert main(["collisions", bent, *FEW, "--compare", str(srdf)]) == 0
     assert "differs from this" in capsys.readouterr().out
     wrong = srdf.read_text().replace(
@@ -108,7 +108,7 @@ def test_an_srdf_is_written_compared_and_updated(
     assert main(["collisions", bent, *FEW, "--compare", str(srdf)]) == 1
     assert "disabled in the SRDF, but can collide" in capsys.readouterr().out
     assert main(["collisions", bent, *FEW, "-o", str(srdf)]) == 0
-    assert capsys.readouterr().err == f"{srdf} updated\n"
+    assert capsys.readouterr().err == f"updated {srdf}\n"
     written = srdf.read_text()
     assert main(["collisions", bent, *FEW, "-o", "-"]) == 0
     printed = capsys.readouterr()
@@ -172,3 +172,23 @@ def test_a_urdf_is_not_an_srdf(tmp_path: Path, capsys: pytest.CaptureFixture[str
         assert main(["collisions", str(path), option, str(path), "--samples", "0"]) == 2
         assert "not an SRDF file" in capsys.readouterr().err
     assert path.read_bytes() == text
+
+
+def test_shapes_omitted_for_one_reason_are_one_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shape = '<collision><geometry><mesh filename="no.stl"/></geometry></collision>'
+    links = "".join(f'<link name="l{number}">{shape}</link>' for number in range(12))
+    joints = "".join(
+        f'<joint name="j{number}" type="fixed"><parent link="l0"/><child link="l{number}"/></joint>'
+        for number in range(1, 12)
+    )
+    file = tmp_path / "r.urdf"
+    file.write_text(f'<robot name="r">{links}{joints}</robot>')
+    assert main(["collisions", str(file)]) == 0
+    said = capsys.readouterr().out.split("\n\n")[1:]
+    assert len(said) == 1
+    assert said[0].split() == (
+        "omitted: collision 1 of links 'l0', 'l1', 'l2', 'l3', 'l4', 'l5', 'l6', 'l7' and 4 more: "
+        "the file is missing"
+    ).split()

@@ -17,6 +17,7 @@ from urdfkit.core import atomic
 from urdfkit.core.strict_json import dumped
 from urdfkit.text.editing import rewriting
 from urdfkit.text.source import Source
+from urdfkit.text.source import shown as shown_path
 
 if TYPE_CHECKING:
     from urdfkit.physics.collision.matrix import Matrix
@@ -93,5 +94,4 @@ def _write(matrix: Matrix, path: str) -> None:
         rewriting.write(rewriting.rewrites(srdf_edits(matrix, Source.read(path))))
     else:
         atomic.write(path, new_srdf(matrix))
-    action = "updated" if exists else "written"
-    print(f"{path} {action}", file=sys.stderr)
+    print(f"{'updated' if exists else 'wrote'} {shown_path(path)}", file=sys.stderr)

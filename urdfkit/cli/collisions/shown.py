@@ -28,6 +28,8 @@ _MEANING = {
 
 #: Most pairs in a list of text; the rest are counted. JSON contains all.
 _MOST = 30
+#: Most links in a sentence about omitted shapes.
+_MOST_LINKS = 8
 _WIDTH = 80
 
 
@@ -186,10 +188,17 @@ def _notes(matrix: Matrix, comparison: MatrixComparison | None) -> Iterator[str]
             f"{len(matrix.units)} collision meshes state another unit than the metre, which was "
             f"{treatment} (--units)."
         )
-    for shape in matrix.omitted[:_MOST]:
-        yield f"omitted: collision {shape.number + 1} of link '{shape.link}': {shape.reason}"
-    if len(matrix.omitted) > _MOST:
-        yield f"omitted: {len(matrix.omitted) - _MOST} more"
+    yield from _omitted(matrix)
+
+
+def _omitted(matrix: Matrix) -> Iterator[str]:
+    """The omitted shapes, those with one reason together."""
+    causes: dict[tuple[int, str], list[str]] = {}
+    for shape in matrix.omitted:
+        causes.setdefault((shape.number + 1, shape.reason), []).append(f"'{shape.link}'")
+    for (number, reason), links in causes.items():
+        word = "link" if len(links) == 1 else "links"
+        yield f"omitted: collision {number} of {word} {few(links, _MOST_LINKS)}: {reason}"
 
 
 def _frequency(pair: PairResult) -> str:
