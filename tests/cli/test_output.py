@@ -36,3 +36,27 @@ def test_errors_of_one_code_are_counted_after_the_first_ones() -> None:
         "  and 29 more (JNT002)",
         "  a.urdf:99: no link",
     ]
+
+
+def test_a_name_that_is_too_long_has_a_line_and_the_others_stay_in_their_column(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("COLUMNS", "40")
+    values = "1.0 2.0 3.0 4.0 5.0"
+    rows = [("base", values), ("a_link_with_a_very_long_name", values), ("", values)]
+    assert list(output.two_columns([*rows, ("tip", values)])) == [
+        f"base {values}",
+        "a_link_with_a_very_long_name",
+        f"     {values}",
+        f"     {values}",
+        f"tip  {values}",
+    ]
+
+
+def test_values_below_their_names_if_most_names_are_too_long(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("COLUMNS", "40")
+    values = "1.0 2.0 3.0 4.0 5.0 6.0 7.0"
+    rows = [("left_wheel_link", values), ("right_wheel_link", values), ("a", values)]
+    assert list(output.two_columns(rows))[:2] == ["left_wheel_link", f"  {values}"]

@@ -94,8 +94,7 @@ def _write(proposals: Sequence[InertiaProposal], *, is_diff: bool) -> int:
 
 def table(proposals: Sequence[InertiaProposal]) -> Iterator[str]:
     """Two lines for each link: declared, and computed with the verdict."""
-    head = " ".join(f"{word:>9}" for word in ("mass / kg", "ixx", "iyy", "izz"))
-    rows = [("link", f"{'':<9} {head}")]
+    rows = [("link", f"{'':<9} {'mass / kg':>9} {'ixx, iyy, izz / kg·m²':>29}")]
     notes: dict[str, list[str]] = {}
     for proposal in proposals:
         rows.append((proposal.link.name, _row("declared", proposal.declared)))

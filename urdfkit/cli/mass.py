@@ -75,7 +75,7 @@ def _moments(masses: MassTable) -> Iterator[str]:
     rows = []
     for row in masses.rows:
         shapes = _three(row.of_shapes[0], 8) if row.of_shapes else ""
-        rows.append((row.link, f"{_three(row.moments, 8)}  {_axes(row.axes):<6} {shapes}"))
+        rows.append((row.link, f"{_three(row.moments, 8)}  {_axes(row.axes):<7} {shapes}"))
     if masses.moments and masses.axes:
         rows.append(("total", f"{_three(masses.moments, 8)}  {_axes(masses.axes)}"))
     yield from output.two_columns(rows)
@@ -99,12 +99,12 @@ def _unknown(masses: MassTable) -> Iterator[str]:
 
 
 def _axes(axes: Rotation) -> str:
-    """The axes as letters if they are parallel to the link's axes, else ``turned``."""
+    """The axes as letters if they are parallel to the link's axes, else ``rotated``."""
     letters = []
     for column in zip(*axes, strict=True):
         largest = max(range(3), key=lambda index: abs(column[index]))
         if abs(column[largest]) < 1 - 1e-6:
-            return "turned"
+            return "rotated"
         letters.append("xyz"[largest])
     return " ".join(letters)
 

@@ -169,20 +169,27 @@ def _short(value: float, width: int) -> str:
 
 
 def two_columns(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
-    """Lines with names and descriptions: in two columns, or below each name if too wide.
+    """Lines with names and descriptions in two columns; below a name that is too long.
+
+    If most names are too long, each description is below its name.
 
     Args:
         rows: a row without a name continues the previous row.
     """
     rows = list(rows)
-    widest = max((columns(name) for name, _ in rows), default=0)
-    fits = widest + 1 + max((columns(text) for _, text in rows), default=0) <= width()
-    for name, text in rows:
-        if fits:
-            yield f"{name}{' ' * (widest - columns(name))} {text}".rstrip()
-        else:
+    room = width() - 1 - max((columns(text) for _, text in rows), default=0)
+    fitting = [columns(name) for name, _ in rows if name and columns(name) <= room]
+    if 2 * len(fitting) < sum(bool(name) for name, _ in rows):
+        for name, text in rows:
             yield from [name] if name else []
             yield f"  {text}".rstrip()
+        return
+    column = max(fitting, default=0)
+    for name, text in rows:
+        is_long = columns(name) > column
+        yield from [name] if is_long else []
+        start = " " * column if is_long else f"{name}{' ' * (column - columns(name))}"
+        yield f"{start} {text}".rstrip()
 
 
 def wrapped(text: str) -> list[str]:

@@ -130,7 +130,11 @@ def render(loads: Statics, model: RobotModel, *, posed: bool = False) -> Iterato
     yield from output.two_columns(rows)
     weakest = loads.weakest
     if weakest is not None and weakest.worst > NOISE:
-        pose = [f"{name} {place:.3f}" for name, place in weakest.pose.items() if abs(place) >= 5e-4]
+        pose = [
+            f"{name} {place:.3f} {model.joints_by_name[name].unit}"
+            for name, place in weakest.pose.items()
+            if abs(place) >= 5e-4
+        ]
         yield ""
         yield from output.wrapped(f"highest load: {weakest.joint}, at {', '.join(pose) or 'zero'}")
     for load in loads.loads:

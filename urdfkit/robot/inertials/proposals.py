@@ -64,7 +64,7 @@ class InertiaProposal(Record):
     def verdict(self) -> str:
         """The result of the comparison.
 
-        ``agrees``, ``near``, ``turned``, ``differs``, ``impossible``, ``missing`` or ``unknown``.
+        ``agrees``, ``near``, ``rotated``, ``differs``, ``impossible``, ``missing`` or ``unknown``.
         """
         if self.computed is None:
             return "unknown"
@@ -79,12 +79,12 @@ class InertiaProposal(Record):
         if self.factor > SAME_SHAPE_FACTOR:
             return "near"
         difference = dist(self.declared.tensor, self.computed.tensor)
-        return "agrees" if difference <= _MAX_TENSOR_DISTANCE * high else "turned"
+        return "agrees" if difference <= _MAX_TENSOR_DISTANCE * high else "rotated"
 
     @property
     def is_doubtful(self) -> bool:
         """True if the declared inertia should be replaced."""
-        return self.verdict in ("turned", "differs", "impossible", "missing")
+        return self.verdict in ("rotated", "differs", "impossible", "missing")
 
     def lines(self) -> list[str]:
         """The computed inertia as an ``<inertial>``.
