@@ -167,3 +167,20 @@ def test_the_frame_of_gazebo_above_a_link_of_another_launch_file(
         f"    arguments=['--frame-id', 'amr/base/camera', '--child-frame-id', '{child}'])]\n"
     )
     assert len(reported(tmp_path / "arm", "LAU023", "a.launch.py", text, files)) == count
+
+
+@pytest.mark.parametrize(
+    ("parameter", "count"), [("tf_prefix", 0), ("frame_prefix", 0), ("publish_frequency", 1)]
+)
+def test_several_robots_whose_frames_have_prefixes(
+    tmp_path: Path, parameter: str, count: int
+) -> None:
+    """HeRo: four robots of one description, each with its `tf_prefix`, which Noetic has again."""
+    node = (
+        '<node pkg="robot_state_publisher" type="robot_state_publisher" name="of_{0}">'
+        '<param name="{1}" value="1{0}"/></node>'
+    )
+    text = '<param name="robot_description" textfile="$(dirname)/../robot.urdf"/>'
+    text += "".join(node.format(number, parameter) for number in range(2))
+    files = {"robot.urdf": '<robot name="r"><link name="base"/></robot>'}
+    assert len(reported(tmp_path / "arm", "LAU021", "a.launch", text, files)) == count

@@ -423,3 +423,17 @@ def test_a_type_below_a_second_ros_parameters(tmp_path: Path, above: str, count:
     text = driving.DRIVE.replace("      type: diff", f"{above}      type: dif")
     found = driving.reported(tmp_path, "RCT034", text)
     assert [one.message.partition(":")[0] for one in found] == ["controller 'drive'"] * count
+
+
+@pytest.mark.parametrize(
+    ("name", "count"),
+    [("gazebo_ros2_control", 0), ("gazebo_ros_control", 0), ("gazebo_ros_p3d", 1)],
+)
+def test_a_control_plugin_that_an_argument_adds(name: str, count: int) -> None:
+    """LimX: `use_gazebo`, false by default; the transmissions are for ROS 1."""
+    drive = plugin("libgazebo_ros_planar_move.so", "<commandTopic>cmd_vel</commandTopic>")
+    added = f'<xacro:if value="$(arg s)">{plugin(f"lib{name}.so")}</xacro:if>'
+    parts = (ROBOT, transmission("swing"), drive, added)
+    text = xacro_xml('<xacro:arg name="s" default="false"/>', *parts).encode()
+    found = reported("RCT010", text, "robot.urdf.xacro", ("classic-ros1",))
+    assert len(found) == count

@@ -26,10 +26,10 @@ def test_a_camera_of_gazebo_is_not_turned_away() -> None:
 
 @pytest.mark.parametrize(("pose", "count"), [("1.5708 -1.5708 0", 0), ("1.5708 0 0", 1)])
 def test_a_camera_of_gazebo_that_looks_along_z(pose: str, count: int) -> None:
-    """The camera of a CRANE+ looks down on the table, and Gazebo's pose says so, too."""
+    """A camera that looks up, and Gazebo's pose says so, too."""
     sensor = f'<sensor name="s" type="camera"><pose>0 0 0 {pose}</pose></sensor>'
     camera = f'<gazebo reference="camera_optical_frame">{sensor}</gazebo>'
-    assert len(reported("JNT030", robot("0 3.14159 1.5708") + camera)) == count
+    assert len(reported("JNT030", robot("0 0 -1.5708") + camera)) == count
 
 
 def test_a_camera_whose_z_points_down() -> None:
@@ -66,6 +66,9 @@ def test_the_fix_keeps_the_digits_of_the_file() -> None:
     [
         ("-1.57 0 -1.57", "camera_link", "camera_optical_frame"),
         ("-1.2 0 -1.57", "camera_link", "camera_optical_frame"),  # tilted
+        # CRANE+: tilted by 90 degrees, as it looks down on the table
+        ("0 3.14159 1.5708", "camera_link", "camera_optical_frame"),
+        ("3.14159 0 -1.5708", "camera_link", "camera_optical_frame"),
         # mujoco_ros2_control: the frame of a camera in MuJoCo, which looks along -z
         ("3.14159 0 0", "camera", "camera_optical_frame"),
         ("0 0 0", "camera_optical_frame", "camera_optical_frame_2"),

@@ -24,6 +24,8 @@ from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Value
 
 _PUBLISHER = "robot_state_publisher"
+#: Its parameter that begins the names of all frames, in ROS 2 and in ROS 1.
+_PREFIXES = ("frame_prefix", "tf_prefix")
 #: The nodes of robot_localization that estimate a state, and their topic.
 _FILTERS, _FILTERED = ("ekf_node", "ukf_node"), "odometry/filtered"
 #: A filter that publishes a transform by default.
@@ -56,7 +58,7 @@ def second_publisher(context: Context, programs: list[StartedProgram]) -> Findin
 def _is_plain(program: StartedProgram) -> bool:
     """True for a node without a namespace, remappings and a frame prefix."""
     is_known = program.namespace == "" and not program.is_remapped
-    return is_known and "frame_prefix" not in program.parameters.values
+    return is_known and not any(name in program.parameters.values for name in _PREFIXES)
 
 
 def second_odometry(context: Context, programs: list[StartedProgram]) -> Findings:

@@ -7,7 +7,8 @@ down: rpy="-pi/2 0 -pi/2" rotates the one into the other (REP 103).
   above or behind the robot; with rpy="pi/2 0 pi/2" they are upside down. This rpy is right if z of
   the camera's frame points down, as for a camera mounted upside down or an underwater vehicle.
   rpy="pi 0 0" is not reported in a robot without Gazebo tags: the frame of the camera may be that
-  of MuJoCo, OpenGL or USD. Nor is an optical frame along whose z a camera of Gazebo looks.
+  of MuJoCo, OpenGL or USD. Nor is an optical frame along whose z a camera of Gazebo looks, or that
+  of a camera that looks straight down, with x to the right: rpy="pi 0 -pi/2".
 - A camera of Gazebo is on an optical frame: a sensor looks along x of its link, so the camera looks
   to the right. Put it on the camera's own link.
 - The images have the frame_id of the camera's own link, which is x-forward: objects straight ahead
@@ -43,6 +44,8 @@ _RIGHT, _RIGHT_DOWN = "-1.5707963 0 -1.5707963", "1.5707963 0 1.5707963"
 _OPTICAL: Rotation = ((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0), (0.0, -1.0, 0.0))
 #: The same rotation if z of the camera's frame points down.
 _OPTICAL_DOWN: Rotation = ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+#: The optical frame of a camera that is tilted by 90 degrees, so that it looks down.
+_OPTICAL_TILTED: Rotation = ((0.0, -1.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 0.0, -1.0))
 #: From the frame of a camera in MuJoCo, OpenGL or USD, which looks along -z with y up.
 _OPTICAL_OF_OPENGL: Rotation = ((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0))
 #: Beginnings of words in the names of cameras that do not look forward.
@@ -75,6 +78,7 @@ def check(context: Context) -> Findings:
             or any(word.startswith(_ELSEWHERE + _NO_CAMERAS) for word in optical.lower().split("_"))
             or not _is_square(rotation)
             or _is_near(rotation, _OPTICAL)
+            or _is_near(rotation, _OPTICAL_TILTED)
             or (_is_near(rotation, _OPTICAL_OF_OPENGL) and not context.model.gazebo)
             or _is_near(_from_mount(context, camera, rotation), _OPTICAL)
             or _is_view_of_gazebo(context, optical)

@@ -4,7 +4,8 @@ Without the plugin nothing loads the hardware: the joints are not actuated and t
 manager does not answer. Two plugins in one namespace start two controller managers of the same
 name, and both drive the joints. A misspelt `<robotSimType>` of gazebo_ros_control is also reported:
 "Failed to create robot simulation interface loader". Transmissions of ROS 1 without the plugin are
-an info if some are of a class of the robot's own, which its hardware loads.
+an info if some are of a class of the robot's own, which its hardware loads. They are not reported
+if another value of an argument adds a plugin.
 
 Sources:
     gz_ros2_control: https://github.com/ros-controls/gz_ros2_control/blob/rolling/doc/index.rst
@@ -16,8 +17,13 @@ import re
 from urdfkit.core.grouping import repeated
 from urdfkit.core.suggest import CLOSE_TYPO, nearest
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
+from urdfkit.lint.switched_off import all_sources
 from urdfkit.robot.samples import robot_xml
-from urdfkit.ros.catalog.ros_control import control_plugin_libraries, simulated_hardware
+from urdfkit.ros.catalog.ros_control import (
+    control_plugin,
+    control_plugin_libraries,
+    simulated_hardware,
+)
 from urdfkit.ros.gazebo.samples import ARM, control_xml, driven_xml, gazebo_xml, plugin_xml
 from urdfkit.ros.ros_control import (
     DEFAULT_SIM,
@@ -26,6 +32,7 @@ from urdfkit.ros.ros_control import (
     control_plugins,
     is_of_pr2,
 )
+from urdfkit.text.comments import blank_comments
 from urdfkit.text.document import Element
 
 BAD = ARM + control_xml("gazebo_ros2_control/GazeboSystem", driven_xml("shoulder"))
@@ -41,6 +48,8 @@ _WITH_CLASS = "gazebo_ros_control"
 #: Most directories that are searched for models in SDF.
 _MAX_DIRECTORIES = 2000
 _SDF = (".sdf", ".sdf.xacro")
+#: The library of a plugin.
+_LIBRARY = rb"""<plugin\b[^<>]*\bfilename\s*=\s*["']([^"'<>]*)"""
 
 
 @rule(
@@ -97,6 +106,7 @@ def _missing(context: Context) -> Findings:
         and "classic-ros1" in context.targets.names
         and context.plugins
         and not may_load
+        and not _is_switched_off(context)
     ):
         yield Finding(
             transmissions[0],
@@ -115,6 +125,13 @@ def _is_in_sdf(context: Context, library: str) -> bool:
     files = resolver.directories.files_below(directory, _MAX_DIRECTORIES)
     models = (resolver.readable(path) for path in files if path.endswith(_SDF))
     return any(library.encode() in model.data for model in models if model)
+
+
+def _is_switched_off(context: Context) -> bool:
+    """True if a file of the robot has a control plugin, which an argument disables."""
+    texts = (blank_comments(source.data) for source in all_sources(context))
+    files = (file for text in texts for file in re.findall(_LIBRARY, text))
+    return any(control_plugin(file.decode("utf-8", "replace")) for file in files)
 
 
 def _has_own_loader(transmission: Element) -> bool:
