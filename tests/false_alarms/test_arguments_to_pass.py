@@ -223,6 +223,32 @@ def test_a_default_that_names_no_file(tmp_path: Path, default: str, code: str) -
     assert ("'model'" in found.message) is (code == "XAC010")
 
 
+@pytest.mark.parametrize(
+    ("default", "name", "code"),
+    [
+        ("", "base$(arg drive).xacro", "XAC010"),
+        ("", "base${drive}.xacro", "XAC010"),
+        ("2WD", "base$(arg drive).xacro", "XAC001"),
+        ("", "bases$(arg drive).xacro", "XAC001"),
+        ("", "base.xacro", "XAC001"),
+    ],
+)
+def test_an_empty_part_of_the_name_of_a_file(
+    tmp_path: Path, default: str, name: str, code: str
+) -> None:
+    """Romea: the program that tests the hardware passes the kind of the drive."""
+    content = f'<xacro:arg name="drive" default="{default}"/>'
+    content += (
+        f'<xacro:property name="drive" value="$(arg drive)"/><xacro:include filename="{name}"/>'
+    )
+    add_file(tmp_path / "base4WD.xacro", XACRO.format("").encode())
+    robot = add_file(
+        tmp_path / "r.xacro", XACRO.replace("$(arg model)", "r").format(content).encode()
+    )
+    (found,) = check(robot, select=["XAC001", "XAC010"]).diagnostics
+    assert found.code == code
+
+
 def test_a_default_with_which_a_file_does_not_exist(tmp_path: Path) -> None:
     """Stretch 4: the argument has a default, and its own name is no other one."""
     content = '<xacro:arg name="batch" default="none"/>'

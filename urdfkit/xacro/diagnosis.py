@@ -163,6 +163,7 @@ def argument_of_missing_file(
     if isinstance(cause, FileNotFoundError):
         argument = _placeholder(optional, cause.filename)
         argument = argument or _without_name(optional, cause.filename, written)
+        argument = argument or _empty_in_name(optional, cause.filename, written)
     elif isinstance(cause, IsADirectoryError):
         empty = [item for item in optional if item.attributes.get("default") == ""]
         argument = empty[0] if len(empty) == 1 else None
@@ -205,6 +206,27 @@ def _without_name(optional: Iterable[Definition], file: str, written: str) -> De
         return None
     found = [item for item in found if item.name in written] or found
     return found[0] if len(found) == 1 else None
+
+
+def _empty_in_name(optional: Iterable[Definition], file: str, written: str) -> Definition | None:
+    """The argument that is empty, and is a part of the name of a file of which there are others.
+
+    Without it, ``base$(arg drive).xacro`` is ``base.xacro``, next to ``base4WD.xacro``.
+    """
+    siblings = disk.names_or_empty(os.path.dirname(file))
+    for argument in optional:
+        name = re.escape(argument.name)
+        use = rf"\$\(arg\s+{name}\s*\)|\$\{{\s*{name}\s*\}}"
+        before, *others = re.split(use, written)
+        if argument.attributes.get("default") != "" or len(others) != 1:
+            continue
+        start, end = re.split(r"[/\"']", before)[-1], re.split(r"[\"']", others[0])[0]
+        if any(
+            other.startswith(start) and other.endswith(end) and len(other) > len(start + end)
+            for other in siblings
+        ):
+            return argument
+    return None
 
 
 def classify(defined: Definitions, error: BaseException) -> tuple[str, str, str]:
