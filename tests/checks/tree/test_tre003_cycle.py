@@ -63,3 +63,9 @@ def test_a_joint_to_itself_is_reported_once() -> None:
 def test_a_joint_without_ends_is_reported_elsewhere() -> None:
     for end in ('<parent link="a"/>', '<child link="a"/>', ""):
         assert not reported("TRE003", f'<link name="a"/><joint name="j" type="fixed">{end}</joint>')
+
+
+def test_a_loop_through_a_link_that_is_there_twice_is_a_consequence() -> None:
+    """The platform and the arm both have a `base_link`: NAM001 says it."""
+    assert reported("TRE003", robot("a b a", "a b", "b a")) == []
+    assert len(reported("TRE003", robot("a b c c", "a b", "b a"))) == 1

@@ -6,12 +6,15 @@ closed mechanism as a tree: omit one joint of the loop, preferably a passive one
 in the simulator. MuJoCo closes it with `<connect>` or `<weld>` in `<equality>`, PyBullet with
 `createConstraint`, Drake with `<drake:linear_bushing_rpy>`, Gazebo Classic with a `<joint>` of SDF
 within `<gazebo>`; RViz and MoveIt show the tree alone. The child of a joint is the link that moves.
+A loop through a link that is defined twice is a consequence of NAM001.
 
 Sources:
     URDF, robot: https://wiki.ros.org/urdf/XML/robot
     urdfdom, model.cpp: https://github.com/ros/urdfdom/blob/rolling/urdf_parser/src/model.cpp
     Drake, URDF parser: https://github.com/RobotLocomotion/drake/blob/master/multibody/parsing/detail_urdf_parser.cc
 """
+
+from collections import Counter
 
 from urdfkit.lint.rules import Context, Finding, Findings, Related, Severity, rule
 from urdfkit.robot.joint import Joint
@@ -42,7 +45,10 @@ def check(context: Context) -> Findings:
             yield Finding(
                 joint.child or joint.at, message, "name the link that this joint moves as its child"
             )
+    counts = Counter(link.name for link in context.model.links)
     for loop in context.tree.cycles:
+        if any(counts[joint.parent_name] > 1 for joint in loop):
+            continue
         yield Finding(
             loop[-1].child or loop[-1].at,
             f"a closed loop of {len(loop)} joints: {_shown(loop)}",
