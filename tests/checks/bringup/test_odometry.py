@@ -12,6 +12,11 @@ DRIVE = """
 controller_manager: {ros__parameters: {base: {type: diff_drive_controller/DiffDriveController}}}
 base: {ros__parameters: {left_wheel_names: [l], right_wheel_names: [r]}}
 """
+FIXED = NODE.format(
+    "tf2_ros",
+    "static_transform_publisher",
+    "arguments=['--frame-id', '{}', '--child-frame-id', '{}']",
+)
 
 
 @pytest.mark.parametrize(("topic", "count"), [("base/odom", 0), ("wheel/odom", 1)])
@@ -43,6 +48,9 @@ def test_odometry_of_another_launch_file(tmp_path: Path, topic: str, count: int)
         ("false", "false", NODE.format("rf2o_laser_odometry", "rf2o", ""), 0),
         ("false", "false", NODE.format("watching", "watch", ""), 1),
         ("false", "false", NODE.format("sending", "send", ""), 0),
+        ("false", "false", FIXED.format("map", "odom"), 1),
+        ("false", "false", FIXED.format("odom", "base_link"), 0),
+        ("false", "false", FIXED.format("map", "base_link"), 0),
         (
             "false",
             "false",

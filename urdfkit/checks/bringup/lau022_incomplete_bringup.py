@@ -13,6 +13,8 @@
 - A spawner looks for the controller manager in another namespace, or under another name: "Could not
   contact service /controller_manager/list_controllers". A relative name is in the namespace of the
   spawner; in ROS 1 the manager is in the `<robotNamespace>` of gazebo_ros_control.
+- Nothing starts a controller manager: the robot that is spawned in Gazebo has no control plugin, as
+  with other arguments of its description.
 
 A launch file is not checked if it includes unavailable files that are not part of ROS.
 
@@ -35,6 +37,7 @@ from urdfkit.checks.bringup.known_programs import (
 from urdfkit.checks.bringup.mismatched_names import (
     manager_in_another_namespace,
     missing_description,
+    missing_manager,
     unpublished_description,
     unread_description,
     untyped_controllers,
@@ -100,6 +103,7 @@ def check(context: Context) -> Findings:
         yield from _unpublished_joint_states(context, programs)
     if of_robot and are_topics_known(context):
         yield from manager_in_another_namespace(context, of_robot)
+        yield from missing_manager(context, of_robot)
 
 
 def _missing_broadcaster(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:

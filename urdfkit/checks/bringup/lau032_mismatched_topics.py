@@ -50,6 +50,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severi
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
+from urdfkit.ros.launch.transforms import static_transform
 from urdfkit.ros.node_parameters import nodes_in_files
 from urdfkit.text.located_yaml import Value, scalar
 from urdfkit.workspace.program_strings import may_publish
@@ -123,6 +124,8 @@ def _unpublished_odometry(context: Context) -> Findings:
 
 def _may_publish_transforms(program: StartedProgram, context: Context) -> bool:
     """True if a program, next to filters and drives, may publish transforms."""
+    if _is_of_other_frames(program):
+        return False
     if program.package == "tf2_ros" or is_known_reader(program):
         return program.package == "tf2_ros"
     return may_publish(program.package, "Transform", context.source.path, context.resolver)
@@ -152,9 +155,18 @@ def _navigation_without_odometry(context: Context) -> Findings:
 def _may_move(program: StartedProgram, context: Context) -> bool:
     """True if a program may publish the transform of the robot."""
     is_still = _STILL.fullmatch(program.package) or is_known_reader(program)
-    if is_still and program.package not in _MOVING:
+    if (is_still and program.package not in _MOVING) or _is_of_other_frames(program):
         return False
     return may_publish(program.package, "TransformStamped", context.source.path, context.resolver)
+
+
+def _is_of_other_frames(program: StartedProgram) -> bool:
+    """True for a static transform that is not the one from odometry, or a map, to the robot."""
+    transform = static_transform(program)
+    if transform is None:
+        return False
+    parent, child = transform.parent.text or "odom", transform.child.text or "base"
+    return "odom" not in parent and "base" not in child
 
 
 def _switches_of_drives(

@@ -1,10 +1,11 @@
-"""Programs that expect a topic or a controller manager under another name than it has."""
+"""Programs that wait for a topic or a controller manager that is missing or has another name."""
 
 from collections.abc import Iterator
 
 from urdfkit.checks.bringup.rviz_displays import unpublished_models
 from urdfkit.checks.bringup.workspace_launches import programs_of, workspace_launches
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Related
+from urdfkit.ros.catalog.ros_control import simulated_hardware
 from urdfkit.ros.launch.argument_checks import is_included
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.releases import is_for_jazzy
@@ -17,7 +18,7 @@ from urdfkit.ros.launch.spawned_controllers import (
     topic_name,
 )
 from urdfkit.ros.launch.spawning import model_spawner, spawn_option
-from urdfkit.ros.ros_control import control_plugins, namespace_of
+from urdfkit.ros.ros_control import components, control_plugins, namespace_of
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 from urdfkit.workspace.launch_files import launch_files
@@ -89,6 +90,35 @@ def manager_in_another_namespace(
                 if node.is_ros_2
                 else f'write ns="{other.rpartition("/")[0] or "/"}"',
                 related=(Related(place, "the controller manager is started here"),),
+            )
+
+
+def missing_manager(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
+    """A robot in Gazebo whose controllers are spawned, though it has no control plugin."""
+    spawner = next((node for node in programs if node.is_sure and spawns_controllers(node)), None)
+    models = [node for node in programs if model_spawner(node)]
+    are_of_ros = all(comes_with_ros(node.package) for node in programs)
+    if spawner is None or len(models) != 1 or spawn_option(models[0], "file") or not are_of_ros:
+        return
+    if any(True for _ in _managers(context, programs)):
+        return
+    for description, robot in context.described_robots:
+        hardware = [component.hardware for component in components(robot.model)]
+        may_be_loaded = any(
+            use.plugin is None or "control" in use.filename for use in robot.plugins
+        )
+        # Hardware of Gazebo without its plugin is reported in the description.
+        if (
+            description.is_whole
+            and not may_be_loaded
+            and simulated_hardware().keys().isdisjoint(hardware)
+        ):
+            yield Finding(
+                Location(description.frame.call.span, description.frame.outer),
+                "the spawners wait for a controller manager, which nothing starts: this robot has "
+                "no control plugin of Gazebo",
+                "pass the arguments of xacro with which it has the plugin, or add the plugin to it",
+                related=(Related(spawner.span, "a spawner"),),
             )
 
 
