@@ -47,4 +47,4 @@ def test_a_robot_without_a_control_plugin(
     files = {"r.urdf": f"<robot name='r'>{robot(joint('swing', 'continuous'))}{more}</robot>"}
     found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
     waiting = [one for one in found if "no control plugin" in one.message]
-    assert [(one.span.line, one.related[0].span.line) for one in waiting] == [(2, 3)] * count
+    assert [(one.span.line, one.related[0].span.line) for one in waiting] == [(1, 3)] * count
