@@ -138,6 +138,33 @@ def test_what_it_names(tmp_path: Path) -> None:
     assert found.span.line == 2
 
 
+WORLD = """
+from ament_index_python.packages import get_package_share_directory
+from launch.actions import IncludeLaunchDescription
+
+world = get_package_share_directory("{}") + "/worlds/hall.sdf"
+simulation = get_package_share_directory("ros_gz_sim") + "/launch/gz_sim.launch.py"
+IncludeLaunchDescription(simulation, launch_arguments={{"gz_args": [{}]}}.items())
+"""
+
+
+@pytest.mark.parametrize("package", ["arm", "tool"])
+def test_a_world_in_a_command_line(tmp_path: Path, package: str) -> None:
+    """Also of another package, whose own build installs it."""
+    own = CMAKE.format("launch") if package == "tool" else CMAKE.format("launch urdf")
+    made = {
+        "CMakeLists.txt": own,
+        f"../{package}/worlds/hall.sdf": "<sdf version='1.9'><world name='hall'/></sdf>",
+        "../tool/package.xml": "<package format='3'><name>tool</name></package>",
+        "../tool/CMakeLists.txt": CMAKE.format("config"),
+    }
+    for world in ("world", '"-r " + world', 'f"-r {world}"'):
+        text = WORLD.format(package, world)
+        (found,) = of_launch(tmp_path / "arm", "PKG002", "a.launch.py", text, made)
+        assert found.message.startswith("'worlds/hall.sdf' is not installed by ")
+        assert found.message.endswith(f"{package}/CMakeLists.txt")
+
+
 @pytest.mark.parametrize("pattern", ["'launch/*.launch.py'", "os.path.join('launch', '*.xml')"])
 def test_a_pattern_that_does_not_match(tmp_path: Path, pattern: str) -> None:
     setup = SETUP.format(pattern)

@@ -21,6 +21,7 @@ from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
+from urdfkit.ros.launch.worlds import worlds
 from urdfkit.text.file_kinds import has_launch_name, is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.install_rules import InstallRules
@@ -43,8 +44,8 @@ FILES = {
 def check(context: Context) -> Findings:
     packages = context.resolver.packages
     if is_launch(context.source.path):
-        if home := packages.enclosing(context.source.path):
-            yield from _uninstalled(context, *home, _launched(context, home[1]))
+        for home, named in _launched(context).items():
+            yield from _uninstalled(context, *home, named)
         return
     sources: dict[tuple[str, str], list[Source]] = {}
     for source in context.document.sources:
@@ -106,14 +107,20 @@ def _included(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
                 yield relative, frame.call.attribute_spans().get("filename", frame.call.span)
 
 
-def _launched(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
-    """A launch file, and the files of its own package that it names, relative to the package."""
+def _launched(context: Context) -> dict[tuple[str, str], list[tuple[str, Span]]]:
+    """A launch file, and the files that it names, relative to their packages, by package."""
+    packages = context.resolver.packages
     own = os.path.abspath(context.source.path)
-    if not os.path.relpath(own, directory).startswith("launch"):
-        return  # a test or an example, which stay in the source tree
+    home = packages.enclosing(own)
+    if home is None or not os.path.relpath(own, home[1]).startswith("launch"):
+        return {}  # a test or an example, which stay in the source tree
     named = [(file.path, file.span) for file in context.launch.files if file.exists]
+    named += [(world.name, world.span) for world in worlds(context.launch) if not world.frame]
     itself = [(own, Span(context.source, 0, 0))] if has_launch_name(own) else []
-    for path, span in [*itself, *named]:
-        relative = os.path.relpath(path, directory)
-        if os.sep in relative and not relative.startswith(os.pardir):
-            yield relative, span
+    found: dict[tuple[str, str], list[tuple[str, Span]]] = {}
+    for path, span in (*itself, *named):
+        package = packages.enclosing(path) if os.path.isabs(path) else None
+        relative = os.path.relpath(path, package[1]) if package else ""
+        if package and os.sep in relative:
+            found.setdefault(package, []).append((relative, span))
+    return found
