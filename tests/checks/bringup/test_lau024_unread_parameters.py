@@ -190,6 +190,39 @@ def test_filters_of_a_costmap(tmp_path: Path, values: str, count: int) -> None:
     assert ["does not load 'k'" in one for one in found] == [True] * count
 
 
+SCANS = "b: {{plugin: 'nav2_costmap_2d::{}', {}scan: {{topic: /scan, marking: true}}}}"
+
+
+@pytest.mark.parametrize(
+    ("values", "count"),
+    [
+        (SCANS.format("ObstacleLayer", ""), 1),
+        (SCANS.format("VoxelLayer", ""), 1),
+        (SCANS.format("ObstacleLayer", "observation_sources: scan, "), 0),
+        (SCANS.format("InflationLayer", ""), 0),
+        (SCANS.format("ObstacleLayer", "").replace("topic", "a").replace("marking", "b"), 0),
+    ],
+)
+def test_sources_of_a_layer_that_lists_none(tmp_path: Path, values: str, count: int) -> None:
+    found = messages("LAU024", tmp_path, COSTMAP_OF.format(values))
+    assert ["reads no 'scan'" in one for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ("odom0: /odom, odom0_config: [true]", ""),
+        ("odom0_config: [true]", "does not read odom0_config"),
+        ("imu0: /imu, odom0_config: [true], odom0: /odom", "nothing of imu0 is read"),
+    ],
+)
+def test_inputs_of_a_filter(tmp_path: Path, values: str, words: str) -> None:
+    node = 'package="robot_localization", executable="ekf_node", name="ekf"'
+    yaml = f"ekf: {{ros__parameters: {{{values}}}}}\n"
+    found = messages("LAU024", tmp_path, yaml, f'{node}, parameters=["../a.yaml"]', "")
+    assert [words in one for one in found] == [True] * bool(words)
+
+
 @pytest.mark.parametrize(
     ("values", "suggested"), [("odom0_confg: 1", ""), ("two_d_mod: true", "two_d_mode")]
 )

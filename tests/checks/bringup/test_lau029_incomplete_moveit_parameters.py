@@ -26,7 +26,7 @@ def test_the_default_pipeline(tmp_path: Path, default: str, loaded: str, count: 
     assert ["is not in planning_pipelines" in one for one in found] == [True] * count
 
 
-MOVE_GROUP = 'Node(package="moveit_ros_move_group", executable="move_group")\n'
+MOVE_GROUP = 'Node(package="moveit_ros_move_group", executable="move_group", parameters=[x])\n'
 SERVO = 'Node(package="moveit_servo", executable="servo_node", parameters=[{}])\n'
 LOADED = '{"moveit_servo": ParameterBuilder("arm").yaml("config/servo.yaml").to_dict()}'
 
@@ -187,6 +187,8 @@ PIPELINES = '{{"planning_pipelines": ["ompl"], "ompl": {}}}'
         ("{}", '{"robot_description_kinematics": load_yaml("arm", "solvers.yaml")}', ""),
         ("{}", '"a.yaml"', ""),
         ("{}", '{"robot_description": x}', "no robot_description_semantic"),
+        ("{}", '{"use_sim_time": True}', "no robot_description_semantic"),
+        ("{}", "{}", "no robot_description_semantic"),
         ("{}", '{"robot_description": x, "robot_description_semantic": y}', ""),
     ],
 )

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.driving import DRIVE, place, reported
+from tests.naming import naming
 
 
 @pytest.mark.parametrize(
@@ -50,6 +51,13 @@ def test_parameters_outside_of_ros_parameters(tmp_path: Path) -> None:
     text = DRIVE.replace("drive:\n  ros__parameters:\n    left", "drive:\n    left")
     (found,) = reported(tmp_path, "RCT026", text)
     assert place(found) == ("c.yaml", 5, "drive")
+
+
+def test_a_manager_without_ros_parameters(tmp_path: Path) -> None:
+    text = DRIVE.replace("manager:\n  ros__parameters:\n", "manager:\n")
+    (found,) = reported(tmp_path, "RCT026", text)
+    assert place(found) == ("c.yaml", 1, "controller_manager")
+    assert found.message == naming("controller_manager", "ros__parameters")
 
 
 @pytest.mark.parametrize(

@@ -33,6 +33,13 @@ def test_ros_2(tmp_path: Path, node: str, message: str) -> None:
     assert found.message.startswith(message)
 
 
+@pytest.mark.parametrize("more", ["", ", arguments=[]", ", parameters=[]"])
+def test_no_arguments(tmp_path: Path, more: str) -> None:
+    node = f"Node(package='ros_gz_sim', executable='create'{more})"
+    (found,) = reported(tmp_path, "LAU016", "a.launch.py", node)
+    assert found.message.startswith("create requires -file or")
+
+
 @pytest.mark.parametrize(
     ("args", "message"),
     [
@@ -56,7 +63,9 @@ def test_ros_1(tmp_path: Path, args: str, message: str) -> None:
         CREATE.format("'-topic', 'robot_description', '-name', 'r', '-z', '-0.5'"),
         CREATE.format("'-topic', topic, '--name=r', '-allow-renaming', 'true'"),
         CREATE.format("*more"),
-        CREATE.format("") + "\n" + CREATE.format("'-file', x, '--ros-args', '-q'"),
+        CREATE.format("'-file', x, '--ros-args', '-q'"),
+        "Node(package='ros_gz_sim', executable='create', **given)",
+        "Node(package='ros_gz_sim', executable='create', parameters=['a.yaml'])",
         CREATE.format("'-topic', 'robot_description_sim'"),
         CREATE.format("'-topic', 'robot_descriptions'") + "  # publishes robot_descriptions",
         CREATE.format("").replace("]", "], parameters=[{'topic': 'x'}]"),

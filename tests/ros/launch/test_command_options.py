@@ -37,6 +37,25 @@ def test_the_agent_of_micro_ros(tmp_path: Path, words: str, message: str) -> Non
 
 
 @pytest.mark.parametrize(
+    ("words", "count"),
+    [
+        ("[]", 1),
+        ('["--controller-manager", "/controller_manager"]', 1),
+        ('["arm"]', 0),
+        ("[name]", 0),
+        ("name.split()", 0),
+        ('["--controller", "arm"]', 0),
+        ('["--help"]', 0),
+    ],
+)
+def test_a_spawner_of_nothing(tmp_path: Path, words: str, count: int) -> None:
+    text = AGENT.replace("micro_ros_agent", "controller_manager", 1).format(words)
+    text = text.replace("micro_ros_agent", "spawner")
+    found = reported(tmp_path / "arm", "LAU036", "a.launch.py", text)
+    assert ["name no controller" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
     ("transport", "severity"),
     [("serail", Severity.ERROR), ("can", Severity.WARNING), ("spi", Severity.WARNING)],
 )

@@ -353,6 +353,12 @@ def test_the_builder_of_moveit(
     assert all(word in one for word, one in zip(words, found, strict=True))
 
 
+def test_a_builder_that_builds_nothing(tmp_path: Path) -> None:
+    text = MOVEIT.replace(".to_moveit_configs()", "").format(".joint_limits()", "to_dict()")
+    (found,) = reported(tmp_path / "arm", "LAU033", "a.launch.py", text)
+    assert found.message == "MoveItConfigsBuilder has no 'to_dict', unlike what it builds"
+
+
 @pytest.mark.parametrize(
     "source", ["uf_ros_lib.moveit_configs_builder import ", "uf_ros_lib import (\n    a,\n    "]
 )

@@ -71,3 +71,17 @@ def misplaced_source_parameters(node: NodeParameters) -> Findings:
                     f"'{node.name}' reads {key} of each source, not of '{name}'",
                     f"move it into the section of {lacking[0]}",
                 )
+
+
+def unlisted_sources(node: NodeParameters) -> Findings:
+    """The sections of sources in a layer without a list of sources."""
+    for name, section in node.values.items():
+        layer = mapping(section)
+        read = data("node_parameters")["of_sources"].get(plugin_class(layer), "").split()
+        for key, value in items(layer) if read and "observation_sources" not in layer else ():
+            if isinstance(value, dict) and not value.keys().isdisjoint(read):
+                yield Finding(
+                    key.span,
+                    f"'{node.name}' reads no '{key}': '{name}' has no observation_sources",
+                    f"write observation_sources: {key}",
+                )

@@ -14,8 +14,9 @@
 - A name is that of an earlier release, while other files are for Jazzy: `recoveries_server`,
   `progress_checker_plugin`, Nav2's own libraries in `plugin_lib_names`, a twist_mux without
   `use_stamped`.
-- Nothing of an input of robot_localization is read, as `odom0_config` or the like is missing. A
-  filter of a costmap is not in `filters` (info).
+- Nothing of an input of robot_localization is read, as `odom0_config` or `odom0` is missing, or of
+  the sources of a costmap's layer without `observation_sources`. A filter of a costmap is not in
+  `filters` (info).
 
 Sources:
     ROS 2, parameter files: https://docs.ros.org/en/rolling/How-To-Guides/Node-arguments.html
@@ -92,6 +93,7 @@ def check(context: Context) -> Findings:
         yield from parameter_sections.misplaced(section)
         yield from parameter_sections.unlisted_filters(section)
         yield from costmap_layers.misplaced_source_parameters(section)
+        yield from costmap_layers.unlisted_sources(section)
         yield from parameter_sections.unnumbered_filters(section)
         yield from _unread_inputs(section)
         yield from _of_other_level(section)
@@ -208,9 +210,14 @@ def _without_inputs(context: Context) -> Findings:
 
 
 def _unread_inputs(node: NodeParameters) -> Findings:
-    """Inputs of robot_localization without the list of what is read of them."""
+    """Inputs of robot_localization without the list of what is read of them, or the reverse."""
     if not any(CONFIGURATION.fullmatch(name) for name in node.values):
         return
+    for name, _ in items(node.values):
+        match = CONFIGURATION.fullmatch(name)
+        if match and match[1] not in node.values:
+            message = f"'{node.name}' does not read {name}: the topic {match[1]} is not given"
+            yield Finding(name.span, message, f"add {match[1]}: TOPIC, or remove {name}")
     for name, value in items(node.values):
         is_input = _INPUT.fullmatch(name) and isinstance(value, Value)
         if not is_input or f"{name}_config" in node.values:

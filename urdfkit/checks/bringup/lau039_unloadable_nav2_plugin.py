@@ -125,8 +125,13 @@ def _without_parameters(node: NodeParameters) -> Findings:
         if is_unread or has_default_plugins(node, key, defaults):
             continue
         for plugin in scalars(node.values.get(key)):
-            if plugin.text not in sections and f"{plugin.text}.plugin" not in node.values:
+            if f"{plugin.text}.plugin" in node.values:
+                continue
+            if plugin.text not in sections:
                 yield _without_section(node, plugin, key, sections, "its plugin")
+            elif "plugin" not in mapping(node.values[plugin.text]):
+                message = f"'{node.name}' stops: '{plugin.text}' of {key} has no plugin"
+                yield Finding(plugin.span, message, f"add plugin: CLASS to {plugin.text}")
 
 
 def _layers(node: NodeParameters) -> Findings:

@@ -183,6 +183,9 @@ def _unread_keys(root: Node) -> Iterator[tuple[Span, str, str]]:
     yield from _misspelt_manager(sections)
     for key, node in sections:
         inside = node.get(PARAMETERS)
+        if _node_of(key) == MANAGER and not any(map(_is_parameters, node)):
+            message = f"ROS 2 rejects the file: nothing in '{key}' is below {PARAMETERS}"
+            yield key.span, message, f"write {PARAMETERS}: below '{key}', and indent the rest"
         if _node_of(key) == MANAGER and isinstance(inside, dict):
             yield from _without_type(inside)
             yield from _below_manager(inside, dict(sections))

@@ -69,7 +69,8 @@ def check(context: Context) -> Findings:
                 )
             else:
                 yield from _value(context, option, word, place)
-        if is_known and program.words and not program.parameters.values:
+        given = program.parameters
+        if is_known and not given.values and (program.words or given.every is not None):
             yield from _missing(program, spawner, arguments)
 
 

@@ -9,7 +9,8 @@
 - ROS arguments are not as rcl reads them: `-p name=value`. ROS 2 ignores the parameters of ROS 1,
   `_name:=value` (warning).
 - An option of the spawner, of static_transform_publisher or of the agent of micro-ROS, or a verb or
-  state of `ros2 control`, does not exist, or no longer (info or warning).
+  state of `ros2 control`, does not exist, or no longer (info or warning). Or the spawner gets no
+  name of a controller.
 - Cartographer lacks one of its two options, or it is misspelt.
 - static_transform_publisher has a wrong number of arguments: a period after the frames belongs to
   ROS 1. Or its angles are in degrees.

@@ -12,13 +12,15 @@ from urdfkit.core.suggest import TYPO, nearest
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.cartographer import CARTOGRAPHER, REQUIRED
 from urdfkit.ros.launch.contents import StartedProgram, Word
-from urdfkit.ros.launch.spawned_controllers import has_value
+from urdfkit.ros.launch.spawned_controllers import has_value, spawns_controllers
 from urdfkit.text.diagnostic import Problem, Severity
 
 _ROS_ARGUMENTS = "--ros-args"
 #: The programs of Gazebo, which are no nodes, and the plugin by which Gazebo Classic is one.
 _GAZEBO, _OF_GAZEBO = ("gazebo", "gzserver", "gzclient", "gz", "ign"), "libgazebo_ros_init.so"
 _SPAWNER = "controller_manager/spawner"
+#: Its options that name a controller, or its type, or print a help.
+_NAMING = frozenset(("--controller", "-t", "--controller-type", "-h", "--help"))
 _AGENT = "micro_ros_agent/micro_ros_agent"
 #: A word of the launch file by which ROS is known to be newer than Galactic.
 _RECENT = b"ros_gz"
@@ -80,6 +82,11 @@ def _private_parameters(program: StartedProgram) -> Iterator[Problem]:
 
 def _spawner(program: StartedProgram) -> Iterator[Problem]:
     """Options that the spawner does not have: argparse stops at them."""
+    texts = [word.text for word in program.words]
+    if all(texts) and _NAMING.isdisjoint(texts) and not spawns_controllers(program):
+        message = "the spawner stops: its arguments name no controller"
+        help = "write the name of a controller as its first argument"
+        yield Problem("LAU036", program.span, message, help, severity=Severity.ERROR)
     facts = data("launch")["spawner"]
     known = facts["options"].split()
     is_value = False

@@ -100,7 +100,12 @@ def _unknown_names(call: ast.Call, values: Values) -> Iterator[Problem]:
 
 
 def unknown_attribute(node: ast.expr | None, values: Values) -> Iterator[Problem]:
-    """An attribute that the configuration of a builder does not have."""
+    """An attribute that the configuration of a builder does not have, or the builder itself."""
+    if isinstance(node, ast.Call) and called(node) == "to_dict" and is_configuration(node, values):
+        made = values.resolved(node.func.value if isinstance(node.func, ast.Attribute) else None)
+        if isinstance(made, ast.Call) and "to_moveit_configs" not in _methods(made):
+            message = "MoveItConfigsBuilder has no 'to_dict', unlike what it builds"
+            yield values.problem("LAU033", node, message, "call .to_moveit_configs() before")
     known = data("moveit")["builder"][""].split()
     is_other = _OTHER.search(values.source.data)
     if isinstance(node, ast.Attribute) and is_configuration(node, values) and not is_other:

@@ -43,11 +43,12 @@ def missing_of_move_group(file: PythonLaunchFile, node: ast.Call) -> Iterator[Pr
         return
     reader = _Reader(file)
     parameters = argument(node, None, "parameters")
-    items = values.items(parameters) if parameters else [None]
+    items = values.items(parameters) if parameters else []
     keys = {key for item in items for key in reader.keys(item)}
-    if _OPEN in keys:
+    if _OPEN in keys or any(keyword.arg is None for keyword in node.keywords):
         return
-    if _DESCRIPTION in keys and _SEMANTIC not in keys:
+    has_no_other = all(key.startswith("use_sim_time") for key in keys)
+    if _SEMANTIC not in keys and (_DESCRIPTION in keys or has_no_other):
         message = f"move_group gets no {_SEMANTIC}, and so no planning groups"
         help = f'add {{"{_SEMANTIC}": ...}} with the text of the SRDF'
         yield Problem("LAU029", values.span(node), message, help, severity=Severity.WARNING)

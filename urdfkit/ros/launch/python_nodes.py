@@ -10,6 +10,7 @@ from urdfkit.ros.launch.contents import (
     RVIZ,
     GivenParameters,
     StartedProgram,
+    Word,
     file_of,
     with_words,
 )
@@ -35,7 +36,8 @@ def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
     if not program.package or "rviz" in program.package:
         _record_rviz_configuration(file, words)
     executable = argument(call, None, "executable") or argument(call, None, "node_executable")
-    command = file.values.words(words)
+    has_more = any(keyword.arg is None for keyword in call.keywords)  # **arguments
+    command = (Word(None, file.values.span(call)),) if has_more else file.values.words(words)
     options = [word.text for word in (*command, *file.values.words(ros_arguments))]
     if ros_arguments is not None:
         options.insert(len(command), "--ros-args")

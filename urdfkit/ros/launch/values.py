@@ -288,7 +288,7 @@ class Values:
         return [key for key, _ in self.pairs(owner)]
 
     def words(self, node: ast.expr | None) -> tuple[Word, ...]:
-        """The words of a command line in a list; empty without a list."""
+        """The words of a command line in a list; empty without one."""
         if node is None:
             return ()
         place = self.span(node)
@@ -296,7 +296,7 @@ class Values:
         if isinstance(resolved, ast.Call) and called(resolved) == "split" and not resolved.args:
             owner = resolved.func.value if isinstance(resolved.func, ast.Attribute) else None
             text = self.text(owner)
-            return tuple(Word(word, place) for word in text.split()) if text else ()
+            return tuple(Word(word, place) for word in (text.split() if text else [None]))
         return tuple(
             Word(None, place) if item is None else Word(self.text(item), self.span(item))
             for item in self.items(node)
