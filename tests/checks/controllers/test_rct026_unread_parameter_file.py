@@ -57,7 +57,7 @@ def test_a_manager_without_ros_parameters(tmp_path: Path) -> None:
     text = DRIVE.replace("manager:\n  ros__parameters:\n", "manager:\n")
     (found,) = reported(tmp_path, "RCT026", text)
     assert place(found) == ("c.yaml", 1, "controller_manager")
-    assert found.message == naming("controller_manager", "ros__parameters")
+    assert found.message == naming("ROS 2", "controller_manager", "ros__parameters")
 
 
 @pytest.mark.parametrize(
