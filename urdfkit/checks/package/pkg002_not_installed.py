@@ -44,8 +44,8 @@ FILES = {
 def check(context: Context) -> Findings:
     packages = context.resolver.packages
     if is_launch(context.source.path):
-        for home, named in _launched(context).items():
-            yield from _uninstalled(context, *home, named)
+        for package, named in _launched(context).items():
+            yield from _uninstalled(context, *package, named)
         return
     sources: dict[tuple[str, str], list[Source]] = {}
     for source in context.document.sources:
