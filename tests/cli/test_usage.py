@@ -1,5 +1,8 @@
 """The command line as people type it: help, typos, and one line for what cannot be done."""
 
+import subprocess
+import sys
+
 import pytest
 
 from tests.shipped import GRIPPER
@@ -149,3 +152,15 @@ def test_usage_errors_begin_like_other_errors(
 def test_a_stream_is_no_directory(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main([*words, "-o", "-"]) == 2
     assert "'-' is not a directory" in capsys.readouterr().err
+
+
+def test_help_of_the_mesh_commands_without_their_libraries() -> None:
+    """A student looks at the help before installing anything."""
+    code = (
+        "import sys; sys.modules['numpy'] = None\n"
+        "from urdfkit.cli import main\nsys.exit(main(['mesh', '--help']))"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], check=False, capture_output=True, text=True)
+    assert (ran.returncode, ran.stderr) == (0, "")
+    assert "  simplify" in ran.stdout
+    assert "needs numpy, which is not installed" in " ".join(ran.stdout.split())

@@ -69,16 +69,22 @@ class LazyGroup(click.Group):
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         longest = max(map(len, self.names))
         limit = formatter.width - 6 - longest
+        missing: dict[str, None] = {}
         for heading, names in self.sections.items():
-            commands = {name: self.get_command(ctx, name) for name in names}
+            rows = []
+            for name in names:
+                try:
+                    command = self.get_command(ctx, name)
+                    text = command.get_short_help_str(limit) if command else ""
+                except MissingExtra as error:
+                    missing[str(error)] = None
+                    text = ""
+                rows.append((name.ljust(longest), text))
             with formatter.section(heading):
-                formatter.write_dl(
-                    [
-                        (name.ljust(longest), command.get_short_help_str(limit))
-                        for name, command in commands.items()
-                        if command
-                    ]
-                )
+                formatter.write_dl(rows)
+        for reason in missing:
+            formatter.write_paragraph()
+            formatter.write_text(reason)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
