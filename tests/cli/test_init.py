@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import MODELS
+from tests.shipped import GRIPPER
 from tests.xacros import HEAD
 from urdfkit.cli import main
 from urdfkit.lint.config_reader import load
@@ -133,3 +134,8 @@ def test_a_symbolic_link_is_not_followed(project: Path, capsys: pytest.CaptureFi
     assert main(["init"]) == 2
     assert "./urdfkit.toml: a link whose target does not exist" in capsys.readouterr().err
     assert not (project.parent / "outside.toml").exists()
+
+
+def test_a_file_is_not_a_directory(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["init", GRIPPER]) == 2
+    assert capsys.readouterr().err.endswith("gripper.urdf: is a file, not a directory\n")

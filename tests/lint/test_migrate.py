@@ -124,3 +124,19 @@ def test_of_a_file_that_cannot_be_read_nothing_is_claimed(
     assert captured.err.startswith(
         f"error: {file}: it cannot be read: the file is empty (XML001); see 'urdfkit"
     )
+
+
+def test_a_part_in_a_package_that_is_not_found_is_noted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "robot.xacro"
+    plugin = '<gazebo><plugin name="p" filename="libgazebo_ros_laser.so"/></gazebo>'
+    file.write_text(
+        '<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">\n<link name="a"/>'
+        f'{plugin}\n<xacro:include filename="$(find elsewhere)/lidar.xacro"/></robot>'
+    )
+    assert main(["migrate", str(file), "--to", "gz-harmonic"]) == 1
+    captured = capsys.readouterr()
+    assert "libgazebo_ros_laser.so" in captured.out
+    assert captured.err.startswith(f"note: only a part of the robot is migrated: {file}:3:")
+    assert "--package elsewhere=DIR" in captured.err

@@ -23,7 +23,12 @@ _NUMBERS = [name for name, value in Tolerances._field_defaults.items() if value 
 
 @described("diff")
 @with_robot_and_targets("BEFORE AFTER [NAME:=VALUE]...")
-@click.option("--format", "format", type=click.Choice([*SUFFIXES.values()]), help="[default: text]")
+@click.option(
+    "--format",
+    "format",
+    type=click.Choice([*SUFFIXES.values()]),
+    help="Output format. [default: text]",
+)
 @to_file("output_file", "Write to FILE; its suffix is the format.")
 @option(
     "--fail-on KINDS",

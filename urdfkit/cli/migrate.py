@@ -8,10 +8,13 @@ import click
 from urdfkit.cli import output, stdin
 from urdfkit.cli.decorators import described
 from urdfkit.cli.progress import working
-from urdfkit.cli.robot import one_robot, only_file, reading
+from urdfkit.cli.robot import first_error, one_robot, only_file, reading
+from urdfkit.errors import UnreadableRobot
 from urdfkit.lint.loading import read
 from urdfkit.lint.migrate import Migration, migrate
+from urdfkit.lint.options import Options
 from urdfkit.ros.targets import GAZEBO
+from urdfkit.text.source import Source
 from urdfkit.text.terminal import printable, wrap
 
 
@@ -36,14 +39,23 @@ def command(inputs: dict[str, Any], target: str) -> int:
     source = stdin.opened(file)
     with working():
         migration = migrate(source, target, opts.arguments, opts.packages, opts.trust)
-    if not any(migration):
-        robot = read(source, arguments=opts.arguments, packages=opts.packages, trust=opts.trust)
-        if not robot.is_readable or not robot.model.links:
-            output.note(f"{file}: has no links; macros change with the robot that calls them")
+    if not migration.unread:
+        _note_missing_parts(source, opts, file, is_empty=not any(migration))
     for file, reason in migration.unread.items():
         output.log(f"error: {file}: {reason}; see 'urdfkit check {file}'")
     output.write_diff("".join(render(migration, target)))
     return 2 if migration.unread else int(bool(migration.renamed or migration.left))
+
+
+def _note_missing_parts(source: str | Source, opts: Options, file: str, *, is_empty: bool) -> None:
+    """Note what a migration did not see: parts in packages that are not found, calls of macros."""
+    try:
+        robot = read(source, arguments=opts.arguments, packages=opts.packages, trust=opts.trust)
+    except UnreadableRobot as error:
+        output.note(f"only a part of the robot is migrated: {first_error(error, file)}")
+        return
+    if is_empty and not (robot.is_readable and robot.model.links):
+        output.note(f"{file}: has no links; macros change with the robot that calls them")
 
 
 def render(migration: Migration, target: str) -> Iterator[str]:

@@ -52,7 +52,10 @@ _NAMED = 5
 @click.option("--elevation", type=float, help="Camera elevation in degrees above the horizon.")
 @click.option("--distance", type=float, help="Camera distance in m. [default: fit the robot]")
 @option("--orthographic", "Orthographic projection.")
-@option("--size WIDTHxHEIGHT", f"Size in pixels. [default: {SIZE}]")
+@option(
+    "--size WIDTHxHEIGHT",
+    f"Size in pixels. [default: {SIZE}; {MOVING} for animations, {DIFFERENCE} with --diff]",
+)
 @option("--background COLOUR", "A name, #rrggbb, or 'transparent'.")
 @option("--no-ground", "Do not draw the ground.")
 @click.option(

@@ -20,7 +20,7 @@ from urdfkit.viewer.server import serve
     type=click.IntRange(0, 65535),
     default=0,
     show_default=False,
-    help="[default: a free one]",
+    help="Port of the server. [default: a free one]",
 )
 @option("--no-open", "Print the URL; do not open a browser.")
 @choice("--lang", of=LANGUAGES, help="Language of the page.")

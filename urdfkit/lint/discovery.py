@@ -241,7 +241,8 @@ def _repository(file: str, resolver: Resolver) -> str:
 def descriptions(directory: str, config: Config, directories: Directories) -> Iterator[str]:
     """The files below a directory that may be descriptions or parts of them, sorted."""
     if not disk.is_directory(directory):
-        raise UnreadableFile(f"{directory}: no such directory")
+        defect = "is a file, not a directory" if disk.exists(directory) else "no such directory"
+        raise UnreadableFile(f"{directory}: {defect}")
     count = 0
     for path in directories.walk(directory):
         is_part = path.lower().endswith(_INCLUDED)
