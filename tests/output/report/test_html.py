@@ -272,3 +272,16 @@ def test_the_data_of_a_page_is_json(page: Elements) -> None:
     (robot,) = re.findall(r'id="robot">(.*?)</script>', text)
     assert "<" not in robot
     assert [link["name"] for link in json.loads(robot)["links"]][:2] == ["dummy", "base_footprint"]
+
+
+def test_limits_have_units_and_a_short_axis_is_one_line(tmp_path: Path) -> None:
+    file = tmp_path / "r.urdf"
+    joints = "".join(
+        f'<link name="l{n}"/><joint name="j{n}" type="continuous"><parent link="a"/>'
+        f'<child link="l{n}"/><axis xyz="{axis}"/></joint>'
+        for n, axis in enumerate(("0 0 1", "0.26726124 0.53452248 0.80178373"))
+    )
+    file.write_text(f'<robot name="r"><link name="a"/>{joints}</robot>')
+    text, _ = report(str(file), "html", quick=True)
+    assert "<caption>Limits in rad, N·m and rad/s; of prismatic joints in m, N and m/s" in text
+    assert text.count('<td class="n short"><span') == 1
