@@ -110,8 +110,8 @@ def test_a_report_has_no_directory_of_its_author(
     ("text", "expected"),
     [
         (
-            "searched {0} and its parent directories, {0} (1 package)",
-            "searched . and its parent directories, . (1 package)",
+            "searched {0} and its parent directories, below {0} (1 package)",
+            "searched . and its parent directories, below . (1 package)",
         ),
         ("AMENT_PREFIX_PATH ({0}:/opt/ros/jazzy)", "AMENT_PREFIX_PATH (.:/opt/ros/jazzy)"),
         ('pip install -e "{0}[dynamics]"', 'pip install -e "{0}[dynamics]"'),

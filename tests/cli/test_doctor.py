@@ -192,3 +192,15 @@ def test_arguments_and_variants_of_the_configuration(doctor: Doctor) -> None:
     Path("urdfkit.toml").write_text(f'{entry}variants.a.side = "a"\nvariants.b.side = "b"\n')
     assert "select one with --variant (a, b)" in doctor("r.xacro", code=2)
     assert "\nr.xacro: xacro side:=b\n" in doctor("r.xacro", "--variant", "b")
+
+
+def test_a_launch_file_and_a_parameter_file_are_called_so(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name, text, kind in (
+        ("r.launch", "<launch/>", "launch file"),
+        ("c.yaml", "node:\n  ros__parameters: {}\n", "parameter file"),
+    ):
+        (tmp_path / name).write_text(text)
+        assert main(["doctor", str(tmp_path / name)]) == 0
+        assert f"{name}: {kind}\n" in capsys.readouterr().out

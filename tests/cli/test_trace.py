@@ -89,3 +89,13 @@ def test_the_name_of_a_link_alone(tmp_path: Path, capsys: pytest.CaptureFixture[
     file.write_text(ROBOT % "", encoding="utf-8")
     assert main(["trace", str(file), "a"]) == 2
     assert "did you mean 'link/a'?" in capsys.readouterr().err
+
+
+def test_another_format_lacks_no_element(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "m.sdf"
+    file.write_text('<sdf version="1.9"><model name="m"/></sdf>')
+    assert main(["trace", str(file), "link/base"]) == 2
+    assert "m.sdf: the root element is <sdf>, not <robot>" in capsys.readouterr().err
+    assert main(["trace", str(file), "model/m"]) == 0

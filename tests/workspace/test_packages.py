@@ -130,7 +130,7 @@ def test_links_in_circles_end(tmp_path: Path) -> None:
     os.symlink(elsewhere, tmp_path / "arm" / "linked")
     packages = finder()
     assert first(packages, "none", near) is None
-    assert packages.searched("none", str(near))[3] == f"{tmp_path / 'arm'} (2 packages)"
+    assert packages.searched("none", str(near))[3] == f"below {tmp_path / 'arm'} (2 packages)"
 
 
 def root(near: Path) -> tuple[str, str]:
@@ -320,8 +320,8 @@ def test_what_was_searched_is_reported(tmp_path: Path) -> None:
         f"{near.parent} and its parent directories",
         f"AMENT_PREFIX_PATH (/opt/a{os.pathsep}/opt/b)",
         "ROS_PACKAGE_PATH (not set)",
-        f"{tmp_path / 'repo' / 'arm'} (1 package)",
-        f"{tmp_path / 'repo'} (1 package)",
+        f"below {tmp_path / 'repo' / 'arm'} (1 package)",
+        f"below {tmp_path / 'repo'} (1 package)",
     )
 
 
@@ -334,7 +334,7 @@ def test_scans_are_bounded_and_say_so(tmp_path: Path, monkeypatch: pytest.Monkey
     add_package(tmp_path / "zzz_directory", "zzz")
     packages = finder()
     assert first(packages, "zzz", near) is None
-    assert f"{tmp_path} (1 package, stopped after 10 directories)" in packages.searched(
+    assert f"below {tmp_path} (1 package, stopped after 10 directories)" in packages.searched(
         "zzz", str(near)
     )
     monkeypatch.setattr(module, "MAX_DIRECTORIES", 1000)

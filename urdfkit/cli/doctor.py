@@ -33,6 +33,7 @@ from urdfkit.lint.discovery import discover
 from urdfkit.lint.engine import check
 from urdfkit.lint.rule_packages import installed
 from urdfkit.ros.targets import Targets, parse
+from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Source, shown
 from urdfkit.text.terminal import YELLOW
 from urdfkit.workspace.resolve import Resolver
@@ -153,6 +154,8 @@ def _file(path: str, values: dict[str, Any], config: Config) -> Iterator[str]:
     context = Context(source, resolver, entry.arguments, trust=trust, targets=chosen_targets)
     words = (f"{name}:={value}" for name, value in entry.arguments.items())
     kind = "plain XML" if context.reading.xacro is None else "xacro"
+    if context.is_bringup:
+        kind = "launch file" if is_launch(path) else "parameter file"
     yield f"{path}: {' '.join((kind, *words))}"
     yield from _packages(path, resolver)
     if context.reading.document is not None:

@@ -10,6 +10,7 @@ from urdfkit.cli.decorators import described
 from urdfkit.cli.progress import working
 from urdfkit.cli.robot import first_error, read_by_options, reading
 from urdfkit.errors import UnreadableRobot
+from urdfkit.lint.loading import require_robot_root
 from urdfkit.text.document import Attribute, Element, Step
 from urdfkit.text.source import Source, Span
 from urdfkit.xacro.origin import Origin
@@ -39,7 +40,7 @@ def command(file: str, address: str, arguments: tuple[str, ...], **values: Any) 
         urdfkit trace robot.urdf.xacro link/base_link
         urdfkit trace robot.urdf.xacro link/base_link/inertial/mass@value
     """
-    from urdfkit.text.locations import find
+    from urdfkit.text.locations import NoSuchElement, find
     from urdfkit.workspace.resolve import Resolver
     from urdfkit.xacro import expand
 
@@ -51,7 +52,11 @@ def command(file: str, address: str, arguments: tuple[str, ...], **values: Any) 
     if xacro.document is None:
         error = UnreadableRobot(f"{file} does not expand: {xacro.first_error}", xacro.problems)
         raise first_error(error, file)
-    target = find(xacro.document, address)
+    try:
+        target = find(xacro.document, address)
+    except NoSuchElement:
+        require_robot_root(xacro.document.root, source.path)
+        raise
     inputs = xacro.inputs(target) if isinstance(target, Attribute) else ()
     output.page(render(target, inputs))
     return 0

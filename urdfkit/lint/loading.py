@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from urdfkit.robot.model import RobotModel
     from urdfkit.ros.targets import Targets
     from urdfkit.text.diagnostic import Problem
+    from urdfkit.text.document import Element
     from urdfkit.xacro import Xacro
 
 
@@ -139,14 +140,22 @@ def require_robot(context: Context) -> None:
     """
     if context.reading.document is None:
         raise _unreadable(context.source, context.reading.problems)
-    root = context.document.root
-    if context.model.links or root.tag == "robot":
+    if not context.model.links:
+        require_robot_root(context.document.root, context.source.path)
+
+
+def require_robot_root(root: Element, path: str) -> None:
+    """Reject a document that is not a robot description.
+
+    Raises:
+        UnreadableRobot: the root element is not ``<robot>``.
+    """
+    if root.tag == "robot":
         return
     hint = ""
     if root.tag == "sdf" and root.child("world"):
         hint = "; a world is checked with the package that starts it: urdfkit check PACKAGE"
-    where = f"{context.source.path}: the root element is <{root.tag}>, not <robot>"
-    raise UnreadableRobot(where + hint)
+    raise UnreadableRobot(f"{path}: the root element is <{root.tag}>, not <robot>{hint}")
 
 
 def expand(

@@ -50,11 +50,11 @@ class PackageScan:
         return self._packages
 
     def summary(self) -> str:
-        """The scanned directory, the number of packages and whether a limit stopped the scan."""
+        """``below DIRECTORY``, the number of packages and whether a limit stopped the scan."""
         self.find("")
         is_done = self._next == len(self._queue)
         stopped = "" if is_done else f", stopped after {self._next} directories"
-        return f"{self.root} ({counted(len(self._packages), 'package')}{stopped})"
+        return f"below {self.root} ({counted(len(self._packages), 'package')}{stopped})"
 
     def _may_continue(self, started: float) -> bool:
         if self._next == len(self._queue) and self._ignored:

@@ -176,7 +176,7 @@ def test_line_ends_are_kept() -> None:
     [
         ('<robot name="r"><link></robot>', "r.urdf:1:17"),
         ("", "r.urdf"),
-        ("<launch/>", "not a robot, its root is <launch>"),
+        ("<launch/>", "the root element is <launch>, not <robot>"),
     ],
 )
 def test_what_cannot_be_laid_out(text: str, reason: str) -> None:

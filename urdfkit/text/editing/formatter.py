@@ -77,7 +77,7 @@ def _require_robot(source: Source) -> None:
         raise UnreadableRobot(reason, tuple(problems)) from None
     root = next(token for token in tokens(source.data) if token.kind in _TAGS)
     if root.name != "robot" and not is_xacro(source):
-        raise UnreadableRobot(f"{source.path}: not a robot, its root is <{root.name}>")
+        raise UnreadableRobot(f"{source.path}: the root element is <{root.name}>, not <robot>")
 
 
 class _Outline(Record):
