@@ -121,7 +121,7 @@ def test_robots_that_cannot_be_simulated(
 
 
 def test_image_and_animation_of_the_release(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     image = pytest.importorskip("PIL.Image")
     from urdfkit.cli import simulate
@@ -132,6 +132,7 @@ def test_image_and_animation_of_the_release(
     monkeypatch.setattr(animation, "FRAMES", 4)
     gif, png = tmp_path / "a.gif", tmp_path / "a.png"
     assert main(["simulate", str(ARM), "-o", str(gif), "-o", str(png)]) == 0
+    assert capsys.readouterr().out.splitlines()[-2:] == [f"wrote {gif}", f"wrote {png}"]
     with image.open(gif) as moving, image.open(png) as still:
         assert (moving.format, moving.size) == ("GIF", (64, 40))
         assert (still.format, still.size) == ("PNG", (64, 40))

@@ -65,7 +65,8 @@ def command(
 
         output.write(render(simulation, context.source.path))
     else:
-        output.json_or_page(format, lambda: simulation.facts, _page(simulation), COLORS)
+        page = [*_page(simulation), *(f"wrote {shown(path)}" for path in images)]
+        output.json_or_page(format, lambda: simulation.facts, page, COLORS)
     return int(not simulation.passes)
 
 

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 
 from urdfkit import __version__
+from urdfkit.core.words import counted
 from urdfkit.scan.summary import FACTS, MAX_EXAMPLES, Summary
 
 _STYLE = """
@@ -51,12 +52,13 @@ def html(summary: Summary, title: str) -> str:
 
 def _counts(summary: Summary) -> Iterator[str]:
     statuses = ", ".join(f"{count} {status}" for status, count in summary.statuses.items())
-    yield f"{summary.models} models: {statuses}"
+    yield f"{counted(summary.models, 'model')}: {statuses}"
     yield (
         f"{summary.with_errors} with errors, {summary.with_warnings} with warnings only, "
         f"{summary.clean} without errors and warnings"
     )
-    yield (f"{summary.redundant} copies of others; {summary.cpu_seconds:.1f} s of processor time")
+    copies = "1 copy" if summary.redundant == 1 else f"{summary.redundant} copies"
+    yield f"{copies} of others; {summary.cpu_seconds:.1f} s of processor time"
 
 
 def _tables(summary: Summary) -> Iterator[_Table]:
