@@ -47,6 +47,18 @@ DONE = END.format("return LaunchDescription([])")
             "module launch.actions has no TimeAction",
             "write TimerAction",
         ),
+        (
+            "from launch_ros.actions import Nodes\n" + HEAD + DONE,
+            1,
+            "module launch_ros.actions has no Nodes",
+            "write Node",
+        ),
+        (
+            "from launch.substitutions import LaunchSubstitution\n" + HEAD + DONE,
+            1,
+            "module launch.substitutions has no LaunchSubstitution",
+            "import a class that launch.substitutions has",
+        ),
     ],
 )
 def test_wrong_names(tmp_path: Path, text: str, line: int, message: str, help: str) -> None:

@@ -2,6 +2,7 @@
 
 import ast
 import builtins
+import re
 from collections.abc import Iterator
 from functools import lru_cache
 
@@ -22,6 +23,8 @@ _MODULE_ATTRIBUTES = frozenset(
 _PLAIN_IMPORTS = ("math", "os", "pathlib", "sys", "tempfile", "xacro", "yaml")
 #: What makes names in a way that is not read.
 _DYNAMIC = ("exec", "globals", "locals", "NameError", "ImportError", "ModuleNotFoundError")
+#: What precedes the last word of the name of a class, which says its kind: ``Substitution``.
+_HEAD = r"^.*(?=[A-Z])"
 
 
 def wrong_names(tree: ast.Module, values: Values) -> Iterator[Problem]:
@@ -89,7 +92,12 @@ def _right_import(module: str, name: str) -> str:
         return f"write from {modules[0]} import {name}"
     is_class = name[:1].isupper()  # a module of launch is not
     suggested = nearest(name, known, TYPO) if is_class and not modules else None
-    return f"write {suggested}" if suggested else ""
+    if suggested is None:
+        return ""
+    last, its_last = (re.sub(_HEAD, "", one) for one in (name, suggested))
+    heads = name.removesuffix(last), suggested.removesuffix(its_last)
+    is_meant = last != its_last or nearest(heads[0], heads[1:], TYPO)
+    return f"write {suggested}" if is_meant else f"import a class that {module} has"
 
 
 @lru_cache(1024)
