@@ -17,3 +17,15 @@ def test_both_names_are_reported(tmp_path: Path) -> None:
 def test_srdf_with_the_name_of_the_robot_is_used(tmp_path: Path) -> None:
     (tmp_path / "old.srdf").write_text('<robot name="old"/>')
     assert findings(tmp_path, "", "SRD011") == []
+
+
+@pytest.mark.parametrize(
+    ("robot", "named"), [("arm", "robot.srdf"), ("C:\\robots\\arm", "robot.urdf")]
+)
+def test_the_name_that_is_fixed(tmp_path: Path, robot: str, named: str) -> None:
+    """onshape-to-robot on Windows writes the path of the directory as the name."""
+    (tmp_path / "robot.urdf").write_text(f'<robot name="{robot}"><link name="base"/></robot>')
+    (tmp_path / "robot.srdf").write_text('<robot name="robot"/>')
+    (found,) = check(tmp_path / "robot.urdf", select=["SRD011"]).diagnostics
+    assert found.fix is not None
+    assert [edit.span.source.path.endswith(named) for edit in found.fix.edits] == [True]

@@ -34,5 +34,9 @@ def check(context: Context) -> Findings:
         message = (
             f"robot name '{name.value}' in the SRDF differs from '{context.model.name}' in the URDF"
         )
-        help = "give the SRDF the name of the robot"
-        yield Finding(name, message, help, fix_value(name, context.model.name))
+        help, fix = "give the SRDF the name of the robot", fix_value(name, context.model.name)
+        if any(mark in context.model.name for mark in "/\\"):  # onshape-to-robot on Windows
+            of_robot = context.document.root.attributes.get("name")
+            help = f"name the robot '{name.value}' in the URDF, where the name is a path"
+            fix = fix_value(of_robot, name.value) if of_robot else None
+        yield Finding(name, message, help, fix)
