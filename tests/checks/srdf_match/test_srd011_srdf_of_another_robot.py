@@ -2,8 +2,11 @@
 
 from pathlib import Path
 
+import pytest
+
 from tests.naming import naming
 from tests.srdfs import findings
+from urdfkit import check
 from urdfkit.text.diagnostic import Severity
 
 
