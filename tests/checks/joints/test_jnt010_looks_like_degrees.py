@@ -274,6 +274,24 @@ def test_a_wheel_is_not_steered_by_several_turns(name: str, end: str, count: int
 
 
 @pytest.mark.parametrize(
+    ("name", "end", "is_fixed"),
+    [
+        ("wheel1_joint", "180", False),  # the road wheels of a Bunker
+        ("wheel1_joint", "90", True),
+        ("wheel_steering", "180", True),
+        ("caster_wheel", "180", True),
+        ("arm", "180", True),
+    ],
+)
+def test_a_wheel_that_rolls_is_not_stopped_after_a_turn(
+    name: str, end: str, is_fixed: bool
+) -> None:
+    (found,) = reported("JNT010", robot(joint(name, "revolute", limit(f"-{end}", end))))
+    assert (found.fix is not None) is is_fixed
+    assert ('type="continuous"' in found.help) is not is_fixed
+
+
+@pytest.mark.parametrize(
     ("lower", "upper", "others", "count"),
     [
         ("-2.61799", "297.38201", 2, 1),  # ${300 - home}

@@ -59,6 +59,11 @@ _COMMON_ANGLES = frozenset((45, 90, 135, 180, 270, 360))
 #: Angles in degrees to which wheels are steered.
 _STEERING_ANGLES = frozenset(range(15, 91))
 
+#: Words in the names of joints at a wheel that does not roll.
+_NOT_ROLLING = ("steer", "swivel", "caster", "castor")
+#: Least limits of a wheel that rolls, in rad.
+_MIN_ROLLING = 180
+
 #: Placeholders for "far enough".
 _ROUND_ANGLES = frozenset((50, 100, 200, 300))
 
@@ -128,6 +133,13 @@ def _ends(joint: Joint) -> tuple[float, float] | None:
 def _limit(joint: Joint, lower: float, upper: float) -> Finding:
     assert joint.limit is not None
     turns = max(abs(lower), abs(upper)) / (2 * pi)
+    if _rolls(joint) and min(-lower, upper) >= _MIN_ROLLING:
+        return Finding(
+            joint.limit.at,
+            f"joint '{joint.name}' of wheel '{joint.child_name}' has limits [{lower:g}, {upper:g}] "
+            f"rad, after which it stops: {turns:.1f} turns",
+            'write type="continuous", without lower and upper',
+        )
     are_degrees = all(end == int(end) or abs(end) > _ONE_TURN for end in (lower, upper))
     edits = scale_limits(joint.limit.at, pi / 180) if are_degrees else None
     return Finding(
@@ -136,6 +148,11 @@ def _limit(joint: Joint, lower: float, upper: float) -> Finding:
         f"looks like degrees{'' if are_degrees else ' or a missing decimal point'}",
         fix=Fix.of("write the limits in radians", edits),
     )
+
+
+def _rolls(joint: Joint) -> bool:
+    names = f"{joint.name} {joint.child_name}".lower()
+    return "wheel" in names and not any(word in names for word in _NOT_ROLLING)
 
 
 def _may_be_degrees(ends: tuple[float, float]) -> bool:
