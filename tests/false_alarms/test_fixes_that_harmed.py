@@ -9,6 +9,7 @@ from tests.naming import naming
 from tests.reported import reported
 from urdfkit.lint.engine import check
 from urdfkit.lint.fix import fix
+from urdfkit.robot.samples import collision_xml, inertial_xml, joint_xml, link_xml, robot_xml
 
 #: RotorS' hummingbird: a published tensor; cylinder and box only stand for the body between arms.
 DRONE = """\
@@ -59,6 +60,19 @@ def test_of_a_measured_tensor_the_wrong_sign_alone_is_edited(tmp_path: Path) -> 
     fixes = fix(robot, unsafe=True)
     assert [one.code for one in fixes.applied] == ["INE006"]
     assert fixes.files[0].after.decode() == WRIST.replace('"0.02790"', '"-0.02790"')
+
+
+@pytest.mark.parametrize(("mass", "is_fixed"), [("1e-8", False), ("0.1", True)])
+def test_no_tensor_follows_from_a_placeholder_mass(mass: str, is_fixed: bool) -> None:
+    """SAM's propellers: 1e-8 kg and 1e-8 kg·m², of which 1e-13 would be left."""
+    prop = link_xml(
+        "prop",
+        collision_xml('<cylinder radius="0.04" length="0.02"/>'),
+        inertial_xml(mass, f"{mass} {mass} {mass}"),
+    )
+    joint = joint_xml("continuous", parent="hull", child="prop")
+    (found,) = reported("INE006", robot_xml(link_xml("hull"), prop, joint))
+    assert (found.fix is not None) is is_fixed
 
 
 def test_two_elements_do_not_become_the_same_one(tmp_path: Path) -> None:

@@ -65,6 +65,9 @@ _PURPOSES = (b"stabilis", b"stabiliz")
 #: Ratio of the mass that the joints of a link carry to its own, above which no fix is offered.
 _CARRIED = 300.0
 
+#: In kg: no part that a joint moves is so light, and no tensor follows from its mass.
+_WEIGHTLESS = 1e-5
+
 #: Products of inertia below this part of the largest moment hardly turn the axes.
 _SMALL_PRODUCT = 0.05
 
@@ -109,7 +112,9 @@ def _too_large(inertia: LinkInertia, masses: Masses, load: float | None) -> Find
         load: mass in kg that the joints of the link carry; None unless far more than its own.
     """
     diagnosis = diagnose_unlike_shape(inertia, masses)
-    if load is None:
+    if inertia.body.joint and inertia.body.mass <= _WEIGHTLESS:
+        help, fix = "write the mass of the part, and its tensor", None
+    elif load is None:
         help, fix = advice(inertia, diagnosis), replacement(inertia, diagnosis.tensor)
     else:  # only its inertia stabilises a steering link of 5 g between chassis and wheel
         help, fix = f"give it more mass first: its joints carry {load:.3g} kg", None
