@@ -332,3 +332,23 @@ def test_an_element_of_all_joints_is_for_another_program(count: int, severity: S
     )
     found = reported("URD001", f'<link name="base"/>{joints}')
     assert {one.severity for one in found} == {severity}
+
+
+@pytest.mark.parametrize(
+    ("count", "other", "severity"),
+    [
+        (4, '<dh_type type="1"/>', Severity.INFO),
+        (3, '<dh_type type="1"/>', Severity.WARNING),
+        (4, "", Severity.WARNING),
+    ],
+)
+def test_an_element_of_all_robots_is_for_another_program(
+    tmp_path: Path, count: int, other: str, severity: Severity
+) -> None:
+    """AUBO's arms: each has the kind of its kinematics."""
+    robot = '<robot name="r"><link name="base"/>{}</robot>'
+    for number in range(count):
+        text = robot.format(other if number else '<dh_type type="1"/>')
+        (tmp_path / f"arm{number}.urdf").write_text(text)
+    (found,) = check(tmp_path / "arm0.urdf", select=["URD001"]).diagnostics
+    assert found.severity is severity

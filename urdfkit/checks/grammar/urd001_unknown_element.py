@@ -9,8 +9,8 @@ Drake defines another tag with nearly the same name. xacro drops the root elemen
 file: if it is a `<link>`, its shapes are directly in the `<robot>`. An info is an element that a
 program in the same package, in a neighbouring one or in a dependency reads, an old tag whose
 attributes are all zero, a tag in the axis of a fixed joint, a tag that `<xacro:element>` creates,
-and one with data that resembles no tag of URDF and occurs four times or more: it is for another
-program.
+and one with data that resembles no tag of URDF and occurs four times or more, or directly in
+`<robot>` in four files of the directory: it is for another program.
 
 It is an error if a required element is misspelt: without `<inertial>` Gazebo drops the link with
 its children; without `<geometry>`, `<mass>` or a shape, urdfdom drops all shapes of the link;
@@ -27,7 +27,10 @@ import os
 import re
 from collections import Counter
 from collections.abc import Sequence
+from functools import lru_cache
+from itertools import islice
 
+from urdfkit.core import disk
 from urdfkit.core.words import more_like_this
 from urdfkit.lint.rules import (
     Context,
@@ -48,6 +51,7 @@ from urdfkit.text.grammar import calling_macro, owner, places_of
 from urdfkit.text.schema import SRDF_TAGS
 from urdfkit.text.source import shown
 from urdfkit.workspace.program_strings import xml_readers
+from urdfkit.workspace.resolve import Resolver
 
 BAD = link_xml("base", collision_xml('<box size="0.2 0.2 0.1"/>')).replace("collision", "colision")
 FIXED = GOOD = BAD.replace("colision", "collision")
@@ -65,6 +69,9 @@ _MAX_NAMED = 5
 
 #: So often an unknown element is not there by mistake: it is for another program.
 _OWN = 4
+#: Most descriptions next to this one that are searched for an unknown element.
+_MAX_BESIDE = 50
+_TAG = rb"<([A-Za-z_][\w.-]*)"
 
 
 @rule(Severity.WARNING, help="remove it, unless a program of yours reads it")
@@ -90,8 +97,21 @@ def check(context: Context) -> Findings:
     for element, suggested in unknown:
         finding = _unknown(element, suggested, readers.get(element.tag))
         is_own = counts[element.tag] >= _OWN and element.tag not in _INSTEAD
+        if counts[element.tag] and element.parent is context.document.root:
+            directory = os.path.dirname(context.source.path)
+            is_own = is_own or _tags_in(directory, context.resolver)[element.tag] >= _OWN
         yield finding._replace(severity=Severity.INFO) if is_own else finding
     yield from _misplaced(misplaced)
+
+
+@lru_cache(maxsize=1)
+def _tags_in(directory: str, resolver: Resolver) -> Counter[str]:
+    """The number of descriptions in a directory that have each tag."""
+    names = (name for name in disk.names_or_empty(directory) if name.endswith((".urdf", ".xacro")))
+    paths = (os.path.join(directory, name) for name in islice(sorted(names), _MAX_BESIDE))
+    sources = (resolver.readable(path) for path in paths)
+    tags = (set(re.findall(_TAG, without_comments(one.data))) for one in sources if one)
+    return Counter(tag.decode() for found in tags for tag in found)
 
 
 def _included_srdfs(context: Context) -> list[CallFrame]:
