@@ -372,3 +372,16 @@ def test_a_name_is_compared_once_for_each_assignment() -> None:
         return executed_lines(values)
 
     assert lines(400) < 6 * lines(100)
+
+
+@pytest.mark.parametrize(("statement", "is_known"), [("pass", True), ("global name", False)])
+def test_a_global_name_is_known_at_run_time(statement: str, is_known: bool) -> None:
+    """ic120: an OpaqueFunction stores the namespace for the others."""
+    tree = ast.parse(
+        "name = ''\n"
+        f"def store(context):\n    {statement}\n    name = context.launch_configurations['name']\n"
+        "def nodes():\n    return name\n"
+    )
+    read = [node for node in ast.walk(tree) if isinstance(node, ast.Name) and node.id == "name"]
+    value = Scopes(tree).value(read[-1])
+    assert (value is not None) is is_known

@@ -60,7 +60,8 @@ class Scopes:
     """The names of a program, each in its function.
 
     A name with two different values has the last one before its use, if neither depends on a
-    condition and no other function uses it; otherwise its value is known only at run time.
+    condition and no other function uses it; otherwise its value is known only at run time. So is
+    that of a ``global`` name of a function.
     """
 
     def __init__(self, tree: ast.Module) -> None:
@@ -68,7 +69,8 @@ class Scopes:
         self._kept: list[ast.Name] = []  # so that their identities stay theirs
         self._passed = bound_parameters(tree)
         self._returned = returned_values(tree)
-        stack: list[tuple[ast.AST, _Scope, bool]] = [(tree, _Scope({}, None), False)]
+        self._module = _Scope({}, None)
+        stack: list[tuple[ast.AST, _Scope, bool]] = [(tree, self._module, False)]
         while stack:
             node, scope, is_straight = stack.pop()
             if isinstance(node, ast.Name):
@@ -108,6 +110,9 @@ class Scopes:
             scope.bind(node.target.id, self._grown(node, node.target, scope), end)
         elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
             scope.bind(node.target.id, node.value)
+        elif isinstance(node, ast.Global):  # the function may be called at any time
+            for name in node.names:
+                self._module.bind(name, None)
         elif isinstance(node, _FUNCTIONS):
             inner = _Scope({}, scope)
             parameters = node.args
