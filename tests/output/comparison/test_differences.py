@@ -115,6 +115,13 @@ def test_rounding_of_a_turned_tensor_is_not_reported():
     assert found(old, new) == ["link 'arm': inertia ixx 0.1 -> 0.3, iyy 0.2 -> 0.1 kg·m²"]
 
 
+def test_a_small_tensor_is_not_rounding_of_a_large_one():
+    old = 'ixx="0.1" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.25"'
+    new = 'ixx="1e-11" ixy="0" ixz="0" iyy="1e-11" iyz="0" izz="1e-11"'
+    changed = "ixx 0.1 -> 1e-11, iyy 0.2 -> 1e-11, izz 0.25 -> 1e-11"
+    assert found(old, new) == [f"link 'arm': inertia {changed} kg·m²"]
+
+
 def test_tolerances_are_what_may_differ():
     assert found('value="2"', 'value="2.1"', mass=0.05) == []
     assert found('value="2"', 'value="2.1"', mass=0.04) != []

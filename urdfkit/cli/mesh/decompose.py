@@ -44,7 +44,9 @@ def command(file: str, out: str | None, split: bool, most: int, engine: str, for
     with working():
         mesh = in_metres(load(file))
         result = decompose(mesh, most=most, engine=engine)
-    lines = [*tables.columns(tables.before_and_after(examine_mesh(mesh), examine_mesh(result)))]
+    # Pieces that touch are one body for `examine_mesh`.
+    after = examine_mesh(result)._replace(bodies=len(result.parts))
+    lines = [*tables.columns(tables.before_and_after(examine_mesh(mesh), after))]
     for number, part in enumerate(result.parts, start=1):
         health = examine(part.vertices, part.faces)
         lines.append(f"  piece {number}: {health.faces} triangles, {tables.volume(health.volume)}")

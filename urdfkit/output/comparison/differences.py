@@ -149,12 +149,16 @@ def _tensor(inertial: Inertial | None) -> tuple[float, ...]:
 
 def _entries(before: Sequence[float], after: Sequence[float], allowed: float) -> str:
     """Entries of a tensor that differ by more than rounding, before and after."""
-    noise = _ROUNDING * max(map(abs, (*before, *after)))
-    old, new = ([0.0 if abs(x) <= noise else x for x in tensor] for tensor in (before, after))
-    rows = zip(Tensor._fields, old, new, strict=True)
+    rows = zip(Tensor._fields, _without_noise(before), _without_noise(after), strict=True)
     # Six entries that differ by a third of what is allowed differ by less than that together.
     changed = [(key, x, y) for key, x, y in rows if abs(x - y) > allowed / 3]
     return ", ".join(f"{key} {x:g} -> {y:g}" for key, x, y in changed)
+
+
+def _without_noise(tensor: Sequence[float]) -> list[float]:
+    """The entries, those that come from the rounding of a rotation as 0."""
+    noise = _ROUNDING * max(map(abs, tensor))
+    return [0.0 if abs(entry) <= noise else entry for entry in tensor]
 
 
 def _of_bodies(
