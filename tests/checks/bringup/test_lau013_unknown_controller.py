@@ -8,6 +8,7 @@ from tests.controls import GZ, ROBOT, control, driven
 from tests.launched import reported
 from tests.naming import naming
 from urdfkit.lint.rule_examples import whole_robot
+from urdfkit.text.diagnostic import Severity
 
 ROS_1 = {"config/c.yaml": "ns:\n  arm_controller:\n    type: effort_controllers/X\n"}
 ROS_2 = {
@@ -323,3 +324,23 @@ def test_controllers_of_a_group_that_is_off(tmp_path: Path, value: str) -> None:
     group = f'<group if="$(arg sim)">{load}{SPAWN_1.format("spawner", "grip_controller")}</group>'
     text = f'<arg name="sim" default="{value}"/>{LOAD_1}{group}'
     assert reported(tmp_path / "src" / "arm", "LAU013", "a.launch", text, files) == []
+
+
+@pytest.mark.parametrize(
+    ("passed", "severity"),
+    [
+        ('<arg name="controllers" value="arm_controller"/>', Severity.WARNING),
+        ("", Severity.ERROR),
+    ],
+)
+def test_a_default_that_including_files_replace(
+    tmp_path: Path, passed: str, severity: Severity
+) -> None:
+    """iiwa_stack: the default names controllers of another version."""
+    text = '<arg name="controllers" default="grip"/>' + LOAD_1
+    text += SPAWN_1.format("spawner", "$(arg controllers)")
+    include = f'<include file="$(find arm)/launch/a.launch">{passed}</include>'
+    files = {**ROS_1, "launch/robot.launch": f"<launch>{include}</launch>"}
+    (found,) = reported(tmp_path, "LAU013", "a.launch", text, files)
+    assert found.severity is severity
+    assert ("default of 'controllers'" in found.help) is (severity is Severity.WARNING)

@@ -8,8 +8,9 @@ that commands another one, as in `pid/wheel_joint`, needs that one, which must b
 file that nothing loads has none (warning): its spawner needs `--param-file`. The YAML files
 of the package and of the packages that the launch file references are searched; if it loads none,
 and another file includes it, those of the workspace. What the files that include it load counts, as
-well. If one of these packages is not found, only typos of known names are reported. A launch file
-that names parameters itself, for example with the `ns` of a `<rosparam>`, is not checked.
+well. If one of these packages is not found, only typos of known names are reported. A name in the
+default of an argument that all files which include the launch file replace is a warning. A launch
+file that names parameters itself, for example with the `ns` of a `<rosparam>`, is not checked.
 
 Sources:
     ros_control, spawner: https://github.com/ros-controls/ros_control/blob/noetic-devel/controller_manager/scripts/spawner
@@ -17,6 +18,7 @@ Sources:
 """
 
 import os
+import re
 from collections.abc import Iterator
 from itertools import islice
 
@@ -99,11 +101,25 @@ def check(context: Context) -> Findings:
         # The common ending makes ``hand_controller`` resemble ``head_controller``.
         is_misspelt = bool(suggested) and is_typo(name, suggested)
         if name not in known and (is_whole or is_misspelt):
+            default = _replaced_default(controller, context)
             yield Finding(
                 controller.at,
                 f"controller '{name}' is not defined in any parameter file" + suggester.hint(name),
-                _help(name, bool(suggested), loaded, context),
+                default or _help(name, bool(suggested), loaded, context),
+                severity=Severity.WARNING if default else None,
             )
+
+
+def _replaced_default(controller: SpawnedController, context: Context) -> str:
+    """Help for a name in the default of an argument that all including files replace; else empty."""
+    path = os.path.abspath(context.source.path)
+    names = re.findall(r"\$\((?:arg|var) (\w+)\)", controller.word.span.text)
+    launches = workspace_launches(context) if names else ()
+    files = [file for launch in launches for file in launch.includes if file.path == path]
+    is_replaced = all(file.arguments and file.arguments.keys() >= set(names) for file in files)
+    if not files or not is_replaced:
+        return ""
+    return f"correct the default of '{names[0]}', which the files that include this one replace"
 
 
 def _chained(
