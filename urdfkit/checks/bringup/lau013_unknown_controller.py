@@ -111,7 +111,7 @@ def check(context: Context) -> Findings:
 
 
 def _replaced_default(controller: SpawnedController, context: Context) -> str:
-    """Help for a name in the default of an argument that all including files replace; else empty."""
+    """Help for the default of an argument that all including files replace; empty for others."""
     path = os.path.abspath(context.source.path)
     names = re.findall(r"\$\((?:arg|var) (\w+)\)", controller.word.span.text)
     launches = workspace_launches(context) if names else ()
