@@ -27,6 +27,14 @@ def test_the_torque_and_the_pose() -> None:
     assert places("DYN003", pendulum("13.7"))[0][1] == "13.7"
 
 
+@pytest.mark.parametrize(
+    ("effort", "severity"), [("13.7", Severity.INFO), ("13", Severity.WARNING)]
+)
+def test_masses_are_known_to_a_few_percent(effort: str, severity: Severity) -> None:
+    """Sciurus17: 4.04 N·m in the worst pose, of 4 N·m."""
+    assert [one.severity for one in reported("DYN003", pendulum(effort))] == [severity]
+
+
 @pytest.mark.parametrize("effort", ["13.8", "0"])
 def test_enough_effort_and_none_at_all(effort: str) -> None:
     assert messages("DYN003", pendulum(effort)) == []
@@ -49,7 +57,7 @@ def test_a_suspension_stands_on_its_wheels(name: str, kind: str, severity: Sever
     """The rover of Robocol, whose rockers have transmissions."""
     wheel = link("wheel") + f'<joint name="w" type="{kind}">'
     wheel += '<parent link="bob"/><child link="wheel"/></joint>'
-    robot = pendulum("13.7").replace("bob_joint", name) + wheel
+    robot = pendulum("13").replace("bob_joint", name) + wheel
     assert [one.severity for one in reported("DYN003", robot)] == [severity]
 
 

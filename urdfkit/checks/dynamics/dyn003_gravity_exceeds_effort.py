@@ -6,8 +6,9 @@ Raise the effort, use a larger motor, move masses inwards or narrow the limits. 
 counterweights are not part of URDF: if the real robot has them, ignore this finding. Links whose
 gravity is off in Gazebo (`<turnGravityOff>`, `<gravity>`), the usual substitute for counterweights,
 are ignored, and so are robots that launch files start only in worlds of Gazebo without gravity.
-Robots that several rotors or thrusters carry are not searched: their root is not fixed. An info for
-a joint that swings freely: transmissions or `<ros2_control>` drive others, but not this one, or it
+Robots that several rotors or thrusters carry are not searched: their root is not fixed. An info if
+the torque exceeds the limit by less than a twentieth, as masses are hardly known better, and for a
+joint that swings freely: transmissions or `<ros2_control>` drive others, but not this one, or it
 is the rocker or bogie of a suspension, whose wheels stand on the ground.
 
 `urdfkit statics` prints the torques of all joints, and accepts payloads.
@@ -48,6 +49,8 @@ GOOD = BAD.replace('effort="10"', 'effort="30"')
 _MAX_NAMED = 3
 _DISPLACED = "correct centres of mass first: they are outside the shapes of {} (INE011)"
 _PASSIVE = "nothing drives it: raise the effort if it has a motor"
+#: Ratio of torque and limit up to which the masses may be wrong.
+_TOLERANCE = 1.05
 #: Words in the names of joints between the body and its wheels.
 _SUSPENSION = r"(?i)suspension|rocker|bogie|boogie|shock"
 _STANDS = "the ground carries the wheels: raise the effort if it has a motor"
@@ -80,6 +83,8 @@ def check(context: Context) -> Findings:
             finding = finding._replace(severity=Severity.INFO, help=_PASSIVE)
         elif _is_suspension(context, joint):
             finding = finding._replace(severity=Severity.INFO, help=_STANDS)
+        elif (load.used or 0.0) < _TOLERANCE:
+            finding = finding._replace(severity=Severity.INFO)
         yield finding
     if not is_searched(len(overloadable)):
         raise Unavailable(
