@@ -175,6 +175,21 @@ class TestTags:
         assert data[start:end] == b'<link name="a"/>'
         assert note == "<link .../> closes itself: its '/' is one too many"
 
+    @pytest.mark.parametrize(
+        ("before", "noted"),
+        [
+            ('<!-- <link name="a"> --><visual/>', ['<link name="a">']),
+            ('<link name="a"></link><!--<link name="b">-->', ['<link name="b">']),
+            ('<!-- <link name="a"> --><link name="b"></link>', []),
+            ('<!-- <link name="a"/> -->', []),
+        ],
+    )
+    def test_a_start_tag_in_a_comment(self, before: str, noted: list[str]) -> None:
+        data = f"<robot>{before}</link></robot>".encode()
+        (mistake,) = syntax_mistakes(data)
+        assert mistake.message == "</link> closes nothing: no <link> is open"
+        assert [data[start:end].decode() for start, end, _ in mistake.notes] == noted
+
     def test_closed_in_the_wrong_order_is_one_mistake(self) -> None:
         assert mistakes("<robot><a><b></a></b></robot>") == [
             (1, 11, "<b> is not closed before </a>")

@@ -12,6 +12,8 @@ MAX_ERRORS = 100
 LOOK_AHEAD = 10_000
 #: Tags before an end tag that are searched for its start tag: the body of a macro is long.
 LOOK_BACK = 2000
+#: Bytes before an end tag that are searched for a comment with its start tag.
+MAX_COMMENT = 5000
 #: Children of ``<robot>``, which are no roots themselves.
 _PARTS = ("gazebo", "joint", "link", "material", "ros2_control", "transmission")
 
@@ -155,17 +157,26 @@ class TagMatching:
             return
         if not self._open and self._root is not None and self._unclosed:
             return
-        notes = []
-        for earlier in reversed(self._tags[max(0, number - LOOK_BACK) : number]):
-            if earlier.kind == "empty" and earlier.name == tag.name:
-                notes.append(
-                    earlier.note(f"<{tag.name} .../> closes itself: its '/' is one too many")
-                )
-                break
-            if earlier.kind in ("open", "close") and earlier.name == tag.name:
-                break
+        tags = reversed(self._tags[max(0, number - LOOK_BACK) : number])
+        earlier = next((other for other in tags if other.name == tag.name), None)
+        notes = self._in_comment(tag, earlier.end if earlier else 0)
+        if not notes and earlier and earlier.kind == "empty":
+            text = f"<{tag.name} .../> closes itself: its '/' is one too many"
+            notes.append(earlier.note(text))
         message = f"</{tag.name}> closes nothing: no <{tag.name}> is open"
         self._add((tag.start, tag.end), message, *notes)
+
+    def _in_comment(self, tag: TagToken, begin: int) -> list[tuple[int, int, str]]:
+        """A note about the start tag of an end tag, if the last comment before it contains it."""
+        data = self._data
+        start = data.rfind(b"<!--", max(begin, tag.start - MAX_COMMENT), tag.start)
+        end = data.find(b"-->", start, tag.start) if start >= 0 else -1
+        comment = data[start:end] if end >= 0 else b""
+        opened = re.search(rb"<%s\b[^<>]*(?<!/)>" % re.escape(tag.name.encode()), comment)
+        if opened is None:
+            return []
+        place = start + opened.start(), start + opened.end()
+        return [(*place, f"this <{tag.name}> is in a comment")]
 
     def _next_unmatched(self, number: int) -> str | None:
         """Name of the next end tag whose start tag is not after the tag ``number``."""

@@ -123,10 +123,15 @@ def _incomplete(transmissions: Iterable[Element], severity: Severity | None) -> 
             yield Finding(
                 transmission,
                 f"{called(transmission)} has no {' and no '.join(missing)}",
-                "add a name, <type>transmission_interface/SimpleTransmission</type>, <joint> and "
-                "<actuator>",
+                f"add {' and '.join(map(_how_to_add, missing))}",
                 severity=severity,
             )
+
+
+def _how_to_add(missing: str) -> str:
+    if missing.startswith("<type>"):
+        return "<type>transmission_interface/SimpleTransmission</type>"
+    return f'{missing[:-1]} name="...">' if missing.startswith("<") else f"a {missing}"
 
 
 def _missing(transmission: Element) -> list[str]:
