@@ -103,6 +103,8 @@ def test_an_empty_diff_reports_remaining_findings(
     out, err = capsys.readouterr()
     assert out == ""  # a patch
     assert "0 would be fixed in 0 files, 1 left" in err
+    assert main(["check", "--diff", str(robot), "--select", "RCT029"]) == 0
+    assert "0 would be fixed in 0 files, " in capsys.readouterr().err
     assert main(["fix", "--diff", "-q", str(robot), "--select", "RCT029"]) == 0
     assert capsys.readouterr().err == ""
 

@@ -155,6 +155,9 @@ def test_what_leaves_the_limits_is_reported(robot: Context) -> None:
         "joint 'turn' at 2.5 rad is outside its limits -1 to 2 rad",
         "joint 'slide' at -0.01 m is outside its limits 0 to 0.1 m",
     ]
+    assert outside_limits(robot.tree, {"turn": 90.0}) == [
+        "joint 'turn' at 90 rad is outside its limits -1 to 2 rad; write degrees as 90deg"
+    ]
 
 
 def test_a_state_of_a_named_srdf(robot: Context, tmp_path: Path) -> None:

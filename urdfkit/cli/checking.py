@@ -57,11 +57,13 @@ def _report(values: Mapping[str, Any], settings: Options) -> int:
     outputs = options.outputs(values, fail_on(values, settings).value)
     known = _baseline(values)  # before the check, which may take minutes
     if values["fix"] or values["diff"]:
-        from urdfkit.cli.fixing import apply_fixes, print_fixes
+        from urdfkit.cli.fixing import apply_fixes, print_fixes, print_no_fixes
         from urdfkit.lint.fixable import counted
 
         fixes = apply_fixes(values, settings)
         if values["diff"]:
+            if not fixes.files and not values["quiet"]:
+                print_no_fixes(fixes)
             return int(bool(fixes.files))
         if not values["quiet"]:
             print_fixes(fixes)

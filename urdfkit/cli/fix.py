@@ -1,6 +1,5 @@
 """``urdfkit fix``: apply fixes, and report what was fixed, what is left, and why."""
 
-from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -9,8 +8,8 @@ import click
 from urdfkit.cli import options, output
 from urdfkit.cli.checking import check_settings, fail_on
 from urdfkit.cli.decorators import click_option, described, option
-from urdfkit.cli.fixing import apply_fixes
-from urdfkit.core.words import counted, few
+from urdfkit.cli.fixing import apply_fixes, print_no_fixes, total
+from urdfkit.core.words import few
 from urdfkit.lint.fix_session import Fixes
 from urdfkit.text.diagnostic import Diagnostic
 from urdfkit.text.source import shown
@@ -54,7 +53,7 @@ def command(**values: Any) -> int:
     if values["diff"]:
         output.write("".join(f"# {line}\n" for line in _meshes(fixes, "would generate")))
         if not fixes.files and not values["quiet"]:
-            output.log(_total(fixes, "would be fixed"), *_reasons(fixes))  # stdout is a patch
+            print_no_fixes(fixes)
         return int(bool(fixes.files or fixes.meshes))
     is_dry = values["check"]
     lines = _left(fixes) if values["quiet"] else render(fixes, is_dry=is_dry)
@@ -74,7 +73,7 @@ def render(fixes: Fixes, *, is_dry: bool = False) -> Iterator[str]:
     meshes = list(_meshes(fixes, "would generate" if is_dry else "generated"))
     yield from (*meshes, "") if meshes else ()
     yield from _left(fixes)
-    yield _total(fixes, "would be fixed" if is_dry else "fixed")
+    yield total(fixes, "would be fixed" if is_dry else "fixed")
 
 
 def _applied(fixes: Fixes, verb: str) -> Iterator[str]:
@@ -125,18 +124,3 @@ def _row(text: str, diagnostics: Iterable[Diagnostic]) -> str:
     lines = [str(line) for line in sorted({diagnostic.span.line for diagnostic in diagnostics})]
     row = f"{text}: line{'s' * (len(lines) > 1)} {few(lines, _MAX_LINES)}"
     return f"  {wrap(row, output.width() - 2, indent=6)}"
-
-
-def _total(fixes: Fixes, verb: str) -> str:
-    unsafe = sum(left.reason == "unsafe" for left in fixes.left)
-    text = f"{len(fixes.applied)} {verb} in {counted(len(fixes.files), 'file')}, "
-    text += f"{len(fixes.left)} left"
-    return text + (f", {unsafe} of them with an unsafe fix (--unsafe-fixes)" if unsafe else "")
-
-
-def _reasons(fixes: Fixes) -> Iterator[str]:
-    """The reasons for fixes that no other option applies, with their number."""
-    reasons = Counter(left.reason for left in fixes.left if left.diagnostic.fix)
-    for reason, count in reasons.items():
-        if reason not in ("", "info", "unsafe"):
-            yield f"not fixable: {count} ({printable(reason)})"

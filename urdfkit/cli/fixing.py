@@ -1,14 +1,17 @@
 """Fixes of a parsed command line, for ``urdfkit fix`` and ``urdfkit check --fix``."""
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from urdfkit.cli import options, output
 from urdfkit.cli.progress import progress_of_files
+from urdfkit.core.words import counted
 from urdfkit.lint.fix import changes, fix
 from urdfkit.lint.fix_session import Fixes
 from urdfkit.lint.options import Options
 from urdfkit.text.source import shown
+from urdfkit.text.terminal import printable
 
 
 def apply_fixes(
@@ -58,3 +61,24 @@ def print_fixes(fixes: Fixes) -> None:
     for reason in sorted(reasons):
         count = sum(left.reason == reason for left in fixes.left)
         output.log(f"not fixed ({count}): {reason}")
+
+
+def print_no_fixes(fixes: Fixes) -> None:
+    """Print to standard error why a diff is empty."""
+    output.log(total(fixes, "would be fixed"), *_reasons(fixes))
+
+
+def total(fixes: Fixes, verb: str) -> str:
+    """The numbers of fixes and of findings that are left."""
+    unsafe = sum(left.reason == "unsafe" for left in fixes.left)
+    text = f"{len(fixes.applied)} {verb} in {counted(len(fixes.files), 'file')}, "
+    text += f"{len(fixes.left)} left"
+    return text + (f", {unsafe} of them with an unsafe fix (--unsafe-fixes)" if unsafe else "")
+
+
+def _reasons(fixes: Fixes) -> Iterator[str]:
+    """The reasons for fixes that no other option applies, with their number."""
+    reasons = Counter(left.reason for left in fixes.left if left.diagnostic.fix)
+    for reason, count in reasons.items():
+        if reason not in ("", "info", "unsafe"):
+            yield f"not fixable: {count} ({printable(reason)})"

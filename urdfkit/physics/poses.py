@@ -7,7 +7,7 @@ degrees. A group state in the SRDF of the robot's package is a named pose.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import pi
+from math import pi, tau
 from typing import TYPE_CHECKING
 
 from urdfkit.core import disk
@@ -67,9 +67,10 @@ def outside_limits(tree: KinematicTree, positions: Mapping[str, float]) -> list[
         ends = bounds(tree.model.joints_by_name[name])
         if ends and not ends[0] - 1e-9 <= position <= ends[1] + 1e-9:
             symbol = tree.model.joints_by_name[name].unit
+            hint = "; write degrees as 90deg" if symbol == "rad" and abs(position) > tau else ""
             sentences.append(
                 f"joint '{name}' at {position:.4g} {symbol} is outside its limits "
-                f"{ends[0]:.4g} to {ends[1]:.4g} {symbol}"
+                f"{ends[0]:.4g} to {ends[1]:.4g} {symbol}{hint}"
             )
     return sentences
 
