@@ -21,7 +21,6 @@ from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
 from urdfkit.lint.rules import Context, Finding, Findings, Severity, rule
 from urdfkit.mesh.samples import PLATE
-from urdfkit.ros.launch.worlds import worlds
 from urdfkit.text.file_kinds import has_launch_name, is_launch
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.install_rules import InstallRules
@@ -109,6 +108,8 @@ def _included(context: Context, directory: str) -> Iterator[tuple[str, Span]]:
 
 def _launched(context: Context) -> dict[tuple[str, str], list[tuple[str, Span]]]:
     """A launch file, and the files that it names, relative to their packages, by package."""
+    from urdfkit.ros.launch.worlds import worlds
+
     packages = context.resolver.packages
     own = os.path.abspath(context.source.path)
     home = packages.enclosing(own)
