@@ -57,6 +57,18 @@ def test_a_file_elsewhere_in_the_package(
     assert found.help == offer if suggested else "generate" in found.help
 
 
+@pytest.mark.parametrize(
+    ("there", "help"), [("link.3ds", "link.3ds"), ("LINK.SLDPRT", "LINK.SLDPRT"), ("l.step", "")]
+)
+def test_the_model_of_which_a_missing_file_is_an_export(
+    tmp_path: Path, there: str, help: str
+) -> None:
+    """AUBO's arms: the meshes of another one are no replacement."""
+    package(tmp_path, "arm", f"i10H_B0/{there}", "i10_A0/link.dae")
+    (found,) = robot(tmp_path / "urdf" / "r.urdf", "package://arm/i10H_B0/link.dae")
+    assert (help or "package://arm/i10_A0/link.dae") in found.help
+
+
 def test_a_package_that_the_build_copies_from_several_directories(tmp_path: Path) -> None:
     """iCub: `package.xml` lies in one of three directories that become one package."""
     (tmp_path / ".git").mkdir()

@@ -233,6 +233,9 @@ def _missing(context: Context, mesh: MeshReference, suggestions: MeshSuggestions
     tried = "" if located.scheme == "absolute" else f"; tried {located.tried_paths}"
     message = f"{mesh.who} does not exist{where}{tried}"
     suggested = suggestions.nearest(mesh)
+    if model := _model(mesh, suggested, suggestions):
+        help = f"export it from {model}, which is there, as STL, COLLADA (.dae) or OBJ"
+        return Finding(mesh.at, message, help, group_key=f"model {_missing_directory(located)}")
     if suggested is None and context.files.is_ignored(mesh):
         message += "; git ignores it"
         help = "download or generate it as the README says, or let git track it: git add -f FILE"
@@ -249,6 +252,14 @@ def _missing(context: Context, mesh: MeshReference, suggestions: MeshSuggestions
     finding = _with_suggestion(mesh, message, suggested, "")
     group_key = f"{'fixed' if finding.fix else 'suggested'} {_missing_directory(located)}"
     return finding._replace(group_key=group_key)
+
+
+def _model(mesh: MeshReference, suggested: Suggestion | None, suggestions: MeshSuggestions) -> str:
+    """The file of which a missing one may be an export; empty if a mesh is next to it, too."""
+    directory = os.path.dirname(mesh.at.value)
+    if suggested and os.path.dirname(suggested.reference) == directory:
+        return ""
+    return suggestions.model_of_other_format(mesh)
 
 
 def _with_suggestion(

@@ -24,6 +24,8 @@ MAX_DIRECTORIES = 2000
 MAX_COMPARED = 250_000
 #: With this many equal parent directories, one of several files with the same name is certain.
 MIN_COMMON_DIRECTORIES = 2
+#: Suffixes of models that simulators do not load.
+_MODELS = (".3ds", ".3mf", ".blend", ".fbx", ".iges", ".igs", ".sldprt", ".step", ".stp", ".wrl")
 #: The package and the path below it in the path of an installed file.
 _INSTALLED = r"/share/([^/]+)/(.+)$"
 
@@ -65,6 +67,13 @@ class MeshSuggestions:
             return None
         path = os.path.normpath(os.path.join(base, spelling))
         return Suggestion(self._files.reference_to(path, mesh.located), sure=True)
+
+    def model_of_other_format(self, mesh: MeshReference) -> str:
+        """The name of the file of which a missing one may be an export; empty if there is none."""
+        directory, name = os.path.split(os.path.join(*self._expected(mesh.located)))
+        entries = self._directories.entries(directory) or {}
+        models = (one for one in sorted(entries) if suffix(one) in _MODELS)
+        return next((one for one in models if stem(one) == stem(name)), "")
 
     def nearest(self, mesh: MeshReference) -> Suggestion | None:
         """The file that was probably intended by a reference to a missing file.
