@@ -2,6 +2,7 @@
 
 from math import pi
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -16,6 +17,7 @@ from tests.render.scenes import alone, link, scene
 from urdfkit.lint.loading import read
 from urdfkit.render import (
     animated,
+    animation,
     build,
     followed,
     orbit,
@@ -25,6 +27,7 @@ from urdfkit.render import (
     swept_circle,
 )
 from urdfkit.render.animation import AnimationError
+from urdfkit.render.image import render_view
 
 SIZE = (96, 64)
 
@@ -61,6 +64,22 @@ def test_a_sweep_goes_from_the_lower_limit_to_the_upper_one_and_back() -> None:
     assert way[4] == pytest.approx(limit.upper.value)
     assert way[1:4] == pytest.approx(way[:4:-1])
     assert sorted(way[:5]) == way[:5]
+
+
+def test_the_way_back_of_a_sweep_is_not_drawn_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    robot = read(ARM)
+    drawn = []
+
+    def counted(*words: Any, **drawing: Any) -> Image.Image:
+        drawn.append(words)
+        return render_view(*words, **drawing)
+
+    monkeypatch.setattr(animation, "render_view", counted)
+    shots = followed(list(sweep(build(robot), robot, "elbow", frames=6)), size=(64, 40))
+    images = animated(shots)
+    assert (len(images), len(drawn)) == (6, 4)
+    assert images[1] is images[5]
+    assert images[2] is images[4]
 
 
 def test_a_joint_without_limits_makes_one_turn() -> None:

@@ -99,14 +99,18 @@ def sweep(
     ends = bounds(swept)
     if ends is None and swept.is_prismatic:
         raise AnimationError(f"joint '{joint}' has no limits")
+    seen: dict[float, tuple[Scene, dict[str, float]]] = {}
     for number in range(frames):
-        part = number / frames
         if ends is None:
-            position = 2 * pi * part
-        else:
+            position = 2 * pi * number / frames
+        else:  # the way back has the positions of the way there
+            part = min(number, frames - number) / frames
             position = ends[0] + (ends[1] - ends[0]) * (1 - cos(2 * pi * part)) / 2
-        positions = {**(pose or {}), joint: position}
-        yield scene._replace(frames=kinematics.frames(context.tree, positions)), positions
+        if position not in seen:
+            positions = {**(pose or {}), joint: position}
+            moved = scene._replace(frames=kinematics.frames(context.tree, positions))
+            seen[position] = moved, positions
+        yield seen[position]
 
 
 def animated(
@@ -122,9 +126,13 @@ def animated(
     level = min(scene.level() for scene, _ in shots)
     has_background = drawing.get("background", STUDIO) is not None
     images = []
+    drawn: dict[tuple[int, Camera], Image.Image] = {}  # by the identity of the scene
     for number, (scene, camera) in enumerate(shots):
-        image = render_view(scene, camera, level, drawing)
-        images.append(image.convert("RGB") if has_background else image)
+        key = (id(scene), camera)
+        if key not in drawn:
+            image = render_view(scene, camera, level, drawing)
+            drawn[key] = image.convert("RGB") if has_background else image
+        images.append(drawn[key])
         if progress is not None:
             progress(number + 1, len(shots))
     return images
