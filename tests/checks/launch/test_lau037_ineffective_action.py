@@ -96,3 +96,22 @@ def generate_launch_description():
 def test_what_a_function_creates_is_not_started(tmp_path: Path, second: str, count: int) -> None:
     found = reported(tmp_path, "LAU037", "a.launch.py", MADE.format(second))
     assert [one.message for one in found] == [naming("second")] * count
+
+
+@pytest.mark.parametrize(
+    ("line", "severity"),
+    [
+        ("    c = Node(package='a', executable='b')", Severity.WARNING),
+        ("    c= Node(package='a', executable='b')", Severity.WARNING),
+        ("    c = (\n        Node(package='a', executable='b')\n    )", Severity.WARNING),
+        ("    c = Node(package='a', executable='b')\n    # c,", Severity.INFO),
+        ("    c = TimerAction(period=1.0, actions=[b])", Severity.INFO),
+    ],
+)
+def test_an_action_that_is_left_out(tmp_path: Path, line: str, severity: Severity) -> None:
+    """On purpose, where a comment names it."""
+    text = described(SPAWNER, "LaunchDescription([a, b])").replace(
+        "    return", f"{line}\n    return"
+    )
+    (found,) = reported(tmp_path, "LAU037", "a.launch.py", text)
+    assert (found.message, found.severity) == (naming("c"), severity)

@@ -1,7 +1,8 @@
 """An action of a launch file never starts, starts twice, or applies to no node.
 
-- An action is created but not added to the launch description, so it is never started (info: often
-  intended; warning: an event handler waits for it).
+- An action is created but not added to the launch description, so it is never started (info if a
+  comment names it: it is left out on purpose; or if it is an event handler). Or an event handler
+  waits for it.
 - An action waits for the exit of a node that does not exit, such as robot_state_publisher, and
   never starts; or for its own exit; or for that of an included launch file, which is no process
   (error).

@@ -22,6 +22,8 @@ HOLDERS = {
     "LaunchDescription": (0, "initial_entities"),
     "TimerAction": (None, "actions"),
 }
+#: Bytes before an action in which the name is looked for that it is assigned to.
+_LONGEST_TARGET = 200
 #: Actions that start other actions later.
 TRIGGERS = ("RegisterEventHandler", "TimerAction")
 
@@ -61,12 +63,16 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
     """Actions that are assigned to an unused name, without those that only others of them use."""
     inner = {name.id for call in calls for name in ast.walk(call) if isinstance(name, ast.Name)}
     for call in calls:
-        if called(values.created(call)) not in (*ACTIONS, *TRIGGERS, _GROUP):
+        action = called(values.created(call))
+        if action not in (*ACTIONS, *TRIGGERS, _GROUP):
             continue
-        span = values.span(call)
-        name = values.source.data[: span.start].decode("utf-8", "replace").split()[-2]
-        if name in inner:
+        before = values.source.data[: values.span(call).start]
+        assigned = re.search(rb"(\w+)\s*=[\s\\(]*$", before[-_LONGEST_TARGET:])
+        name = assigned[1].decode() if assigned else ""
+        if not name or name in inner:
             continue
         message = f"'{name}' is created but never started"
         help = f"add {name} to the LaunchDescription, or remove it"
-        yield values.problem("LAU037", call, message, help, Severity.INFO)
+        is_meant = re.search(rb"#.*\b%b\b" % name.encode(), values.source.data)
+        severity = Severity.INFO if is_meant or action in TRIGGERS else Severity.WARNING
+        yield values.problem("LAU037", call, message, help, severity)
