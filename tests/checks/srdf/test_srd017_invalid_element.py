@@ -6,6 +6,7 @@ import pytest
 
 from tests.naming import naming
 from tests.srdfs import findings
+from tests.workspaces import add_files
 from urdfkit import check
 from urdfkit.text.diagnostic import Severity
 
@@ -122,6 +123,21 @@ def test_xml_that_is_not_well_formed(tmp_path: Path) -> None:
     (finding,) = findings(tmp_path, '<group name="g">', "SRD017")
     assert finding.span.source.path == str(tmp_path / "r.srdf")
     assert (finding.span.line, finding.span.text) == (2, '<group name="g">')
+
+
+def test_an_srdf_of_a_package_beside_the_robot_that_is_cut_off(tmp_path: Path) -> None:
+    """A package without .setup_assistant: its SRDF is known by the name of the robot."""
+    add_files(
+        tmp_path,
+        {
+            "arm/package.xml": "<package><name>arm</name></package>",
+            "arm/urdf/arm.urdf": "<robot name='arm'><link name='base'/></robot>",
+            "arm_moveit/package.xml": "<package><name>arm_moveit</name></package>",
+            "arm_moveit/config/arm.srdf": "<robot name='arm'>\n<group name='g'>\n",
+        },
+    )
+    (found,) = check(tmp_path / "arm" / "urdf" / "arm.urdf", select=["SRD017"]).diagnostics
+    assert found.span.source.path == str(tmp_path / "arm_moveit" / "config" / "arm.srdf")
 
 
 @pytest.mark.parametrize(

@@ -107,6 +107,13 @@ def test_settings_without_effect(
             naming("planner_configs", "g", "list"),
             "write [RRT]",
         ),
+        (
+            "ompl_planning.yaml",
+            "planning_plugins:\nrequest_adapters: []\n",
+            1,
+            naming("planning_plugins"),
+            "write [ompl_interface/OMPLPlanner], or that of the pipeline",
+        ),
     ],
 )
 def test_settings_at_which_move_group_stops(
@@ -115,6 +122,19 @@ def test_settings_at_which_move_group_stops(
     assert findings_in(tmp_path, file, text, "SRD027") == [
         (line, Severity.ERROR.name, message, help)
     ]
+
+
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        ("kinematics.yaml", "g\n  kinematics_solver: k\n"),
+        ("joint_limits.yaml", "joint_limits: [\n"),
+        ("ompl_planning.yaml", "  - a/B\nadapters:\n"),
+    ],
+)
+def test_a_file_that_is_not_yaml(tmp_path: Path, file: str, text: str) -> None:
+    ((line, severity, message, _),) = findings_in(tmp_path, file, text, "SRD027")
+    assert (line, severity, message.partition(":")[0]) == (2, "ERROR", "invalid YAML")
 
 
 @pytest.mark.parametrize(

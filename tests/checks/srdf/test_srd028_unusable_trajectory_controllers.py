@@ -88,6 +88,13 @@ def test_a_type_that_moveit_does_not_have(tmp_path: Path, kind: str, help: str) 
     assert findings_in(tmp_path, "moveit_controllers.yaml", text, "SRD029") == []
 
 
+@pytest.mark.parametrize(("joints", "count"), [("[]", 1), ("", 1), ("[shoulder]", 0)])
+def test_a_list_without_joints(tmp_path: Path, joints: str, count: int) -> None:
+    text = PLUGIN + MANAGER + f"    joints: {joints}\n"
+    found = findings_in(tmp_path, "moveit_controllers.yaml", text, "SRD028")
+    assert ["has no joints" in message for _, _, message, _ in found] == [True] * count
+
+
 @pytest.mark.parametrize("package", [True, False])
 def test_settings_of_a_controller_manager_that_move_group_does_not_load(
     tmp_path: Path, package: bool

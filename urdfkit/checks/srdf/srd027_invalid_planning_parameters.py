@@ -7,6 +7,7 @@
 - The file of a planning pipeline is half of Humble, with `planning_plugin` and a text of adapters,
   and half of Jazzy, with `planning_plugins` and lists (warning). Or none of the adapters of OMPL
   computes the times of the trajectory, all of whose points then have the time 0 (warning).
+- A file is not YAML: the launch file stops at it. Or `planning_plugins` of a pipeline is empty.
 - `planner_configs` of a group is a single planner, not a list: move_group stops.
 - A chain of fewer than six joints has the solver KDL without `position_only_ik` (info): goals that
   are poses fail.
@@ -57,6 +58,8 @@ _TIMING, _OF_MOVEIT = re.compile(r"/Add(Time|Iterative)\w*Param"), "default_plan
 
 @rule(Severity.ERROR, needs=(Need.MODEL, Need.SRDF), reports_missing=True)
 def check(context: Context) -> Findings:
+    for at, reason in context.moveit_config.syntax_errors():
+        yield Finding(at, f"invalid YAML: {reason}", "fix the file")
     yield from _sensors(context, context.required_srdf)
     yield from _cartesian_limits(context)
     yield from _pipelines(context)
@@ -156,7 +159,10 @@ def _pipelines(context: Context) -> Findings:
     for root in context.moveit_config.pipelines():
         is_new = "planning_plugins" in root
         for key, value in items(root):
-            if key in _ADAPTERS and is_new and isinstance(value, Value) and value.text:
+            if key == "planning_plugins" and (value == [] or _is_empty(value)):
+                message = "planning_plugins is empty: the pipeline has no planner"
+                yield Finding(key.span, message, f"write [{_OMPL}], or that of the pipeline")
+            elif key in _ADAPTERS and is_new and isinstance(value, Value) and value.text:
                 names = value.text.split()
                 message = f"{key} is a text, but with planning_plugins (Jazzy) it is a list"
                 help = f"write each on a line: - {names[0]}"
@@ -170,6 +176,10 @@ def _pipelines(context: Context) -> Findings:
                 message = "planning_plugin is of Humble, and the lists of adapters are of Jazzy"
                 help = f"write planning_plugins: [{getattr(value, 'text', '')}]"
                 yield Finding(key.span, message, help, severity=Severity.WARNING)
+
+
+def _is_empty(node: Node | None) -> bool:
+    return isinstance(node, Value) and not node.text
 
 
 def _are_untimed(root: dict[str, Node], adapters: Node | None) -> bool:

@@ -25,7 +25,7 @@ from urdfkit.ros.gazebo.samples import SHOULDER
 from urdfkit.ros.moveit.config import CONTROLLERS, MANAGER
 from urdfkit.ros.moveit.samples import configurations, named_xml
 from urdfkit.ros.moveit.srdf import Srdf
-from urdfkit.text.located_yaml import items, mapping, scalars
+from urdfkit.text.located_yaml import Value, items, mapping, scalars
 from urdfkit.workspace.launch_files import launch_files
 from urdfkit.workspace.manifest import manifest_of
 
@@ -92,7 +92,8 @@ def _manager(context: Context) -> Findings:
         message = f"MoveIt reads its controllers below {MANAGER}, not below '{key}'"
         yield Finding(key.span, message, f"write {MANAGER}")
     for key, entry in context.moveit_config.controller_entries():
-        if "type" in entry and "joints" not in entry:
+        joints = entry.get("joints", [])
+        if "type" in entry and (joints == [] or (isinstance(joints, Value) and not joints.text)):
             message = f"controller '{key}' has no joints, so MoveIt ignores it"
             yield Finding(key.span, message, "list the joints that it moves")
         if kind := unknown_type(entry):

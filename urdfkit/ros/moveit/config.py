@@ -21,8 +21,9 @@ from urdfkit.text.located_yaml import (
     load,
     mapping,
     scalars,
+    syntax_error,
 )
-from urdfkit.text.source import Source
+from urdfkit.text.source import Source, Span
 from urdfkit.workspace.resolve import Resolver
 
 _OMPL = "ompl_planning.yaml"
@@ -44,6 +45,8 @@ PIPELINES = (
 #: As MoveItConfigsBuilder finds them, and ``moveit_planning.yaml`` in launch files without it.
 _OF_PIPELINES = "_planning.yaml"
 _INITIAL = "initial_positions.yaml"
+#: The files that MoveIt loads by their names, besides those of pipelines.
+_FILES = (*_OF_GROUPS, *_OF_CONTROLLERS, "joint_limits.yaml", "sensors_3d.yaml", _INITIAL)
 #: Keys of MoveIt Servo's file, whose name differs from robot to robot; one of the second is enough.
 _TOPIC_OF_SERVO = b"command_out_topic:"
 _OF_SERVO = (b"move_group_name:", b"command_in_type:", b"command_out_type:", b"publish_period:")
@@ -84,9 +87,21 @@ class MoveItConfig:
 
     def pipelines(self) -> Iterator[dict[str, Node]]:
         """The files of planning pipelines such as OMPL, which are known by their ending."""
-        names = (name for place in self._places for name in disk.names_or_empty(place))
-        for name in sorted({name for name in names if name.endswith(_OF_PIPELINES)}):
+        for name in self._names(_OF_PIPELINES):
             yield self.load(name)
+
+    def _names(self, *endings: str) -> list[str]:
+        """The names of files in its directories."""
+        names = (name for place in self._places for name in disk.names_or_empty(place))
+        return sorted({name for name in names if name.endswith(endings)})
+
+    def syntax_errors(self) -> Iterator[tuple[Span, str]]:
+        """Location and message of the first syntax error of each file that is not YAML."""
+        for name in self._names(_OF_PIPELINES, *_FILES):
+            source = self._source(name)
+            is_odd = source is not None and not isinstance(load(source), dict)
+            if source and is_odd and (error := syntax_error(source, in_python=True)):
+                yield error
 
     @property
     def _places(self) -> tuple[str, ...]:
@@ -94,12 +109,15 @@ class MoveItConfig:
         return (self._directory, above, os.path.join(above, "config"))
 
     def _read(self, name: str) -> dict[str, Node]:
+        source = self._source(name)
+        return mapping(load(source)) if source else {}
+
+    def _source(self, name: str) -> Source | None:
         for place in self._places:
             path = os.path.join(place, name)
             if disk.is_file(path) and self._resolver.allows(path, self._path):
-                source = self._resolver.readable(path)
-                return mapping(load(source)) if source else {}
-        return {}
+                return self._resolver.readable(path)
+        return None
 
     def group_entries(self) -> Iterator[GroupEntry]:
         """The sections of planning groups in all files."""

@@ -157,7 +157,7 @@ def unreadable(path: str, name: str, resolver: Resolver) -> Iterator[Problem]:
 
     A xacro is ignored: a launch file may pass its required arguments.
     """
-    paths = srdf_files(path, resolver)
+    paths = srdf_files(path, resolver) or other_srdf_files(path, name, resolver)
     for candidate in paths:
         if len(paths) == 1 or _stem(candidate) in (name, _stem(path)):
             source = resolver.readable(candidate)
