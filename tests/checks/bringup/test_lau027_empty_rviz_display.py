@@ -104,3 +104,19 @@ def test_goals_of_rviz(tmp_path: Path, package: str, topic: str, count: int) -> 
     )
     found = reported(tmp_path / "arm", "LAU027", "a.launch.py", text, {"a.rviz": rviz})
     assert ["Nav2 does not" in one.message for one in found] == [True] * count
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("Visualization Manager:\n  Displays: []\n", []),
+        ("Visualization Manager:\n  Tools:\n    - Class: a\n   - Class: b\n", [4]),
+        ("<!-- a: b -->\nVisualization Manager:\n  Displays: c: d\n", [3]),
+        ("", []),
+    ],
+)
+def test_a_configuration_that_is_not_yaml(tmp_path: Path, text: str, lines: list[int]) -> None:
+    """1999AZZAR/Autonomous_Mobile_Manipulator: another indentation in a list of tools."""
+    launch = '<node pkg="rviz2" exec="rviz2" args="-d $(dirname)/../a.rviz"/>'
+    found = reported(tmp_path / "arm", "LAU027", "a.launch.xml", launch, {"a.rviz": text})
+    assert [one.span.line for one in found] == lines

@@ -9,6 +9,7 @@
   does not read.
 - The frames of the robot have a `frame_prefix` that RobotModel does not have as `TF Prefix`, or
   robot_state_publisher publishes them on `/robot1/tf`, while RViz reads `/tf`.
+- The configuration is not YAML.
 
 Sources:
     RViz 2, display types: https://github.com/ros2/rviz/blob/rolling/rviz_default_plugins/plugins_description.xml
@@ -17,6 +18,7 @@ Sources:
 """
 
 from urdfkit.checks.bringup.rviz_displays import (
+    configurations,
     has_other_topics,
     incompatible_reliability,
     meshes_without_uri,
@@ -29,7 +31,7 @@ from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severi
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import topic_name
-from urdfkit.text.located_yaml import scalar
+from urdfkit.text.located_yaml import load, scalar, syntax_error
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 NAME = "launch/view.launch.xml"
@@ -55,6 +57,7 @@ _RELAY = "topic_tools"
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
 def check(context: Context) -> Findings:
+    yield from _unreadable(context)
     yield from unknown_classes(context)
     yield from meshes_without_uri(context)
     yield from volatile_maps(context)
@@ -62,6 +65,17 @@ def check(context: Context) -> Findings:
     yield from unread_goals(context)
     yield from _unprefixed_models(context)
     yield from _unread_transforms(context)
+
+
+def _unreadable(context: Context) -> Findings:
+    """Configurations that are not YAML: RViz starts with an empty one."""
+    for file, source in configurations(context):
+        is_mapping = isinstance(load(source), dict)
+        if not is_mapping and (error := syntax_error(source)):
+            at, reason = error
+            note = Related(file.span, "the file is named here")
+            message = f"RViz does not load its configuration: invalid YAML: {reason}"
+            yield Finding(at, message, "fix the file, or save it anew in RViz", related=(note,))
 
 
 def _unprefixed_models(context: Context) -> Findings:

@@ -31,14 +31,14 @@ _READ_BY_NAV2 = {"SetGoal": "goal_pose", "SetInitialPose": "initialpose"}
 
 def read_by_rviz(context: Context) -> Iterator[tuple[FileUse, dict[str, Node], str]]:
     """The displays in the configurations of RViz in ROS 2: the file, the display, its class."""
-    for file, source in _configurations(context):
+    for file, source in configurations(context):
         for display in displays(source):
             kind = scalar(display, "Class")
             if kind:
                 yield file, display, kind.text
 
 
-def _configurations(context: Context) -> Iterator[tuple[FileUse, Source]]:
+def configurations(context: Context) -> Iterator[tuple[FileUse, Source]]:
     """The configurations of RViz in ROS 2, each once."""
     is_started = any(node.package == "rviz2" for node in context.launch.started)
     files = {file.path: file for file in reversed(context.launch.files) if is_started}
@@ -75,7 +75,7 @@ def unknown_classes(context: Context) -> Findings:
 
 def _misspelt_parts(context: Context) -> Findings:
     """Panels, tools and views whose package has a class of almost the same name."""
-    for file, source in _configurations(context):
+    for file, source in configurations(context):
         for name in other_classes(source):
             package, _, kind = name.text.partition("/")
             known: list[str] = data("rviz")["others"].get(package, [])
