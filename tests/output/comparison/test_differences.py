@@ -1,5 +1,6 @@
 """What counts as a difference between two states of a robot."""
 
+import os
 from math import pi
 from typing import Any
 
@@ -37,6 +38,12 @@ def found(old: str, new: str, **allowed: Any) -> list[str]:
     found = differences(model(ROBOT), model(ROBOT.replace(old, new)), Tolerances(**allowed))
     assert {difference.kind for difference in found} <= set(KINDS)
     return list(map(str, found))
+
+
+def test_the_path_of_a_mesh_in_the_current_directory_is_relative() -> None:
+    """What xacro finds has an absolute path."""
+    (text,) = found("a.stl", f"{os.getcwd()}/meshes/b.stl")
+    assert text == "link 'arm': visual mesh a.stl -> mesh meshes/b.stl"
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,7 @@ from urdfkit.robot.joint import Joint, Limit
 from urdfkit.robot.kinematics import direction
 from urdfkit.robot.link import Body, Inertial, Link, Shape, Tensor
 from urdfkit.robot.model import RobotModel
+from urdfkit.text.source import shown_text
 
 #: Kinds of differences. ``links`` and ``joints``: added or removed; ``names``: renamed; ``joints``:
 #: also types, links, axes and mimics; ``masses``: also centres of mass; ``shapes``: also origins;
@@ -172,7 +173,9 @@ def _of_bodies(
         name = kind[:-1] if len(before) == 1 else f"{kind[:-1]} {number}"
         (old_kind, old_size), (new_kind, new_size) = _shape(old.shape), _shape(new.shape)
         if old_kind != new_kind:
-            yield "shapes", f"{name} {old_kind} -> {new_kind}", old_kind, new_kind
+            # A mesh that xacro finds has an absolute path.
+            text = shown_text(f"{name} {old_kind} -> {new_kind}")
+            yield "shapes", text, old_kind, new_kind
         elif len(old_size) != len(new_size) or dist(old_size, new_size) > allowed.position:
             texts = [" x ".join(f"{value:g}" for value in size) for size in (old_size, new_size)]
             text = f"{name} {old_kind}: {texts[0] or 'no size'} -> {texts[1] or 'no size'}"
