@@ -117,9 +117,8 @@ def _weight(overview: Overview, pose: str) -> Iterator[str]:
 
 
 def _size(overview: Overview) -> Iterator[str]:
-    box, reach, left_out = overview.shapes.box, overview.reach, overview.shapes.left_out
-    if len(left_out) > overview.shapes.measured:
-        box = None  # too few shapes for the size of the robot
+    box, reach, left_out = overview.shapes.robot_box, overview.reach, overview.shapes.left_out
+    if left_out and not box:
         yield from _entry("size", "not known")
     if box:
         edges = " x ".join(f"{edge:.4g}" for edge in box.edges)

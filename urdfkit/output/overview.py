@@ -73,6 +73,11 @@ class Shapes(Record):
     measured: int  # number of links with a shape in ``box``
     left_out: dict[str, str]  # reasons for excluded shapes, by link
 
+    @property
+    def robot_box(self) -> BoundingBox | None:
+        """The bounding box of the robot; None if it lacks the shapes of most links."""
+        return self.box if len(self.left_out) <= self.measured else None
+
 
 class Overview(Record):
     """Summary of a robot."""

@@ -264,3 +264,19 @@ def test_a_robot_without_visuals_is_drawn_by_its_collisions(
     body = '<collision><geometry><sphere radius="1"/></geometry></collision>'
     robot = read(Source("r.urdf", f'<robot name="r"><link name="a">{body}</link></robot>'.encode()))
     assert [*data_uris.images(scene.surfaces(robot), robot, ())] == ["views"]
+
+
+def test_the_size_of_a_robot_lacks_the_shapes_of_few_links_only(tmp_path: Path) -> None:
+    body, mesh = '<box size="1 1 1"/>', '<mesh filename="no.stl"/>'
+    for shapes, size in (((body, body, mesh), [1.0, 1.0, 1.0]), ((body, mesh, mesh), None)):
+        links = "".join(
+            f'<link name="l{n}"><visual><geometry>{shape}</geometry></visual></link>'
+            for n, shape in enumerate(shapes)
+        )
+        joints = "".join(
+            f'<joint name="j{n}" type="fixed"><parent link="l0"/><child link="l{n}"/></joint>'
+            for n in (1, 2)
+        )
+        file = tmp_path / "r.urdf"
+        file.write_text(f'<robot name="r">{links}{joints}</robot>')
+        assert describe(str(file), quick=True).document["robot"]["size"] == size

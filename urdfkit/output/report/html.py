@@ -285,7 +285,9 @@ def _vector(values: Sequence[float | None] | None, places: int = 12) -> str:
     """Numbers with line break opportunities between them, and at most ``places`` decimal places."""
     from markupsafe import Markup
 
-    texts = ("?" if value is None else _number(round(value, places)) for value in values or ())
+    texts = (
+        "?" if value is None else _number(round(value, places) + 0.0) for value in values or ()
+    )
     return Markup(" ".join(f'<span class="value">{text}</span>' for text in texts))
 
 

@@ -64,4 +64,4 @@ def _link(link: dict[str, Any]) -> list[str]:
 
 
 def _vector(values: Iterable[float | None]) -> str:
-    return " ".join("?" if value is None else f"{value:.4g}" for value in values)
+    return " ".join("?" if value is None else f"{round(value, 12) + 0.0:.4g}" for value in values)

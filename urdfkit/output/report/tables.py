@@ -17,7 +17,7 @@ def robot(context: Context) -> Row:
     """Properties of the whole robot with all joints at zero, in the frame of its root."""
     model, tree = context.model, context.tree
     overview = summarise(context)
-    whole = overview.weight.whole.properties
+    whole, box = overview.weight.whole.properties, overview.shapes.robot_box
     return {
         "name": model.name,
         "links": len(model.links),
@@ -27,7 +27,7 @@ def robot(context: Context) -> Row:
         "mass": model.mass,
         "center": list(whole.center) if whole else None,
         "visuals": sum(len(link.visuals) for link in model.links),
-        "size": list(overview.shapes.box.edges) if overview.shapes.box else None,
+        "size": list(box.edges) if box else None,
         "reach": overview.reach.distance if overview.reach else None,
         "collisions": sum(len(link.collisions) for link in model.links),
     }
