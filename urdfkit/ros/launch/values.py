@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 
 from urdfkit.ros.launch.calls import argument, called, parts_of_path
+from urdfkit.ros.launch.chosen_values import chosen
 from urdfkit.ros.launch.collect import UNKNOWN, Collector
 from urdfkit.ros.launch.computed import computed
 from urdfkit.ros.launch.contents import LaunchedFile, Word
@@ -208,6 +209,16 @@ class Values:
 
     def resolved(self, node: ast.expr | None) -> ast.expr | None:
         """An expression, or the value of a name; None if it is ambiguous."""
+        for _ in range(MAX_DEPTH):
+            node = self._of_name(node)
+            part = node and chosen(node, self._of_name)
+            if part is node:
+                return node
+            node = part
+        return None
+
+    def _of_name(self, node: ast.expr | None) -> ast.expr | None:
+        """An expression, or what a name is assigned; None if it is ambiguous."""
         for _ in range(MAX_DEPTH):
             if not isinstance(node, ast.Name):
                 return node
