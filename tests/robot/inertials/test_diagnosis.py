@@ -210,16 +210,28 @@ def test_a_typo_of_a_digit() -> None:
     assert diagnosis.tensor == pytest.approx((0.001, 0, 0, 0.001, 0, 0.0012))
 
 
-def test_the_counterpart_is_possible() -> None:
+def right_leg(*moments: float) -> Diagnosis:
+    """The diagnosis of the right one of two legs."""
     symmetric_pairs = (
         link("hip")
         + link("left_leg", inertial(1, (0.01, 0.002, 0.001, 0.02, 0.003, 0.025)))
-        + link("right_leg", inertial(1, (0.01, 0, 0, 0.02, 0, 0.9)))
+        + link("right_leg", inertial(1, moments))
         + joint("hip", "left_leg", xyz="0 0.1 0")
         + joint("hip", "right_leg", xyz="0 -0.1 0")
     )
     found = masses(symmetric_pairs)
-    diagnosis = diagnose_impossible(found.inertias[1], found)
+    return diagnose_impossible(found.inertias[1], found)
+
+
+def test_the_counterpart_shows_that_the_last_values_are_swapped() -> None:
+    """A Spot: the signs of its own values are right, those of the counterpart are not."""
+    diagnosis = right_leg(0.01, -0.00201, -0.001, 0.02, 0.025, 0.003)
+    assert diagnosis.cause == "has iyz and izz swapped"
+    assert diagnosis.tensor == Tensor(0.01, -0.00201, -0.001, 0.02, 0.003, 0.025)
+
+
+def test_the_counterpart_is_possible() -> None:
+    diagnosis = right_leg(0.01, 0, 0, 0.02, 0, 0.9)
     assert diagnosis.cause == "of its counterpart 'left_leg' is possible"
     assert diagnosis.tensor == Tensor(0.01, -0.002, 0.001, 0.02, -0.003, 0.025)
     assert diagnosis.confidence is Confidence.INFERRED

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from math import isclose
 
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot.inertials.diagnosis import Diagnosis, tensor_of_shape
@@ -38,12 +39,8 @@ def diagnose_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
             return Diagnosis("", shape, Confidence.INFERRED)  # only one entry differs
     for cause, tensor in _rewritten(link):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
-    for counterpart in _symmetric_pairs(link, masses):
-        tensor = counterpart.tensor
-        mirrored = tensor._replace(ixy=-tensor.ixy, iyz=-tensor.iyz)
-        if is_possible(mirrored):
-            cause = f"of its counterpart '{counterpart.name}' is possible"
-            return Diagnosis(cause, mirrored, Confidence.INFERRED)
+    for cause, tensor in _of_counterpart(link, masses):
+        return Diagnosis(cause, tensor, Confidence.INFERRED)
     if link.is_measured and (tensor := _with_corrected_moment(link)):
         return Diagnosis("", tensor, Confidence.INFERRED)
     for cause, tensor in _with_shifted_decimal_point(link):
@@ -51,6 +48,23 @@ def diagnose_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
     if link.is_measured:
         return _of_shape(link)
     return Diagnosis("", None, Confidence.GUESSED)
+
+
+def _of_counterpart(link: LinkInertia, masses: Masses) -> Iterator[tuple[str, Tensor]]:
+    """What the mirror image of the counterpart shows."""
+    for counterpart in _symmetric_pairs(link, masses):
+        tensor = counterpart.tensor
+        mirrored = tensor._replace(ixy=-tensor.ixy, iyz=-tensor.iyz)
+        swapped = link.tensor._replace(iyz=link.tensor.izz, izz=link.tensor.iyz)
+        if is_possible(swapped) and _has_same_numbers(swapped, mirrored):
+            yield "has iyz and izz swapped", swapped
+        if is_possible(mirrored):
+            yield f"of its counterpart '{counterpart.name}' is possible", mirrored
+
+
+def _has_same_numbers(tensor: Tensor, other: Tensor) -> bool:
+    """True for the same entries but for their signs, which only the link itself has right."""
+    return all(isclose(abs(a), abs(b), rel_tol=0.01) for a, b in zip(tensor, other, strict=True))
 
 
 def _of_shape(link: LinkInertia) -> Diagnosis:
