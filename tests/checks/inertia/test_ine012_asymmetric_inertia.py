@@ -84,6 +84,19 @@ def test_names_alone_make_no_pairs() -> None:
                 "all other",
             ),
         ),
+        (
+            0.395,  # the masses of the driven wheels of an AGV differ by 2 %, the moments by 10 %
+            (2.2e-6, 2e-6, 1e-6),
+            4,
+            naming(
+                "right_a",
+                "1e-06, 2e-06, 2.2e-06 kg·m²",
+                "left_a",
+                "nearly the same",
+                "1e-06, 2e-06, 2e-06 kg·m²",
+                "all other",
+            ),
+        ),
         (0.36, MOMENTS, 3, ""),
         (0.375, MOMENTS, 4, ""),  # as a CAD program computes two wheels of a Bunker
     ],

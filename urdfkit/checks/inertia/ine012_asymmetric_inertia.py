@@ -32,7 +32,7 @@ from urdfkit.robot.fingers import odd_one, series
 from urdfkit.robot.inertia import principal_moments, rotated
 from urdfkit.robot.inertials.defects import distance_outside
 from urdfkit.robot.inertials.link_comparison import LinkInertia
-from urdfkit.robot.inertials.masses import Masses, unlike
+from urdfkit.robot.inertials.masses import ONLY_PAIR, Masses, unlike
 from urdfkit.robot.inertials.tensor_text import format_moments
 from urdfkit.robot.link import Tensor
 from urdfkit.robot.samples import hand_xml, inertial_xml
@@ -75,7 +75,7 @@ def check(context: Context) -> Findings:
     for left, right in context.masses.asymmetric_pairs:
         is_clear = unlike(left, right)
         reason = "" if is_clear else "; all other counterparts are alike"
-        if (is_clear or unlike(left, right, 1.0, 1.0)) != "mass":
+        if (is_clear or unlike(left, right, ONLY_PAIR, ONLY_PAIR)) != "mass":
             yield _of_inertia(left, right, reason)
         elif not re.search(_BALANCES, left.link.name):
             yield _of_mass(left, right, reason)
@@ -117,10 +117,11 @@ def _of_mass(left: LinkInertia, right: LinkInertia, reason: str) -> Finding:
 
 
 def _of_inertia(left: LinkInertia, right: LinkInertia, reason: str) -> Finding:
+    equal = "the same" if left.mass == right.mass else "nearly the same"
     return Finding(
         right.at,
         f"link '{right.link.name}' has principal moments of inertia of "
-        f"{format_moments(right.moments)}, its counterpart '{left.link.name}' of the same mass "
+        f"{format_moments(right.moments)}, its counterpart '{left.link.name}' of {equal} mass "
         f"{format_moments(left.moments)}{reason}",
         related=(Related(left.at.span, f"the inertia of '{left.link.name}'"),),
     )

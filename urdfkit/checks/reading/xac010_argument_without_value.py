@@ -1,7 +1,8 @@
 """The model needs an argument that was not given and has no default.
 
 xacro stops with "Undefined substitution argument". Pass it on the command line as `name:=value`,
-or give the `<xacro:arg>` a default, so that the model can be expanded without arguments.
+or give the `<xacro:arg>` a default, so that the model can be expanded without arguments. A default
+with which files do not exist, such as an empty part of their names, is none.
 
 Sources:
     xacro: https://wiki.ros.org/xacro

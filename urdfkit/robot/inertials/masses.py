@@ -25,7 +25,7 @@ MAX_MASS_RATIO = 1.5
 PAIR_MASS, PAIR_MOMENTS = 1.2, 1.5
 
 #: The same for the only pair that differs, where at least so many pairs are equal but for rounding.
-_ONLY_PAIR, _EQUAL, _EQUAL_PAIRS = 1.05, 1.001, 4
+ONLY_PAIR, _EQUAL, _EQUAL_PAIRS = 1.05, 1.001, 4
 
 #: This many links of implausible density, if most of the known ones, have a common cause.
 COMMON_CAUSE = 3
@@ -207,7 +207,7 @@ class Masses:
         """The pair that alone differs in mass or moments; None if there are few others."""
         unequal = [pair for pair in self.symmetric_pairs if unlike(*pair, _EQUAL, _EQUAL)]
         is_only = len(unequal) == 1 and len(self.symmetric_pairs) > _EQUAL_PAIRS
-        return unequal[0] if is_only and unlike(*unequal[0], _ONLY_PAIR, _ONLY_PAIR) else None
+        return unequal[0] if is_only and unlike(*unequal[0], ONLY_PAIR, ONLY_PAIR) else None
 
     @cached_property
     def shared_by_macro(self) -> dict[Tag, list[Link]]:
