@@ -169,6 +169,14 @@ def test_a_frame_that_is_the_cameras_own_link_looks_along_x(inner: str, count: i
     assert findings("JNT030", "imu", inner) == []
 
 
+@pytest.mark.parametrize(("frame", "count"), [("eye_optical", 0), ("base", 1)])
+def test_an_optical_frame_for_the_images_alone(frame: str, count: int) -> None:
+    inner = (
+        "<gz_frame_id>base</gz_frame_id><camera><optical_frame_id>{}</optical_frame_id></camera>"
+    )
+    assert len(findings("JNT030", "rgbd_camera", inner.format(frame))) == count
+
+
 def test_a_link_that_is_called_optical_is_meant() -> None:
     inner = PLUGIN.format("frameName", "base_optical")
     assert findings("JNT030", "camera", inner, reference="base_optical") == []

@@ -232,3 +232,32 @@ def test_a_file_that_setup_py_installs_elsewhere(
     for one in found:
         assert "setup.py installs 'config/c.yaml' as share/arm/c.yaml" in one.message
         assert one.help == naming("share/arm/config", "their")
+
+
+CRATE = "install(DIRECTORY models/crate DESTINATION share/${PROJECT_NAME}/models)\n"
+RESOURCES = """
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch.actions import AppendEnvironmentVariable
+
+share = get_package_share_directory("arm")
+AppendEnvironmentVariable("GZ_SIM_RESOURCE_PATH", os.path.join(share, "models"))
+"""
+
+
+@pytest.mark.parametrize(
+    ("build", "count"),
+    [
+        ({"CMakeLists.txt": CMAKE.format("launch")}, 1),
+        ({"CMakeLists.txt": CMAKE.format("launch models")}, 0),
+        ({"CMakeLists.txt": CMAKE.format("launch") + CRATE}, 0),
+        ({"setup.py": SETUP.format("'launch/*'")}, 1),
+        ({"setup.py": SETUP.format("'launch/*') + glob('models/crate/*'")}, 0),
+    ],
+)
+def test_a_directory_of_the_resource_path(
+    tmp_path: Path, build: dict[str, str], count: int
+) -> None:
+    made = build | {"models/crate/model.sdf": "<sdf/>", "config/c.yaml": "a: 1\n"}
+    found = of_launch(tmp_path, "PKG002", "a.launch.py", RESOURCES, made)
+    assert [one.message.split()[0] for one in found] == ["'models'"] * count

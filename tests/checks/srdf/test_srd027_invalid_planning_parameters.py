@@ -20,6 +20,7 @@ FIXED, TIMES = (
     for name in ("FixWorkspaceBounds", "AddTimeOptimalParameterization")
 )
 VALIDATION = "default_planning_response_adapters/ValidateSolution"
+TIMED = "default_planning_response_adapters/AddTimeOptimalParameterization"
 ADAPTER = "default_planning_request_adapters/CheckStartStateBounds"
 OLD = "planning_plugin: ompl_interface/OMPLPlanner\n"
 NEW = "planning_plugins: [ompl_interface/OMPLPlanner]\n"
@@ -66,7 +67,7 @@ NEW = "planning_plugins: [ompl_interface/OMPLPlanner]\n"
         ),
         (
             "ompl_planning.yaml",
-            OLD + f"request_adapters:\n  - {ADAPTER}\n",
+            OLD + f"request_adapters:\n  - {ADAPTER}\nresponse_adapters:\n  - {TIMED}\n",
             1,
             naming("planning_plugin", "Humble", "Jazzy"),
             "write planning_plugins: [ompl_interface/OMPLPlanner]",

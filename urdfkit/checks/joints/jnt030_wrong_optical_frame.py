@@ -12,7 +12,7 @@ down: rpy="-pi/2 0 -pi/2" rotates the one into the other (REP 103).
 - A camera of Gazebo is on an optical frame: a sensor looks along x of its link, so the camera looks
   to the right. Put it on the camera's own link.
 - The images have the frame_id of the camera's own link, which is x-forward: objects straight ahead
-  appear above the robot. Use an optical frame. An info.
+  appear above the robot. Use an optical frame. An info; not if `<optical_frame_id>` names another.
 
 Sources:
     REP 103, units and axes: https://www.ros.org/reps/rep-0103.html
@@ -63,6 +63,8 @@ _ALONG = 0.99
 _TOLERANCE = 0.01
 #: Elements of a camera's plugin or sensor that contain the frame of its images.
 _FRAME_IDS = ("frameName", "frame_name", "gz_frame_id", "frame_id", "ignition_frame_id")
+#: Element of a camera in gz sim with a frame for the images alone.
+_OF_IMAGES = "optical_frame_id"
 
 
 @rule(Severity.WARNING)
@@ -132,6 +134,8 @@ def _gazebo_cameras(context: Context) -> Findings:
                 message = f"{sensor.who} looks along x of '{link}', {where}"
                 help = "refer to the camera's link, and name the optical frame in the plugin"
                 yield Finding(sensor.at, message, help)
+            continue
+        if any(part.tag == _OF_IMAGES and part.text.strip() != link for part in sensor.at.walk()):
             continue
         parents = (sensor.at, *sensor.plugins)
         for frame in (at for parent in parents for tag in _FRAME_IDS for at in parent.all(tag)):

@@ -73,7 +73,8 @@ def _uninstalled(
         misplaced = rules.misplaced(relative)
         if is_itself and misplaced.startswith(f"share/{name}/"):
             continue  # ros2 launch searches all directories of the package
-        misplaced = "" if is_itself else misplaced
+        if is_itself or disk.is_directory(os.path.join(directory, relative)):
+            misplaced = ""
         message = f"'{relative}' is not installed by {rules.file}"
         if misplaced:
             message = f"{rules.file} installs '{relative}' as {misplaced}"
@@ -122,6 +123,12 @@ def _launched(context: Context) -> dict[tuple[str, str], list[tuple[str, Span]]]
     for path, span in (*itself, *named):
         package = packages.enclosing(path) if os.path.isabs(path) else None
         relative = os.path.relpath(path, package[1]) if package else ""
-        if package and os.sep in relative:
+        if package and (os.sep in relative or _is_filled(path, package[1])):
             found.setdefault(package, []).append((relative, span))
     return found
+
+
+def _is_filled(path: str, package: str) -> bool:
+    """True for a directory in a package with files, such as one for Gazebo's resource path."""
+    is_below = os.path.normpath(path) != os.path.normpath(package)
+    return is_below and disk.is_directory(path) and bool(disk.names_or_empty(path))

@@ -167,9 +167,9 @@ def _pipelines(context: Context) -> Findings:
                 message = f"{key} is a text, but with planning_plugins (Jazzy) it is a list"
                 help = f"write each on a line: - {names[0]}"
                 yield Finding(key.span, message, help, severity=Severity.WARNING)
-            elif key == _ADAPTERS[is_new] and _are_untimed(root, value):
+            elif key == _ADAPTERS[is_new or _has_lists(root)] and _are_untimed(root, value):
                 message = "no adapter of OMPL computes times: all points have the time 0"
-                package = "planning_response" if is_new else "planner_request"
+                package = "planner_request" if key == _ADAPTERS[0] else "planning_response"
                 help = f"add default_{package}_adapters/AddTimeOptimalParameterization"
                 yield Finding(key.span, message, help, severity=Severity.WARNING)
             elif key == "planning_plugin" and not is_new and _has_lists(root):
