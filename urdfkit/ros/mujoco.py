@@ -50,6 +50,7 @@ class Compiler(Record):
 
 
 def compiler_of(model: RobotModel) -> Compiler:
+    """The settings in a URDF; the defaults for those that are missing or no values."""
     block = model.document.root.child("mujoco")
     element = block.child("compiler") if block else None
     if element is None:

@@ -33,9 +33,10 @@ _NAMES = (
 #: What follows a word in a message for the user, and not a type in Python.
 _GOES_ON = rb" (?!(?:and|as|else|for|if|in|is|not|or)\b)[a-z]"
 _TYPE = rb"\(\s*(?:self,\s*)?(?:[\w.]+\.)?\w+,"
-#: The same, and where a program reads them, or where it makes and publishes them.
-_READS = _NAMES + rb"|\b(?:create_subscription|Subscriber|Subscription)" + _TYPE
-_PUBLISHES = _NAMES + rb"|\b(?:create_publisher|Publisher)" + _TYPE + rb"|\b[A-Z]\w*\("
+#: What does not count in a search for programs that publish them: also where one reads them; and
+#: in one for programs that read them: also where one makes and publishes them.
+_NOT_PUBLISHED = _NAMES + rb"|\b(?:create_subscription|Subscriber|Subscription)" + _TYPE
+_NOT_READ = _NAMES + rb"|\b(?:create_publisher|Publisher)" + _TYPE + rb"|\b[A-Z]\w*\("
 
 
 def xml_readers(tags: Iterable[str], near: str, resolver: Resolver) -> dict[str, str]:
@@ -94,13 +95,13 @@ def may_publish(package: str, message: str, near: str, resolver: Resolver) -> bo
     The programs of the packages that it depends on count, too: it may consist of their classes.
     """
     directories = _of_package(package, near, resolver)
-    return not directories or _may_name(message, directories, _READS, resolver)
+    return not directories or _may_name(message, directories, _NOT_PUBLISHED, resolver)
 
 
 def may_read(package: str, message: str, near: str, resolver: Resolver) -> bool:
     """False if no program of a package, as above, reads a type of messages."""
     directories = _of_package(package, near, resolver)
-    return not directories or _may_name(message, directories, _PUBLISHES, resolver)
+    return not directories or _may_name(message, directories, _NOT_READ, resolver)
 
 
 def _of_package(package: str, near: str, resolver: Resolver) -> tuple[str, ...]:
