@@ -119,7 +119,7 @@ def on_a_terminal(*words: str | Path, command: str = "check") -> tuple[str, str]
 @UNIX
 def test_a_directory_on_a_terminal() -> None:
     out, reported = on_a_terminal(MODELS / "good", "--exit-zero")
-    assert reported.startswith("\r[")
+    assert reported.startswith("\rworking ...\r["), "before the first robot is found"
     assert "] 3 of 3" in reported
     assert reported.endswith("\r\x1b[K")
     assert "\x1b" not in out
@@ -127,8 +127,8 @@ def test_a_directory_on_a_terminal() -> None:
 
 
 @UNIX
-def test_one_file_without_meshes_has_none() -> None:
-    assert on_a_terminal(GRIPPER)[1] == ""
+def test_one_file_without_meshes_has_no_bar() -> None:
+    assert on_a_terminal(GRIPPER)[1] == "\rworking ...\r\x1b[K"
 
 
 @UNIX
@@ -145,7 +145,7 @@ def test_one_file_shows_its_meshes(command: str, tmp_path: Path) -> None:
         '<collision><geometry><mesh filename="b.stl"/></geometry></collision></link></robot>'
     )
     _, reported = on_a_terminal(file, command=command)
-    assert reported.startswith(f"\r[{' ' * 30}] 0 of 2 mesh files")
+    assert reported.startswith(f"\rworking ...\r[{' ' * 30}] 0 of 2 mesh files")
     assert reported.endswith("\r\x1b[K")
 
 

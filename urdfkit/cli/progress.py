@@ -100,8 +100,13 @@ def on_terminal(things: str = "", *, rated: bool = False) -> ProgressBar | None:
 
 @contextmanager
 def progress_bar(things: str = "", *, rated: bool = False) -> Iterator[Progress | None]:
-    """Show a progress bar on standard error during a job, if it is a terminal."""
+    """Show a progress bar on standard error during a job, if it is a terminal.
+
+    Until the first step is done, such as the search for robots, it shows that the job is running.
+    """
     bar = on_terminal(things, rated=rated)
+    if bar is not None:
+        bar(0, 0)
     try:
         yield limits.noting(bar)
     finally:

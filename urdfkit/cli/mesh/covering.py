@@ -10,6 +10,7 @@ import click
 from urdfkit.cli import output
 from urdfkit.cli.decorators import Command, choice, option, to_file, with_options
 from urdfkit.cli.mesh import tables
+from urdfkit.cli.progress import working
 from urdfkit.core import atomic
 from urdfkit.lint.context import Context
 from urdfkit.output.covers import RobotCover
@@ -59,18 +60,23 @@ def write(
     Returns:
         The exit code.
     """
-    if format == "json":
-        from urdfkit.core.strict_json import dumped
-
-        text = dumped(found.facts)
-    else:
-        text = formats[format](robot, found)
+    with working():
+        text = _text(robot, found, formats, format)
+        lines = [] if out is None else list(_table(shapes, found))
     if out is None:
         output.write(text)
     else:
         atomic.write(out, output.encode(text))
-        output.page([*_table(shapes, found), f"wrote {shown(out)}"])
+        output.page([*lines, f"wrote {shown(out)}"])
     return int(bool(found.left_out))
+
+
+def _text(robot: Context, found: RobotCover, formats: Formats, format: str) -> str:
+    if format == "json":
+        from urdfkit.core.strict_json import dumped
+
+        return dumped(found.facts)
+    return formats[format](robot, found)
 
 
 def _table(shapes: str, found: RobotCover) -> Iterator[str]:
