@@ -36,19 +36,20 @@ def test_a_moment_that_stands_alone() -> None:
     assert found.help == naming('ixx="0.1"', 'iyy="0.05"', 'izz="0.13"')
 
 
-def test_a_counterpart_gives_the_value() -> None:
+@pytest.mark.parametrize(("mass", "is_fixed"), [(0.2, True), (0.15, False)])
+def test_a_counterpart_gives_the_value(mass: float, is_fixed: bool) -> None:
+    """Not one of another mass, as the left and right finger tips of a HSR."""
     robot = (
         link("hip")
-        + link("l_ankle", inertial(0.2, (1e-4, 0, 7e-6, 3.7e-4, 0, 4.2e-4)))
+        + link("l_ankle", inertial(mass, (1e-4, 0, 7e-6, 3.7e-4, 0, 4.2e-4)))
         + link("r_ankle", inertial(0.2, (1e-4, 0, -1.2e-4, 3.7e-4, 0, 4.2e-4)))
         + joint("hip", "l_ankle")
         + joint("hip", "r_ankle")
     )
     (found,) = reported("INE003", robot)
     assert found.element == "link/r_ankle/inertial/inertia"
-    assert found.help == naming(
-        "l_ankle", 'ixx="0.0001"', 'ixz="7e-06"', 'iyy="0.00037"', 'izz="0.00042"'
-    )
+    help = naming("l_ankle", 'ixx="0.0001"', 'ixz="7e-06"', 'iyy="0.00037"', 'izz="0.00042"')
+    assert (found.help == help) is (found.fix is not None) is is_fixed
 
 
 def test_without_a_diagnosis_the_help_is_the_rule_s() -> None:

@@ -9,6 +9,7 @@ from math import isclose
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.robot.inertials.diagnosis import Diagnosis, tensor_of_shape
 from urdfkit.robot.inertials.link_comparison import LinkInertia
+from urdfkit.robot.inertials.masses import unlike
 from urdfkit.robot.inertials.tensor_entries import differs, is_possible, opposite, rearranged
 from urdfkit.robot.link import Tensor
 from urdfkit.text.diagnostic import Confidence
@@ -58,7 +59,7 @@ def _of_counterpart(link: LinkInertia, masses: Masses) -> Iterator[tuple[str, Te
         swapped = link.tensor._replace(iyz=link.tensor.izz, izz=link.tensor.iyz)
         if is_possible(swapped) and _has_same_numbers(swapped, mirrored):
             yield "has iyz and izz swapped", swapped
-        if is_possible(mirrored):
+        if is_possible(mirrored) and unlike(link, counterpart) != "mass":
             yield f"of its counterpart '{counterpart.name}' is possible", mirrored
 
 
