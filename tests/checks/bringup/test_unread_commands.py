@@ -309,6 +309,27 @@ def test_output_next_to_remapped_smoothers(
     ] * count
 
 
+@pytest.mark.parametrize(
+    ("remapped", "more", "lost"),
+    [
+        ("('cmd_vel', 'cmd_vel_nav'), ('cmd_vel_smoothed', 'drive/cmd_vel')", "", ""),
+        ("('cmd_vel', 'cmd_vel_nav')", "", "/cmd_vel_smoothed"),
+        ("('cmd_vel', 'cmd_vel_nav'), ('cmd_vel_smoothed', 'cmd_vel')", "", "/cmd_vel"),
+        (
+            "('cmd_vel', 'cmd_vel_nav')",
+            NODE.format("nav2_collision_monitor", "collision_monitor", ""),
+            "",
+        ),
+    ],
+)
+def test_a_smoother_that_nothing_reads(tmp_path: Path, remapped: str, more: str, lost: str) -> None:
+    smoother = f"name='velocity_smoother', remappings=[{remapped}]"
+    text = NODE.format("nav2_velocity_smoother", "velocity_smoother", smoother) + COMMANDS + more
+    found = reported(tmp_path, "LAU032", "a.launch.py", text)
+    expected = [naming("velocity_smoother", lost, "/drive/cmd_vel")] if lost else []
+    assert [one.message for one in found] == expected
+
+
 @pytest.mark.parametrize(("stamped", "who"), [("true", "twist_mux"), ("false", "teleop_node")])
 def test_a_mux_with_the_wrong_type(tmp_path: Path, stamped: str, who: str) -> None:
     """Its inputs have the type of its output: only the mux, or only its input, is to be changed."""

@@ -101,8 +101,7 @@ def unread_commands(context: Context) -> Findings:
         inputs = {reader.topic: reader.related for reader in free} or drives
         yield from _unread_outputs(context, launches, inputs, read)
         yield from _unread_navigation(context, navigation, launches, drives, read)
-    if any(node.package in _SMOOTHERS for node in programs):
-        read.update(_SMOOTHED)
+    read |= _read_by_smoothers(launches, context)
     for node, topic in sources if readers else ():
         if topic not in read and not _is_named(topic, launches, context):
             known = drives if node.package == _MUX and drives else readers
@@ -138,6 +137,19 @@ def _unread_outputs(
             other, message = _unread(_MONITOR, topic, readers)
             help = f"write {other.strip('/')}"
             yield Finding(value.span, message, help, related=(readers[other],))
+
+
+def _read_by_smoothers(launches: Iterable[Launch], context: Context) -> set[str]:
+    """The topics on which the smoothers of Nav2 may read commands."""
+    launches = list(launches)
+    programs = programs_of(launches)
+    smoothers = [node for node in programs if node.package in _SMOOTHERS]
+    shipped = {file.span for launch in launches for file in launch.includes}
+    if any(node.span in shipped for node in smoothers):
+        return set(_SMOOTHED)  # what the launch files of Nav2 remap is not known
+    read = (_inputs_of_smoothers(programs, context) or set(_SMOOTHED)) if smoothers else set()
+    is_alone = all(node.executable == _SMOOTHER for node in smoothers)
+    return read - {f"/{_OF_SMOOTHER}"} if is_alone else read
 
 
 def _inputs_of_smoothers(programs: list[StartedProgram], context: Context) -> set[str] | None:
