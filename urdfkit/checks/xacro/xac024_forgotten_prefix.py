@@ -3,7 +3,8 @@
 The robot is right while the prefix is empty, and breaks with any other prefix: with
 `prefix:=left_` there is no `elbow_joint`, only `left_elbow_joint`. To compare the names, urdfkit
 expands the robot once more with a value for each empty argument, independent of its name. Write
-`${prefix}` or `$(arg prefix)` in the reference, too.
+`${prefix}` or `$(arg prefix)` in the reference, too. The same holds for names in an SRDF that is a
+xacro and has the argument of the prefix, too.
 
 If a package of the robot is not found, a link is also reported that a joint names without a prefix
 that is not empty.
@@ -66,18 +67,23 @@ def _forgotten_prefixes(context: Context) -> Findings:
     arguments = empty_arguments(context)
     if not arguments:
         return
+    srdf = context.srdf if context.srdf and context.srdf.path.endswith(".xacro") else None
     prefixed = {name for name, at in _definitions(root) if not at.literal}
     suspects = {
         name
         for name, span, element in _references(root, prefixed)
         if _written(name, span, element.frame)
     }
-    for argument in arguments if suspects else ():
+    for argument in arguments if suspects or srdf else ():
         values = {**context.arguments, argument: _PREFIX}
         other = context.expanded_with(values)
         if other is None:
             continue
         names = {name for name, _ in _definitions(other.root)}
+        if srdf is not None:
+            from urdfkit.checks.xacro.prefixes_in_srdf import without_prefix  # imports MoveIt
+
+            yield from without_prefix(context, srdf, argument, _PREFIX, names)
         lost = {name for name in suspects - names if f"{_PREFIX}{name}" in names}
         for name, span, element in _references(other.root, lost):
             written = _written(name, span, element.frame) or span

@@ -96,16 +96,16 @@ def read(path: str, robot: RosDescription) -> Srdf | None:
     arguments from launch files, unless it then fits the robot worse. Where both pass an argument
     that changes no link and no joint, such as the name of a group, the launch file decides.
     """
-    srdf, names = _expanded(path, robot, robot.arguments)
+    srdf, names = expanded(path, robot, robot.arguments)
     others = names - robot.arguments.keys()
     for arguments in _launched(path, robot, others) if others else ():
-        launched, _ = _expanded(path, robot, {**arguments, **robot.arguments})
+        launched, _ = expanded(path, robot, {**arguments, **robot.arguments})
         if launched and (srdf is None or len(launched.unknown) <= len(srdf.unknown)):
             srdf = launched
             break
     shared = names & robot.arguments.keys()
     for arguments in _launched(path, robot, shared) if srdf and shared else ():
-        launched, _ = _expanded(path, robot, {**robot.arguments, **arguments})
+        launched, _ = expanded(path, robot, {**robot.arguments, **arguments})
         if launched and srdf and launched.named == srdf.named:
             launched.is_shared = any(robot.arguments[key] != arguments[key] for key in arguments)
             return launched
@@ -125,10 +125,10 @@ def read_named(path: str, robot: RosDescription) -> Srdf:
     return srdf
 
 
-def _expanded(
+def expanded(
     path: str, robot: RosDescription, arguments: Mapping[str, str]
 ) -> tuple[Srdf | None, set[str]]:
-    """An SRDF file with arguments, and the names of its arguments."""
+    """An SRDF file with arguments, and the names of its arguments; None if it cannot be read."""
     document, names = _parsed(path, robot.resolver, robot.trust, arguments)
     if document is None or document.root.tag != "robot":
         return None, names
