@@ -103,6 +103,7 @@ def test_an_argument_above_its_default(tmp_path: Path, passed: str, count: int) 
     assert ["above its <xacro:arg>" in one.message for one in found] == [True] * count
 
 
+INCLUDE = '<xacro:include filename="r.xacro"/>\n<link'
 MACROS = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 <xacro:macro name="m">{}</xacro:macro>{}</robot>"""
 
@@ -112,3 +113,17 @@ def test_a_file_that_only_defines_macros(tmp_path: Path, more: str, count: int) 
     (tmp_path / "r.xacro").write_text(MACROS.format('<link name="a"/>', more))
     found = check(Source(str(tmp_path / "a.launch"), LAUNCH), select=["LAU004"]).diagnostics
     assert [one.span.line for one in found] == [2] * count
+
+
+@pytest.mark.parametrize(
+    ("more", "help"),
+    [
+        ({}, "call its macro: <xacro:m .../>"),
+        ({"robot.xacro": ROBOT.format("a").replace("<link", INCLUDE)}, "name robot.xacro"),
+    ],
+)
+def test_what_calls_the_macros(tmp_path: Path, more: dict[str, str], help: str) -> None:
+    files = {"r.xacro": MACROS.format('<link name="a"/>', ""), **more}
+    text = "<param name='robot_description' command='xacro $(find arm)/r.xacro'/>"
+    (found,) = reported(tmp_path / "arm", "LAU004", "a.launch", text, files)
+    assert found.help.startswith(help)

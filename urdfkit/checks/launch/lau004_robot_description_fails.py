@@ -16,8 +16,11 @@ Sources:
     robot_state_publisher: https://github.com/ros/robot_state_publisher/blob/rolling/src/robot_state_publisher.cpp
 """
 
+import os
+
 from urdfkit.core.static_typing import Any
 from urdfkit.lint.rules import Context, Finding, Findings, Location, Need, Related, Severity, rule
+from urdfkit.workspace.includes import includer
 
 NAME = "robot.launch"
 FILES = {
@@ -48,7 +51,7 @@ def check(context: Context) -> Findings:
         elif is_read and description.is_whole and _is_empty(robot):
             place = Location(description.frame.call.span, description.frame.outer)
             message = f"'{description.path}' has no link: robot_state_publisher stops"
-            yield Finding(place, message, "name the file that calls its macros")
+            yield Finding(place, message, _how_to_fill(robot))
         elif is_read and description.is_yaml:
             place = Location(description.frame.call.span, description.frame.outer)
             reason = _yaml_error(robot, description.is_expanded)
@@ -66,6 +69,15 @@ def _is_empty(robot: Context) -> bool:
     """True for a file that only defines macros."""
     xacro = robot.reading.xacro
     return xacro is not None and xacro.is_library and not robot.document.root.children
+
+
+def _how_to_fill(robot: Context) -> str:
+    """The file that includes one of macros alone, which may call them; else the missing call."""
+    path, xacro = robot.source.path, robot.reading.xacro
+    if file := includer(path, robot.resolver.packages):
+        return f"name {os.path.basename(file)}, which includes it"
+    own = [one for one in xacro.macros if one.tag.source.path == path] if xacro else []
+    return f"call its macro: <xacro:{own[0].name} .../>" if len(own) == 1 else "call its macros"
 
 
 def _yaml_error(robot: Context, is_expanded: bool) -> str:
