@@ -36,6 +36,14 @@ def test_a_moment_that_stands_alone() -> None:
     assert found.help == naming('ixx="0.1"', 'iyy="0.05"', 'izz="0.13"')
 
 
+def test_a_moment_that_stands_alone_and_is_plausible() -> None:
+    """KUKA's arms: of the first link, the moment about the joint is measured."""
+    (found,) = reported("INE003", part("base", 12, (0, 0, 0.26), BOX))
+    assert found.help == naming('ixx="0.2"', 'iyy="0.1"', 'izz="0.26"')
+    assert found.fix is not None
+    assert len(found.fix.edits) == 2
+
+
 @pytest.mark.parametrize(("mass", "is_fixed"), [(0.2, True), (0.15, False)])
 def test_a_counterpart_gives_the_value(mass: float, is_fixed: bool) -> None:
     """Not one of another mass, as the left and right finger tips of a HSR."""

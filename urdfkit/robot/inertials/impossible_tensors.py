@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from math import isclose
 
 from urdfkit.core.static_typing import TYPE_CHECKING
+from urdfkit.robot.inertia import scaled
 from urdfkit.robot.inertials.diagnosis import Diagnosis, tensor_of_shape
 from urdfkit.robot.inertials.link_comparison import LinkInertia
 from urdfkit.robot.inertials.masses import unlike
@@ -24,6 +25,9 @@ _SAME_MULTIPLE = 1.5
 _LEAST_MULTIPLE, _MOST_MULTIPLE = 0.5, 3.0
 #: Largest moment by the sum of the two others, up to which one of three computed numbers is wrong.
 _MAX_EXCESS = 1.1
+_MOMENTS = ("ixx", "iyy", "izz")
+#: In kg·m²: what is written instead of zero.
+_ZERO = 1e-15
 #: Most digits of a number that is not computed.
 _MAX_DIGITS = 12
 
@@ -42,7 +46,7 @@ def diagnose_impossible(link: LinkInertia, masses: Masses) -> Diagnosis:
         return Diagnosis(cause, tensor, Confidence.GUESSED)
     for cause, tensor in _of_counterpart(link, masses):
         return Diagnosis(cause, tensor, Confidence.INFERRED)
-    if link.is_measured and (tensor := _with_corrected_moment(link)):
+    if link.is_measured and (tensor := _with_one_moment(link) or _with_corrected_moment(link)):
         return Diagnosis("", tensor, Confidence.INFERRED)
     for cause, tensor in _with_shifted_decimal_point(link):
         return Diagnosis(cause, tensor, Confidence.GUESSED)
@@ -89,6 +93,22 @@ def _is_computed_otherwise(link: LinkInertia) -> bool:
     )
 
 
+def _with_one_moment(link: LinkInertia) -> Tensor | None:
+    """The tensor of the shape, scaled to the only entry that is written, if that is a moment.
+
+    Of the base of an arm, the moment about its joint alone can be measured.
+    """
+    written = {key: value for key, value in link.tensor._asdict().items() if abs(value) > _ZERO}
+    expected = tensor_of_shape(link)
+    if expected is None or len(written) != 1 or not written.keys() <= set(_MOMENTS):
+        return None
+    ((key, value),) = written.items()
+    ratio = value / getattr(expected, key)
+    if not _LEAST_MULTIPLE <= ratio <= _MOST_MULTIPLE:
+        return None
+    return scaled(expected, ratio)._replace(**{key: value})
+
+
 def _with_corrected_moment(link: LinkInertia) -> Tensor | None:
     """A tensor of a CAD program with the one moment that does not go with the two others.
 
@@ -97,10 +117,9 @@ def _with_corrected_moment(link: LinkInertia) -> Tensor | None:
     expected = link.expected
     if expected is None or link.has_round_numbers:
         return None
-    keys = ("ixx", "iyy", "izz")
-    ratios = {key: getattr(link.tensor, key) / getattr(expected, key) for key in keys}
+    ratios = {key: getattr(link.tensor, key) / getattr(expected, key) for key in _MOMENTS}
     found = []
-    for key in keys:
+    for key in _MOMENTS:
         low, high = sorted(ratio for name, ratio in ratios.items() if name != key)
         if _LEAST_MULTIPLE <= low <= high <= min(_MOST_MULTIPLE, _SAME_MULTIPLE * low):
             value = getattr(expected, key) * (low * high) ** 0.5
