@@ -60,9 +60,7 @@ def _rejection(rejected: list[Rejection], tree: KinematicTree) -> Iterator[str]:
     for reader in dict.fromkeys(rejection.reader for rejection in rejected):
         yield f"{reader} rejects this robot:"
         yield from output.errors(
-            (f"{shown(one.span.source.path)}:{one.span.line}", one.message, one.code)
-            for one in rejected
-            if one.reader == reader
+            (str(one.span), one.message, one.code) for one in rejected if one.reader == reader
         )
         yield ""
     if rejected:

@@ -171,10 +171,7 @@ def _report(imported: Imported, errors: list[Diagnostic]) -> Iterator[str]:
     if errors:
         flag = f" --target {facts.target}" if facts.target else ""
         yield f"{facts.title} may reject this robot: 'urdfkit check{flag}' reports"
-        yield from output.errors(
-            (f"{shown(error.span.source.path)}:{error.span.line}", error.message, error.code)
-            for error in errors
-        )
+        yield from output.errors((str(error.span), error.message, error.code) for error in errors)
         yield "Without these errors:"
         yield ""
     number = len(_moving(imported))
