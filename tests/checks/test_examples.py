@@ -39,7 +39,7 @@ PARTS = {
 #: What rules of a family, or a rule, look at where it is to be had, and do without otherwise.
 OPTIONAL = {family: {"files", "measured"} for family in ("INE", "GEO", "MSH")}
 OPTIONAL |= {"XAC011": {"document", "files", "model"}, "XAC014": {"files", "measured", "xacro"}}
-OPTIONAL |= {"XAC024": {"other_robot"}}
+OPTIONAL |= {"XAC024": {"other_robot", "srdf"}}
 #: Of a name that is misspelt, everything else that may have it.
 OPTIONAL |= {code: {"plugins", "srdf"} for code in ("REF001", "GAZ001", "SRD001", "RCT001")}
 #: The pairs that the SRDF, if there is one, disables.
