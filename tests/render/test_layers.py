@@ -11,11 +11,12 @@ pytest.importorskip("numpy")
 
 import numpy as np
 
+from tests.conftest import ARM
 from tests.render.scenes import alone, link, robot
 from urdfkit.lint.loading import read
 from urdfkit.render import LAYERS, build, labels, place_camera, render_image, with_layers
 from urdfkit.render.fonts import writing
-from urdfkit.render.layers import ADJACENT, INERTIA, OVERLAP, NoSuchLayer
+from urdfkit.render.layers import ADJACENT, INERTIA, MASS, OVERLAP, ROBOT, NoSuchLayer
 from urdfkit.render.scene import SceneItem, placed
 from urdfkit.ros.surface_materials import COLLISION, PLACEHOLDER, SurfaceMaterial
 
@@ -164,6 +165,16 @@ def test_contacts_are_where_boxes_overlap_and_as_deep() -> None:
     shapes = with_layers(build(context, roles=("collision",)), context, ["contacts"])
     solid = {item.link: item.material for item in shapes.items if item.role == "contacts"}
     assert solid["a"] == SurfaceMaterial((*ADJACENT[:3], 1.0))
+
+
+def test_masses_and_inertias_have_a_legend() -> None:
+    context = read(ARM)
+    scene = with_layers(build(context), context, ["mass", "inertia", "frames"])
+    assert [(colour[:3], text) for colour, text in scene.legend] == [
+        (MASS[:3], "centres of mass"),
+        (ROBOT[:3], "that of the robot"),
+        (INERTIA[:3], "boxes of the same inertia"),
+    ]
 
 
 def test_contacts_have_a_colour_that_nothing_else_has() -> None:

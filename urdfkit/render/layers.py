@@ -41,7 +41,9 @@ _LEGENDS = {
     "contacts": (
         ((*OVERLAP[:3], 1.0), "links overlap"),
         ((*ADJACENT[:3], 1.0), "adjacent links overlap"),
-    )
+    ),
+    "mass": ((MASS, "centres of mass"), (ROBOT, "that of the robot")),
+    "inertia": (((*INERTIA[:3], 1.0), "boxes of the same inertia"),),
 }
 #: Reasons for empty layers.
 _WHY_EMPTY = {
