@@ -30,6 +30,7 @@ _NAMES = (
     rb"|\bdef[ \t]+\w+\([^()]*\)"
     rb"|^[ \t]*#.*$"
 )
+_NOTHING = rb"(?!)"
 #: What follows a word in a message for the user, and not a type in Python.
 _GOES_ON = rb" (?!(?:and|as|else|for|if|in|is|not|or)\b)[a-z]"
 _TYPE = rb"\(\s*(?:self,\s*)?(?:[\w.]+\.)?\w+,"
@@ -102,6 +103,12 @@ def may_read(package: str, message: str, near: str, resolver: Resolver) -> bool:
     """False if no program of a package, as above, reads a type of messages."""
     directories = _of_package(package, near, resolver)
     return not directories or _may_name(message, directories, _NOT_READ, resolver)
+
+
+def may_contain(package: str, word: str, near: str, resolver: Resolver) -> bool:
+    """False if no program of a package, as above, contains a word."""
+    directories = _of_package(package, near, resolver)
+    return not directories or _may_name(word, directories, _NOTHING, resolver)
 
 
 def _of_package(package: str, near: str, resolver: Resolver) -> tuple[str, ...]:

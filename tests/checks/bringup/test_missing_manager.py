@@ -13,6 +13,11 @@ ON_TOPIC = CREATE.format("'-topic', 'robot_description'")
 HARDWARE = "<ros2_control name='c' type='system'><hardware><plugin>{}</plugin></hardware>"
 MOCK = HARDWARE.format("mock_components/GenericSystem")
 PLUGIN = "<gazebo><plugin filename='{}' name='p'/></gazebo>"
+#: Programs of the workspace.
+PROGRAMS = {
+    "stow": "publisher = create_publisher(JointTrajectory, 'trajectory')",
+    "runner": "run(['ros2', 'run', 'controller_manager', 'ros2_control_node'])",
+}
 NAVIGATION = NODE.format("nav2_amcl", "amcl", "condition=IfCondition(LaunchConfiguration('x'))")
 
 
@@ -30,6 +35,8 @@ NAVIGATION = NODE.format("nav2_amcl", "amcl", "condition=IfCondition(LaunchConfi
         ("", ON_TOPIC + ON_TOPIC, 0),
         ("", ON_TOPIC + NODE.format("controller_manager", "ros2_control_node", ""), 0),
         ("", ON_TOPIC + NODE.format("own_control", "own_manager", ""), 0),
+        ("", ON_TOPIC + NODE.format("stow", "stow", ""), 1),
+        ("", ON_TOPIC + NODE.format("runner", "runner", ""), 0),
         ("", ON_TOPIC + "IncludeLaunchDescription(x)\n", 0),
         ("", ON_TOPIC + NAVIGATION, 1),
     ],
@@ -39,12 +46,15 @@ def test_a_robot_without_a_control_plugin(
 ) -> None:
     """A launch file that forgets the argument of xacro which adds the plugin, sim:=true."""
     text = (
-        f"robot = open('{tmp_path}/r.urdf').read()\n"
+        f"robot = open('{tmp_path}/arm/r.urdf').read()\n"
         + STATE.format(", parameters=[{'robot_description': robot}]")
         + SPAWNER.format(["arm"])
         + programs
     )
     files = {"r.urdf": f"<robot name='r'>{robot(joint('swing', 'continuous'))}{more}</robot>"}
-    found = reported(tmp_path, "LAU022", "a.launch.py", text, files)
+    for name, program in PROGRAMS.items():
+        files[f"../{name}/package.xml"] = f"<package format='3'><name>{name}</name></package>"
+        files[f"../{name}/{name}/{name}.py"] = program
+    found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text, files)
     waiting = [one for one in found if "no control plugin" in one.message]
     assert [(one.span.line, one.related[0].span.line) for one in waiting] == [(1, 3)] * count

@@ -22,11 +22,14 @@ from urdfkit.ros.ros_control import components, control_plugins, namespace_of
 from urdfkit.text.document import Element
 from urdfkit.text.source import Span
 from urdfkit.workspace.launch_files import launch_files
+from urdfkit.workspace.program_strings import may_contain
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 _PUBLISHER = "robot_state_publisher"
 _DESCRIPTION = "robot_description"
 _CONTROL_NODE = f"{MANAGER}/ros2_control_node"
+#: Words in a program that starts a controller manager.
+_STARTS_MANAGER = ("ControllerManager", "ros2_control_node")
 #: What launch files contain that start it, also by functions of MoveIt.
 _PUBLISHING = (_PUBLISHER, "generate_rsp_launch", "generate_demo_launch")
 #: A parameter of MoveIt, which may publish the robot, too.
@@ -97,8 +100,10 @@ def missing_manager(context: Context, programs: tuple[StartedProgram, ...]) -> F
     """A robot in Gazebo whose controllers are spawned, though it has no control plugin."""
     spawner = next((node for node in programs if node.is_sure and spawns_controllers(node)), None)
     models = [node for node in programs if model_spawner(node)]
-    are_of_ros = all(comes_with_ros(node.package) for node in programs)
-    if spawner is None or len(models) != 1 or spawn_option(models[0], "file") or not are_of_ros:
+    if spawner is None or len(models) != 1 or spawn_option(models[0], "file"):
+        return
+    packages = {node.package for node in programs if not comes_with_ros(node.package)}
+    if any(_may_manage(package, context) for package in packages):
         return
     if any(True for _ in _managers(context, programs)):
         return
@@ -120,6 +125,12 @@ def missing_manager(context: Context, programs: tuple[StartedProgram, ...]) -> F
                 "pass the arguments of xacro with which it has the plugin, or add the plugin to it",
                 related=(Related(spawner.span, "a spawner"),),
             )
+
+
+def _may_manage(package: str, context: Context) -> bool:
+    """True if programs of a package may start a controller manager."""
+    near, resolver = context.source.path, context.resolver
+    return any(may_contain(package, word, near, resolver) for word in _STARTS_MANAGER)
 
 
 def _is_named(manager: str) -> bool:

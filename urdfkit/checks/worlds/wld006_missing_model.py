@@ -5,6 +5,9 @@
 - A model that the world includes with `model://` is not in the workspace (info), or is misspelt; or
   gz sim loads `model://sun` or `model://ground_plane`, which only Gazebo Classic downloads: the
   world is not loaded unless the resource path contains the model (warning).
+- A model of the workspace is in none of the directories that launch files and packages add to the
+  resource path of gz sim, or only in that of `IGN_GAZEBO_RESOURCE_PATH`, from which Gazebo Harmonic
+  takes no models (warning).
 
 Sources:
     gz-sim, Server.cc: https://github.com/gazebosim/gz-sim/blob/gz-sim8/src/Server.cc
@@ -14,11 +17,12 @@ Sources:
 import os
 import re
 
+from urdfkit.checks.worlds.model_paths import FORMER, VARIABLE, resource_path
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.checks.worlds.world_values import is_generated
 from urdfkit.core import disk
 from urdfkit.core.suggest import TYPO, nearest
-from urdfkit.lint.rules import Context, Finding, Findings, Need, Severity, rule
+from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
 from urdfkit.ros.catalog import data
 from urdfkit.ros.gazebo.worlds import Models, World, model_name
 from urdfkit.ros.launch.samples import WORLD_LAUNCH, world_files
@@ -45,6 +49,8 @@ def check(context: Context) -> Findings:
         if opened.world is not None:
             yield from opened.noted(_missing_meshes(opened, opened.world, models, context))
             yield from opened.noted(_missing_models(opened, opened.world, models))
+            if opened.started.generation == GZ:
+                yield from opened.noted(_not_on_the_path(opened.world, models, context))
 
 
 def _missing_models(opened: OpenedWorld, world: World, models: Models) -> Findings:
@@ -69,6 +75,39 @@ def _missing_models(opened: OpenedWorld, world: World, models: Models) -> Findin
         yield Finding(at, message, help, severity=severity)
 
 
+def _not_on_the_path(world: World, models: Models, context: Context) -> Findings:
+    """Models of the workspace that gz sim does not find."""
+    included = [
+        (at, uri, directories)
+        for at, uri in world.includes
+        if (directories := models.directories.get(model_name(uri)))
+    ]
+    path = resource_path(context) if included else None
+    if path is None:
+        return
+    for at, uri, directories in included:
+        if any(map(path.contains, directories)):
+            continue
+        parents = {os.path.dirname(directory) for directory in directories}
+        setting = next((path.former[parent] for parent in parents if parent in path.former), None)
+        if setting:
+            message = f"gz sim does not find '{uri}': it does not read {FORMER}"
+            note = Related(at.span, "the world includes it here")
+            yield Finding(setting, message, f"write {VARIABLE}", related=(note,))
+        else:
+            message = (
+                f"gz sim does not find '{uri}': no launch file adds its directory to {VARIABLE}"
+            )
+            where = _in_package(min(parents), context.resolver)
+            yield Finding(at, message, f"add {where} to {VARIABLE} in the launch file")
+
+
+def _in_package(directory: str, resolver: Resolver) -> str:
+    """A directory relative to that of its package, with the name of the package."""
+    name, top = resolver.packages.enclosing(directory) or ("", os.path.dirname(directory))
+    return os.path.normpath(os.path.join(name, os.path.relpath(directory, top)))
+
+
 def _missing_meshes(
     opened: OpenedWorld, world: World, models: Models, context: Context
 ) -> Findings:
@@ -83,6 +122,7 @@ def _missing_meshes(
                 uri,
                 f"{opened.title}: mesh '{text}' exists on one computer only",
                 "write model://, or a path relative to the world",
+                group_key=text,
             )
         elif _is_missing(text, opened.path, models, context.resolver):
             yield Finding(
