@@ -36,7 +36,11 @@ GOOD = BAD.replace("bad.sdf", "good.sdf")
 FILES = world_files(
     "<include><uri>model://big_shlef</uri></include>",
     "<include><uri>model://big_shelf</uri></include>",
-) | {"models/big_shelf/model.config": b"<model/>"}
+) | {
+    "models/big_shelf/model.config": b"<model/>",
+    "package.xml": b"<package><name>cart</name><export>"
+    b'<gazebo_ros gazebo_model_path="${prefix}/models"/></export></package>',
+}
 
 _OF_A_USER = re.compile(r"(file://)?/(home|Users)/")
 _FUEL = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/"
