@@ -211,7 +211,34 @@ def test_an_included_yaml_file_is_not_parsed_as_xml(package):
     for name in ("b.launch.yml", "b.launch.yaml"):
         (package / "launch" / name).write_text("launch:\n- node: {pkg: a, exec: b}\n")
         launch = read(package, f'<include file="$(dirname)/{name}"/>')
-        assert launch.problems == ()
+        assert launch.problems == launch.unread == ()
+        assert [program.key for program in launch.programs] == ["a/b"]
+
+
+def test_included_yaml_files_get_arguments(package):
+    """In an XML file and in one of YAML; a condition of the include is one of its programs."""
+    (package / "launch" / "b.launch.yaml").write_text(
+        """launch:
+- arg: {name: who, default: nobody}
+- node: {pkg: a, exec: b, args: $(var who)}
+"""
+    )
+    (package / "launch" / "c.launch.yaml").write_text(
+        """launch:
+- include:
+    file: $(dirname)/b.launch.yaml
+    arg:
+    - {name: who, value: robot}
+"""
+    )
+    include = '<arg name="x"/><include file="$(dirname)/{}" {}/>'
+    for name, condition, who in (
+        ("b.launch.yaml", "", "nobody"),
+        ("c.launch.yaml", "", "robot"),
+        ("b.launch.yaml", 'if="$(var x)"', "nobody"),
+    ):
+        (program,) = read(package, include.format(name, condition)).programs
+        assert (program.words[0].text, program.is_sure) == (who, not condition)
 
 
 def test_thousands_of_programs_do_not_search_their_file_again() -> None:

@@ -286,12 +286,12 @@ class _XmlReader(XmlLaunchFile):
         if self.ros == 2:
             self._arguments.declare(taken.names)  # an include declares them here, too
         frame = frame_at(self.source, element.tag_at, self.frame)
-        if path.endswith(".py"):
-            self.collector.follow(path, self.source, passed, frame)
+        if path.endswith((".py", *YAML)):
+            is_sure = not self.unknown_conditions
+            self.collector.follow(path, self.source, passed, frame, is_sure=is_sure)
             return
         here = (*self._outer, self.source.path)
-        is_xml = not path.endswith(YAML)
-        is_followed = path not in here and len(here) <= MAX_DEPTH and is_xml
+        is_followed = path not in here and len(here) <= MAX_DEPTH
         self.collector.included += 1
         if not is_followed or self.collector.included > MAX_INCLUDED:
             self.collector.unread.append(path)
