@@ -7,13 +7,14 @@
 - A controller in a parameter file: it cannot be activated ("not in the list of available
   interfaces"). A controller without any joint of the robot is assumed to belong to another variant
   if other controllers fit, or if the names differ only in a prefix; but not if the others drive
-  all joints of the robot except one. So it is if launch files load the file for a robot that has
-  its joints, and start this one without it. A file of many joints, none of which the robot has, is
-  one finding: it is for another robot. So is the file of a robot that launch files start, if they
-  do not start this one (a warning). A joint that an argument of the robot disables is not reported:
-  nothing may start the controller. A warning in ROS 1, where hardware may use other names, unless
-  the hardware is a Gazebo plugin and the controller has other joints of the robot or a misspelt
-  one. If it is for the other side of the robot, the one joint without a counterpart is a warning.
+  all joints of the robot except one, nor if launch files certainly start it with this robot. So it
+  is if launch files load the file for a robot that has its joints, and start this one without it.
+  A file of many joints, none of which the robot has, is one finding: it is for another robot. So is
+  the file of a robot that launch files start, if they do not start this one (a warning). A joint
+  that an argument of the robot disables is not reported: nothing may start the controller. A
+  warning in ROS 1, where hardware may use other names, unless the hardware is a Gazebo plugin and
+  the controller has other joints of the robot or a misspelt one. If it is for the other side of the
+  robot, the one joint without a counterpart is a warning.
 
 Correct the name.
 
@@ -30,7 +31,11 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 
-from urdfkit.checks.ros2_control.started_robots import is_of_other_robot, started_robot_of
+from urdfkit.checks.ros2_control.started_robots import (
+    is_of_other_robot,
+    is_spawned_without,
+    started_robot_of,
+)
 from urdfkit.core.grouping import by_key
 from urdfkit.core.record import Record
 from urdfkit.core.suggest import TYPO, Suggester, did_you_mean, hint_for, nearest
@@ -199,7 +204,11 @@ def _controller_joints(context: Context) -> Findings:
         unknown: list[str] = []
         found: list[Finding] = []
         for use in of_file:
-            is_of_robot = use.fits or _is_broadcaster_of_robot(use, uses)
+            is_of_robot = (
+                use.fits
+                or _is_broadcaster_of_robot(use, uses)
+                or (is_fitting and is_spawned_without(*use.named, context))
+            )
             lacking = list(_unknown_to_robot(use, known, context, is_of_robot=is_of_robot))
             if lacking and not use.fits and is_of_other_robot(*use.named, path, context):
                 continue
@@ -269,12 +278,12 @@ def _of_uncalled_macros(context: Context) -> Iterator[str]:
 
 
 def _with_other_words(name: str, free: set[str]) -> str:
-    """The joint without a controller whose name begins the unknown one, or the reverse."""
+    """The joint without a controller whose name begins or ends the unknown one, or the reverse."""
     found = [
         other
         for other in free
         for short, long in (sorted((name, other), key=len),)
-        if long.startswith(f"{short}_")
+        if long.startswith(f"{short}_") or long.endswith(f"_{short}")
     ]
     return found[0] if len(found) == 1 else ""
 

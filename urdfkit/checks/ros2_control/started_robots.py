@@ -52,6 +52,26 @@ def is_of_other_robot(
     return is_started and has_joints
 
 
+def is_spawned_without(controller: str, joints: Collection[str], context: Context) -> bool:
+    """True if launch files start a controller with the checked robot, which has other joints there.
+
+    Only what certainly runs counts, and only a robot whose arguments are all known.
+    """
+    checked, is_started = disk.real(context.source.path), False
+    for launch in launches_of_workspace(context.source.path, context.resolver):
+        running = [program for program in launch.programs if program.is_sure]
+        if not any(found.name == controller for found in spawned_controllers(running)):
+            continue
+        for robot in launch.descriptions:
+            if robot.unknown or disk.real(robot.path) != checked:
+                return False
+            started = context.other_robot(robot.path, robot.arguments)
+            if not started.is_readable or not started.model.joints_by_name.keys().isdisjoint(joints):
+                return False
+            is_started = True
+    return is_started
+
+
 def _has(robot: Context, joints: Collection[str]) -> bool:
     return robot.is_readable and robot.model.joints_by_name.keys() >= set(joints)
 
