@@ -186,3 +186,26 @@ def test_arguments_of_gazebo_classic(tmp_path: Path, name: str, suggested: str) 
     found = reported(tmp_path, "LAU005", "a.launch.xml", text)
     expected = [naming("gazebo.launch.py", "unknown", name, suggested)] if suggested else []
     assert [one.message for one in found] == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "more", "suggested"),
+    [
+        ("params", "", "params_file"),
+        ("params", '<arg name="params_file" value="x.yaml"/>', ""),  # for other files as well
+        ("yaml_params_file", "", "params_file"),
+        ("map", "", ""),
+        ("use_namespace", "", ""),
+        ("robot_name", "", ""),
+    ],
+)
+def test_an_argument_of_nav2_with_another_word(
+    tmp_path: Path, name: str, more: str, suggested: str
+) -> None:
+    text = (
+        '<include file="$(find-pkg-share nav2_bringup)/launch/navigation_launch.py">\n'
+        f'<arg name="{name}" value="$(var x)"/>{more}\n</include>'
+    )
+    found = reported(tmp_path, "LAU005", "a.launch.xml", text)
+    expected = naming("navigation_launch.py", "unknown", name, suggested)
+    assert [one.message for one in found] == [expected] * bool(suggested)

@@ -17,6 +17,8 @@ from urdfkit.workspace.resolve import Resolver
 #: Names of the world argument in other launch files, which gz sim's launch file does not read.
 _WORLDS = ("world", "world_name", "world_file")
 _SIM_TIME = "use_sim_time"
+#: Words that make a switch of a name: ``use_namespace`` is not ``namespace``.
+_OF_SWITCHES = ("enable", "use")
 #: The former name of ``robot_state_publisher``, an alias until ROS Melodic.
 _FORMER = "robot_state_publisher/state_publisher"
 
@@ -189,25 +191,40 @@ def unknown_file(included: IncludedFile) -> Problem | None:
 def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
     """Arguments that a launch file of these packages does not declare.
 
-    roslaunch rejects them. ``ros2 launch`` ignores them: then only typos, former names and a world
-    that is not opened are reported.
+    roslaunch rejects them. ``ros2 launch`` ignores them: then only typos, former names, names with a
+    word too many or too few, and a world that is not opened are reported.
     """
     package, name = _name(included)
     known = data("launch")["launch_files"].get(package, {}).get(name, "").split()
     is_ros_1 = name.endswith(".launch")
     has_args = any(passed.endswith("_args") for passed, _ in _passed(included))
     former: dict[str, list[str]] = data("node_parameters")["renamed"].get(package, {})
+    free = [name for name in known if name not in (included.arguments or {})]
     for argument, word in _passed(included) if known else ():
         is_world = argument in _WORLDS and not has_args
-        is_reported = is_ros_1 or is_world or argument in former or nearest(argument, known, TYPO)
+        other = _with_another_word(argument, free)
+        is_similar = nearest(argument, known, TYPO) or other
+        is_reported = is_ros_1 or is_world or argument in former or is_similar
         if argument in known or not is_reported:
             continue
-        suggested = former[argument][0] if argument in former else _similar(argument, known)
+        similar = _similar(argument, known) or other
+        suggested = former[argument][0] if argument in former else similar
         if is_world and not is_ros_1:
             suggested = "world" if "world" in known else "gz_args"
         message = f"'{name}': unknown argument '{argument}'{hint_for(suggested)}"
         severity = Severity.ERROR if is_ros_1 else Severity.WARNING
         yield Problem("LAU005", word.span, message, frame=included.frame, severity=severity)
+
+
+def _with_another_word(argument: str, free: Iterable[str]) -> str | None:
+    """The argument that is not passed and has a word more or less: ``params_file``, ``params``."""
+    words = set(argument.split("_"))
+    for name in free:
+        different = words ^ set(name.split("_"))
+        is_part = words < set(name.split("_")) or words > set(name.split("_"))
+        if is_part and len(different) == 1 and different.isdisjoint(_OF_SWITCHES):
+            return name
+    return None
 
 
 def _similar(argument: str, known: Sequence[str]) -> str | None:
