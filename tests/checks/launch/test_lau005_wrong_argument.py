@@ -195,7 +195,6 @@ def test_arguments_of_gazebo_classic(tmp_path: Path, name: str, suggested: str) 
         ("params", '<arg name="params_file" value="x.yaml"/>', ""),  # for other files as well
         ("yaml_params_file", "", "params_file"),
         ("map", "", ""),
-        ("use_namespace", "", ""),
         ("robot_name", "", ""),
     ],
 )

@@ -66,7 +66,9 @@ def is_spawned_without(controller: str, joints: Collection[str], context: Contex
             if robot.unknown or disk.real(robot.path) != checked:
                 return False
             started = context.other_robot(robot.path, robot.arguments)
-            if not started.is_readable or not started.model.joints_by_name.keys().isdisjoint(joints):
+            if not started.is_readable:
+                return False
+            if not started.model.joints_by_name.keys().isdisjoint(joints):
                 return False
             is_started = True
     return is_started

@@ -191,8 +191,8 @@ def unknown_file(included: IncludedFile) -> Problem | None:
 def unknown_arguments(included: IncludedFile) -> Iterator[Problem]:
     """Arguments that a launch file of these packages does not declare.
 
-    roslaunch rejects them. ``ros2 launch`` ignores them: then only typos, former names, names with a
-    word too many or too few, and a world that is not opened are reported.
+    roslaunch rejects them. ``ros2 launch`` ignores them: then only typos, former names, names with
+    a word too many or too few, and a world that is not opened are reported.
     """
     package, name = _name(included)
     known = data("launch")["launch_files"].get(package, {}).get(name, "").split()
