@@ -58,6 +58,10 @@ def of_program(directory: Path, program: str, name: str = "mine/move.py") -> lis
         ("arm_controler/follow_joint_trajectory", "write arm_controller/follow_joint_trajectory"),
         ("/arm_controler/follow_joint_trajectory", "write arm_controller/follow_joint_trajectory"),
         ("arm_controller/joint_trajectory", ""),  # its topic
+        ("arm_trajectory_controller/follow_joint_trajectory", RIGHT),
+        ("arm_position_trajectory_controller/follow_joint_trajectory", RIGHT),
+        ("left_arm_controller/follow_joint_trajectory", ""),
+        ("joint_trajectory_controller/follow_joint_trajectory", ""),
         ("leg_controller/follow_joint_trajectory", ""),  # of another robot
         ("hand_r_controller/gripper_cmd", ""),
         ("arm_controler/gripper_cmd", ""),  # not what this controller serves

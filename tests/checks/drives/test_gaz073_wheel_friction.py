@@ -169,3 +169,41 @@ def test_rollers_of_mecanum_wheels(directions: tuple[str, ...], attribute: str, 
     )
     found = messages("GAZ073", FOUR + surfaces)
     assert [values(one) for one in found] == [["<fdir1>", "1 -1 0"]] * count
+
+
+RIGHT = ("1 -1 0", "1 1 0", "1 1 0", "1 -1 0")
+MIRRORED = ("1 1 0", "1 -1 0", "1 -1 0", "1 1 0")
+
+
+@pytest.mark.parametrize(
+    ("directions", "mu", "more", "words"),
+    [
+        (RIGHT, ("1", "0"), "", ""),
+        (RIGHT, ("1", "1"), "", "does not roll sideways"),
+        (RIGHT, ("0.9", "0.8"), "", "does not roll sideways"),
+        (RIGHT, ("1", "0.3"), "", ""),
+        (RIGHT, ("0", "1"), "", "is mirrored"),  # the grip is across fdir1
+        (MIRRORED, ("1", "0"), "", "is mirrored"),
+        (MIRRORED, ("0", "1"), "", ""),
+        (MIRRORED, ("1", "0"), "turned", ""),  # the frame of another body
+        (("1 0 0", "1 0 0", "0 1 0", "0 1 0"), ("1", "0"), "", ""),
+        ((*MIRRORED[:3], "1 -1 0"), ("1", "0"), "", ""),
+    ],
+)
+def test_friction_of_mecanum_wheels(
+    directions: tuple[str, ...], mu: tuple[str, str], more: str, words: str
+) -> None:
+    body = more or "base"
+    surfaces = "".join(
+        friction(
+            corner,
+            f"<mu1>{mu[0]}</mu1><mu2>{mu[1]}</mu2>"
+            f'<fdir1 gz:expressed_in="{body}">{direction}</fdir1>',
+        )
+        for corner, direction in zip(CORNERS, directions, strict=True)
+    )
+    turned = """<link name="turned"/><joint name="t" type="fixed"><parent link="base"/>
+<child link="turned"/><origin rpy="0 0 1.5708"/></joint>"""
+    found = messages("GAZ073", FOUR + turned + surfaces)
+    assert bool(found) == bool(words)
+    assert all(words in one for one in found)

@@ -52,3 +52,24 @@ def test_controllers_of_a_launch_file(
     add_file(package / "launch" / "arm.launch.py", builder + NODE.format(parameters))
     found = check(tmp_path, select=["RCT001"]).diagnostics
     assert [(one.span.line, one.span.text) for one in found] == [(4, "elbow")] * count
+
+
+@pytest.mark.parametrize(
+    ("of_robot", "of_srdf", "count"),
+    [
+        ("{'arm_prefix': 'a_'}", "{'arm_prefix': 'a'}", 1),
+        ("{'prefix': 'a_'}", "{'prefix': 'a_'}", 0),
+        ("{'prefix': 'a_'}", "{'prefix': side}", 0),
+        ("{'prefix': 'a_'}", "{}", 0),
+        ("{'name': 'a'}", "{'name': 'b'}", 0),  # the name of a robot, and of a group
+    ],
+)
+def test_prefixes_of_the_robot_and_of_the_srdf(
+    tmp_path: Path, of_robot: str, of_srdf: str, count: int
+) -> None:
+    package = add_package(tmp_path / "arm_moveit_config", "arm_moveit_config")
+    files = f".robot_description('a.urdf.xacro', {of_robot})"
+    files += f".robot_description_semantic('a.srdf.xacro', mappings={of_srdf})"
+    add_file(package / "launch" / "arm.launch.py", BUILDER.format("", files))
+    found = check(tmp_path, select=["LAU029"]).diagnostics
+    assert [one.span.text for one in found if "the SRDF gets" in one.message] == ["'a'"] * count

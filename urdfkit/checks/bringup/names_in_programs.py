@@ -26,6 +26,8 @@ _WORD = re.compile(rb"""["']([\w/]+)["']""")
 _OF_ACTIONS = 0.9
 #: How many letters of an action a program must contain.
 _BEGIN = 8
+#: What the names of controllers have next to the name of their part.
+_KINDS = {"controller", "effort", "joint", "position", "trajectory", "velocity"}
 #: Least length of a word with a typo: ``arm_l`` is not ``arm_r``.
 _MIN_LENGTH = 3
 
@@ -62,7 +64,9 @@ def _misspelt_actions(context: Context, named: Iterable[Span]) -> Findings:
             yield Finding(at, message, f"write {name}/{expected}")
         elif name not in controllers:
             others = [other for other in served if served[other] == action]
-            if other := next((other for other in others if _is_misspelt(name, other)), ""):
+            similar = [other for other in others if _is_misspelt(name, other)]
+            similar += [other for other in others if _part(other) == _part(name) != set()]
+            if other := next(iter(similar), ""):
                 message = f"no controller is called '{name}'; did you mean '{other}'?"
                 yield Finding(at, message, f"write {other}/{action}")
 
@@ -78,6 +82,11 @@ def _misspelt_joint(names: list[Span], joints: Collection[str], links: Collectio
     if other := next((joint for joint in free if _is_misspelt(at.text, joint)), ""):
         message = f"unknown joint '{at.text}'; did you mean '{other}'?"
         yield Finding(at, message, f"write {other}")
+
+
+def _part(controller: str) -> set[str]:
+    """The words for what a controller moves: of ``arm_trajectory_controller``, ``arm``."""
+    return set(controller.split("_")) - _KINDS
 
 
 def _is_misspelt(name: str, other: str) -> bool:

@@ -12,7 +12,9 @@
   drives in a curve.
 
 - The four wheels of a mecanum drive have the same `fdir1` in the frame of the body: the rollers of
-  neighbours must be mirrored, or the robot only drives forwards and backwards.
+  neighbours must be mirrored, or the robot only drives forwards and backwards. Or all of them are
+  mirrored, so that it moves to the wrong side; or `mu2` is as large as `mu1`, so that the wheels do
+  not roll sideways.
 
 Wheels with a first friction direction (`fdir1`) are reported only if both coefficients are low.
 Wheels of mecanum drives without one are not: links of their own may be their rollers.
@@ -28,6 +30,7 @@ Sources:
 
 from collections.abc import Iterable, Iterator
 
+from urdfkit.checks.drives.mecanum_rollers import Roller, wrong_rollers
 from urdfkit.lint.context import Context
 from urdfkit.lint.rules import Finding, Findings, Need, Related, Severity, rule
 from urdfkit.robot.model import RobotModel
@@ -71,7 +74,7 @@ BAD = robot_xml(
 GOOD = BAD.replace("0.01</mu", "0.9</mu")
 
 #: Drives that turn their wheels against one another, and steer.
-_MECANUM, _WHEELS = "mecanum", 4
+_MECANUM = "mecanum"
 _ROLLERS = (_MECANUM, "omni", "swerve")
 
 
@@ -93,7 +96,7 @@ def check(context: Context) -> Findings:
     yield from _unequal(context, driven)
     yield from _casters(context, set(driven))
     for wheels_of_drive in _mecanum_wheels(context):
-        yield from _parallel_rollers(context, wheels_of_drive)
+        yield from wrong_rollers(context, list(_rollers(context.model, wheels_of_drive)))
 
 
 def _unequal(context: Context, driven: Iterable[str]) -> Findings:
@@ -149,18 +152,14 @@ def _mecanum_wheels(context: Context) -> Iterator[list[str]]:
             yield [joint.child_name for joint in joints if joint]
 
 
-def _parallel_rollers(context: Context, links: list[str]) -> Findings:
-    """Wheels of a mecanum drive whose first friction directions are the same in the body."""
-    directions = [direction for link in links if (direction := _direction(context.model, link))]
-    first = directions[0] if directions else None
-    known = {tuple(text_of(one).split()) for one in directions}
-    if first is not None and len(links) == len(directions) == _WHEELS and len(known) == 1:
-        yield Finding(
-            first,
-            f"the four mecanum wheels have the same <fdir1>, {text_of(first)}: the robot cannot "
-            "move sideways or turn",
-            "write 1 -1 0 for front left and rear right, 1 1 0 for the others",
-        )
+def _rollers(model: RobotModel, links: list[str]) -> Iterator[Roller]:
+    """The rollers of wheels whose first friction direction is in the frame of the body."""
+    for link in links:
+        direction = _direction(model, link)
+        of_frame = direction.attributes if direction else {}
+        body = next((one.value for key, one in of_frame.items() if "expressed_in" in key), "")
+        if direction:
+            yield Roller(link, direction, body, _friction(model, link))
 
 
 def _direction(model: RobotModel, link: str) -> Element | None:

@@ -77,6 +77,7 @@ def record_files(call: ast.Call, values: Values, collector: Collector) -> None:
         _default_files(call, directory, values, collector)
         _required_files(call, builder, directory, values, collector)
         _robot_and_controllers(call, robot, directory, values, collector)
+        collector.problems += _different_prefixes(_methods(call), values)
     elif called(call) == "planning_pipelines" and directory:
         _default(call, values, collector)
         _named_pipelines(call, directory, values, collector)
@@ -166,6 +167,28 @@ def _required_files(
     if execution is None or not (execution.args or argument(execution, None, "file_path")):
         at = values.span(builder)
         collector.problems += _several_controllers(robot, config, at)
+
+
+def _different_prefixes(methods: dict[str, ast.Call], values: Values) -> Iterator[Problem]:
+    """A prefix of names that the SRDF gets with another value than the robot."""
+    calls = methods.get("robot_description"), methods.get("robot_description_semantic")
+    of_robot, of_srdf = (
+        {
+            values.text(key): value
+            for key, value in values.pairs(argument(call, 1, "mappings") if call else None)
+        }
+        for call in calls
+    )
+    for name in of_srdf.keys() & of_robot.keys():
+        given, expected = values.text(of_srdf[name]), values.text(of_robot[name])
+        is_prefix = name is not None and name.rpartition("_")[2] == "prefix"
+        if is_prefix and given is not None and expected is not None and given != expected:
+            message = (
+                f"the SRDF gets {name} '{given}', but the robot '{expected}': MoveIt does not "
+            )
+            message += "find the links and joints of its groups"
+            help = f"pass the same {name} to both"
+            yield values.problem("LAU029", of_srdf[name], message, help)
 
 
 def _has_pilz(call: ast.Call | None, values: Values) -> bool:
