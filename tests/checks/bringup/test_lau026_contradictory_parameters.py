@@ -71,6 +71,22 @@ def test_a_controller_that_moves_sideways(
     assert ["sideways" in one for one in found] == [True] * count
 
 
+@pytest.mark.parametrize(
+    ("plugin", "model", "count"),
+    [
+        (f"{PLAIN_MPPI}, motion_model: Omni", "Differential", 1),
+        (f"{PLAIN_MPPI}, motion_model: Omni", "Omni", 0),
+        (f"{PLAIN_MPPI}, motion_model: DiffDrive", "Differential", 0),
+        (f"{DWB}, max_vel_y: 0.3", "Differential", 1),
+        (f"{DWB}, max_vel_y: 0.0", "Differential", 0),
+    ],
+)
+def test_the_drive_that_amcl_expects(tmp_path: Path, plugin: str, model: str, count: int) -> None:
+    yaml = SERVER.format(plugin)
+    yaml += AMCL.format(f"robot_model_type: 'nav2_amcl::{model}MotionModel'")
+    assert len(messages("LAU026", tmp_path, yaml)) == count
+
+
 MPPI = (
     "controller_server: {{ros__parameters: {{controller_frequency: {}, FollowPath: {{plugin: "
     "'nav2_mppi_controller::MPPIController'{}}}}}}}\n"

@@ -123,3 +123,18 @@ def test_a_spawner_that_may_not_run(tmp_path: Path, kind: str, count: int) -> No
     yaml = f"controller_manager:\n  ros__parameters:\n    arm: {{type: {kind}}}\n"
     found = of_topics(tmp_path, text, {"ekf.yaml": EKF, "c.yaml": yaml})
     assert len([one for one in found if "waits for '/imu'" in one.message]) == count
+
+
+@pytest.mark.parametrize(
+    ("topics", "help"),
+    [
+        (("/front_scan", "/rear_scan"), "write /rear_scan or /front_scan"),
+        (("/front_scan", "/lidar"), "write /front_scan"),
+        (("/front_lidar", "/rear_lidar"), "write /rear_lidar"),
+    ],
+)
+def test_all_topics_that_may_be_meant(tmp_path: Path, topics: tuple[str, str], help: str) -> None:
+    text = "".join(map(SCAN.format, topics)) + SLAM.format("parameters=['../slam.yaml']")
+    slam = "slam_toolbox:\n  ros__parameters:\n    scan_topic: /scan\n"
+    (found,) = of_topics(tmp_path, text, {"slam.yaml": slam})
+    assert found.help == help

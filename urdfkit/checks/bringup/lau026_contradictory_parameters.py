@@ -21,7 +21,8 @@ Each value is valid, but what it is meant for does not happen.
   layer reads a relative topic, which up to Jazzy is in the namespace of the costmap (an info for
   Jazzy).
 - Nodes of Nav2 differ in `enable_stamped_cmd_vel`. A controller moves the robot sideways, which the
-  velocity_smoother forbids, or twice as fast as it allows.
+  velocity_smoother forbids, or for which AMCL has the model of a differential drive. Or it moves it
+  twice as fast as the velocity_smoother allows.
 
 Sources:
     Nav2, costmap: https://docs.nav2.org/configuration/packages/configuring-costmaps.html
@@ -37,6 +38,7 @@ from urdfkit.checks.bringup.parameter_relations import (
     beyond_smoother,
     contradictions,
     held_sideways,
+    of_differential_drive,
     reversed_bounds,
 )
 from urdfkit.checks.bringup.read_parameters import (
@@ -80,6 +82,7 @@ def check(context: Context) -> Findings:
     yield from costmap_geometry.relative_topics(context, sections)
     yield from without_footprint(sections)
     yield from held_sideways(sections)
+    yield from of_differential_drive(sections)
     yield from beyond_smoother(sections)
     yield from mixed_stamps(sections)
     yield from discarded_scans(context, sections)

@@ -26,6 +26,8 @@ _PURSUIT = "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitControll
 #: The greatest speeds of controllers, and by what factor they may exceed that of the smoother.
 _GREATEST = {_MPPI: "vx_max", _DWB: "max_vel_x", _PURSUIT: "desired_linear_vel"}
 _BEYOND = 2.0
+#: The speed of DWB along y, and the model of AMCL for a robot without one.
+_SIDEWAYS, _DIFFERENTIAL = "max_vel_y", "nav2_amcl::DifferentialMotionModel"
 _FREQUENCY, _STEP = 20.0, 0.05  # Hz and s, if not given
 _TOLERANCE = 1e-6
 _PURSUIT = "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"
@@ -55,20 +57,43 @@ def held_sideways(sections: list[NodeParameters]) -> Findings:
     limits = scalars(smoothers[0].values.get("max_velocity")) if len(smoothers) == 1 else ()
     if len(limits) != 3 or _number(limits[1]) != 0:
         return
+    for node, name, at in _moving_sideways(sections):
+        yield Finding(
+            at.span,
+            f"'{node.name}' moves the robot sideways by {name}, but the velocity_smoother "
+            "does not: its max_velocity in y is 0",
+            f"write {'0.0' if name == _SIDEWAYS else 'DiffDrive'}, or a max_velocity in y",
+            related=(Related(limits[1].span, "the limit in y"),),
+        )
+
+
+def of_differential_drive(sections: list[NodeParameters]) -> Findings:
+    """A model of AMCL for robots that do not move sideways, which a controller does."""
+    for _, name, at in _moving_sideways(sections):
+        for node in sections:
+            model = scalar(node.values, "robot_model_type")
+            if node.name == "amcl" and model and model.text == _DIFFERENTIAL:
+                yield Finding(
+                    model.span,
+                    f"'amcl' takes the robot for a differential drive, but {name} of the "
+                    "controller_server moves it sideways",
+                    "write nav2_amcl::OmniMotionModel",
+                    related=(Related(at.span, "the controller"),),
+                )
+        return
+
+
+def _moving_sideways(
+    sections: list[NodeParameters],
+) -> Iterator[tuple[NodeParameters, str, Value]]:
+    """Controllers that move the robot sideways, each with what says so."""
     for node in sections:
         for plugin in map(mapping, node.values.values()) if node.name == _CONTROLLER else ():
-            model, speed = scalar(plugin, "motion_model"), scalar(plugin, "max_vel_y")
-            is_omni = plugin_class(plugin) == _MPPI and model and model.text == "Omni"
-            is_moved = plugin_class(plugin) == _DWB and (_number(speed, 0.0) or 0.0) > 0
-            if at := model if is_omni else speed if is_moved else None:
-                name = "motion_model Omni" if is_omni else "max_vel_y"
-                yield Finding(
-                    at.span,
-                    f"'{node.name}' moves the robot sideways by {name}, but the velocity_smoother "
-                    "does not: its max_velocity in y is 0",
-                    f"write {'DiffDrive' if is_omni else '0.0'}, or a max_velocity in y",
-                    related=(Related(limits[1].span, "the limit in y"),),
-                )
+            model, speed = scalar(plugin, "motion_model"), scalar(plugin, _SIDEWAYS)
+            if plugin_class(plugin) == _MPPI and model and model.text == "Omni":
+                yield node, "motion_model Omni", model
+            elif plugin_class(plugin) == _DWB and speed and (_number(speed) or 0.0) > 0:
+                yield node, _SIDEWAYS, speed
 
 
 def beyond_smoother(sections: list[NodeParameters]) -> Findings:

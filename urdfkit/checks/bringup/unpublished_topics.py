@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from posixpath import dirname
+from posixpath import basename, dirname
 
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
 from urdfkit.checks.bringup.processes import is_silent_process
@@ -71,6 +71,8 @@ _TOPICS_OF_NAVSAT = frozenset(
 )
 _BRIDGES = ("ros_gz_bridge", "ros_gz_image")
 _PUBLISHERS = (_CONTROLLERS, _FILTER)
+#: Most topics that are named as likely in place of one.
+_MOST_ALIKE = 3
 _ODOMETRY, _IMU, _SCAN = "Odometry", "Imu", "LaserScan"
 #: Topics of programs of robot_localization, and the start of the help.
 _STARTED = {
@@ -114,9 +116,9 @@ def unpublished_inputs(context: Context) -> Findings:
             if name in types and len(_names(read)) == 1:
                 yield from _other_type(read, *types[name])
             else:
-                other = _other_topic(read, published, directories.get(read.who))
-                directories.setdefault(read.who, dirname(other))
-                yield _on_other(read, other, published[other])
+                others = _other_topics(read, published, directories.get(read.who))
+                directories.setdefault(read.who, dirname(others[0]))
+                yield _on_other(read, others, published[others[0]])
         elif read.switch and read.who in served and not sensor:
             yield Finding(
                 read.at,
@@ -180,23 +182,33 @@ def _of_others(read: ReadTopic, published: dict[str, StartedProgram]) -> list[st
     return [topic for topic, node in published.items() if node.span != at]
 
 
-def _other_topic(
+def _other_topics(
     read: ReadTopic, published: dict[str, StartedProgram], directory: str | None
-) -> str:
-    """The topic that is most likely meant: an image and its camera's info are in one directory."""
+) -> list[str]:
+    """The topic that is most likely meant, and others that are as likely.
+
+    An image and its camera's info are in one directory. Instead of `/scan`, a robot with two lidars
+    has `/front_scan` and `/rear_scan`.
+    """
     others = _of_others(read, published)
     others = [topic for topic in others if dirname(topic) == directory] or others
-    return nearest(_absolute(read.topic), others, 0) or others[0]
+    name = _absolute(read.topic)
+    likely = nearest(name, others, 0) or others[0]
+    words = set(basename(name).split("_"))
+    longer = [topic for topic in others if words < set(basename(topic).split("_"))]
+    alike = longer if likely in longer and len(longer) <= _MOST_ALIKE else []
+    return [likely, *(topic for topic in alike if topic != likely)]
 
 
-def _on_other(read: ReadTopic, other: str, publisher: StartedProgram) -> Finding:
+def _on_other(read: ReadTopic, others: list[str], publisher: StartedProgram) -> Finding:
     """A topic that nothing publishes, while such messages are on another one."""
     name = _absolute(read.topic)
+    named = " and ".join(f"'{other}'" for other in others)
     return Finding(
         read.at,
         f"'{read.who}' waits for '{name}', which nothing publishes; {read.message} messages "
-        f"are on '{other}'",
-        f"{_STARTED.get(name.strip('/'), '')}{read.instruction}{other}",
+        f"are on {named}",
+        f"{_STARTED.get(name.strip('/'), '')}{read.instruction}{' or '.join(others)}",
         related=(Related(publisher.span, "the publisher is started here"),),
     )
 
