@@ -124,6 +124,14 @@ def test_the_nearest_joint_is_offered() -> None:
     assert '<mimic joint="finger_joint"/>' in fixed("REF001", MIMIC.format("finger_jiont"))
 
 
+@pytest.mark.parametrize(("kind", "is_offered"), [("fixed", False), ("continuous", True)])
+def test_a_joint_that_cannot_lead_is_not_offered(kind: str, is_offered: bool) -> None:
+    robot = MIMIC.format("arm_finger_joint") + '<link name="tip"/>'
+    robot += f'<joint name="arm_flange_joint" type="{kind}"><parent link="hand"/>'
+    (found,) = messages("REF001", f'{robot}<child link="tip"/></joint>')
+    assert ("did you mean 'arm_flange_joint'?" in found) == is_offered
+
+
 def test_a_joint_that_is_there_is_left_to_other_rules() -> None:
     assert reported("REF001", MIMIC.format("finger_joint")) == []  # itself: JNT015
     assert reported("REF001", MIMIC.replace(' joint="{}"', "")) == []  # URD003

@@ -36,6 +36,9 @@ FIXED = GOOD = BAD.replace("base_lnk", "base_link")
 
 _INCLUDE = "add the link, or include the file in the robot that has it"
 
+#: Least similarity of a joint that cannot lead, or follows another one.
+_OF_OTHERS = 0.9
+
 
 @rule(Severity.ERROR, reports_missing=True, depends_on_arguments=True)
 def check(context: Context) -> Findings:
@@ -86,14 +89,18 @@ def _help(context: Context, name: str, is_awaited: bool) -> str:
 
 def _leaders(context: Context) -> Findings:
     known = context.model.joints_by_name
-    suggester = Suggester(known)
+    # What another joint follows moves by itself.
+    leading = (joint for joint in known.values() if joint.kind != "fixed" and joint.mimic is None)
+    suggesters = Suggester([joint.name for joint in leading]), Suggester(known, _OF_OTHERS)
     is_ignored = context.targets.all_are("ignores_unknown_leaders")
     severity = Severity.WARNING if is_ignored else None
     for joint in context.model.joints:
         leader = joint.mimic.at.attributes.get("joint") if joint.mimic else None
         if leader is None or leader.value in known or is_expression(leader.value):
             continue
-        hint, suggested = suggester.hint(leader.value), suggester.suggested(leader.value)
+        found = (suggester.suggested(leader.value) for suggester in suggesters)
+        suggested = next(filter(None, found), "")
+        hint = hint_for(suggested)
         message = f"joint '{joint.name}' mimics '{leader.value}', which is not in the model{hint}"
         help = "correct the name, or add the joint"
         correction = _corrected(context, leader, known.get(suggested))
