@@ -211,7 +211,8 @@ def test_an_included_yaml_file_is_not_parsed_as_xml(package):
     for name in ("b.launch.yml", "b.launch.yaml"):
         (package / "launch" / name).write_text("launch:\n- node: {pkg: a, exec: b}\n")
         launch = read(package, f'<include file="$(dirname)/{name}"/>')
-        assert launch.problems == launch.unread == ()
+        assert launch.problems == ()
+        assert launch.unread == ()
         assert [program.key for program in launch.programs] == ["a/b"]
 
 
