@@ -91,6 +91,7 @@ def test_comments_below_a_patch_fit_the_terminal(capsys: pytest.CaptureFixture[s
     ("words", "message"),
     [
         (["check", "--ignor"], "no such option '--ignor'; did you mean '--ignore'? (see"),
+        (["check", "--foo"], "no such option '--foo' (see 'urdfkit check --help')"),
         (["info", "x", "--timeout", "soon"], "'--timeout': 'soon' is not a number (see"),
         (["scan", "x", "-o", "y", "--jobs", "q"], "'--jobs': 'q' is not an integer (see"),
         (["mesh", ROBOT], f"unknown command '{ROBOT}'; to check that file: urdfkit check {ROBOT}"),

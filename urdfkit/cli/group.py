@@ -10,7 +10,7 @@ from urdfkit import __version__
 from urdfkit.cli.completion import VARIABLE, register
 from urdfkit.cli.lazy import LazyGroup
 from urdfkit.cli.options import UsageError
-from urdfkit.core.suggest import did_you_mean
+from urdfkit.core.suggest import nearest
 
 #: Commands by section of the help. ``urdfkit.cli.<name>`` defines ``command``, a click.Command
 #: that returns the exit code.
@@ -57,8 +57,11 @@ def run(words: Sequence[str]) -> int:
         message = message.replace("a valid float range", "a number")
         message = message.replace("a valid integer range", "an integer")
         if isinstance(error, click.NoSuchOption):  # click's message has three sentences
-            name = error.option_name
-            message = f"no such option '{name}'{did_you_mean(name, error.possibilities or ())}"
+            # The dashes, which all have, make none similar.
+            known = [option.lstrip("-") for option in error.possibilities or ()]
+            near = nearest(error.option_name.lstrip("-"), known)
+            hint = f"; did you mean '--{near}'?" if near else ""
+            message = f"no such option '{error.option_name}'{hint}"
         message = message[:1].lower() + message[1:]  # like all other errors
         # If click omits the context, the cause is an option of the command.
         command = error.ctx.command_path if error.ctx else f"urdfkit {words[0]}"
