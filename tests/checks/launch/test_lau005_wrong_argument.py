@@ -125,6 +125,27 @@ def test_the_name_of_another_thing_is_no_argument(tmp_path: Path, more: str, cou
     assert len(found) == count
 
 
+@pytest.mark.parametrize(
+    ("more", "count"),
+    [
+        ("path = share + '/worlds/' + LaunchConfiguration('world')", 1),
+        ("LaunchConfiguration('worlds')", 0),
+        ("LaunchConfiguration(variable_name='worlds')", 0),
+        ("context.launch_configurations['worlds']", 0),
+        ("path = 'worlds'\nLaunchConfiguration(path)", 0),
+        ("path = 'worlds'\nNode(arguments=['$(var worlds)'])", 0),
+    ],
+)
+def test_a_directory_with_nearly_the_name_of_an_argument(
+    tmp_path: Path, more: str, count: int
+) -> None:
+    """Next to an include of a file of ROS, which may have arguments of its own."""
+    included = "IncludeLaunchDescription(PythonLaunchDescriptionSource('c.launch.py'))\n"
+    files = {"launch/b.launch.py": TAKES_PYTHON + included + more, "launch/c.launch.py": ""}
+    found = reported(tmp_path, "LAU005", "a.launch.py", PYTHON.format("worlds"), files)
+    assert [one.severity for one in found] == [Severity.WARNING] * count
+
+
 def test_all_arguments_may_be_forwarded(tmp_path: Path) -> None:
     files = {"launch/b.launch": TAKES}
     text = ROS_1.format("gui").replace("b.launch", 'b.launch" pass_all_args="true', 1)

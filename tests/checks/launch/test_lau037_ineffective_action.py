@@ -54,6 +54,13 @@ def test_handlers_of_what_a_function_creates(tmp_path: Path) -> None:
     assert reported(tmp_path, "LAU037", "a.launch.py", text) == []
 
 
+@pytest.mark.parametrize("target", ["spawn()", SPAWNER])
+def test_a_handler_of_an_action_of_its_own(tmp_path: Path, target: str) -> None:
+    handled = HANDLED.format("a, ").replace("target_action=a", f"target_action={target}")
+    (found,) = reported(tmp_path, "LAU037", "a.launch.py", SPAWNING + described("spawn()", handled))
+    assert found.message.startswith("the handler waits for an action that it creates itself")
+
+
 AFTER = """\
 def after(gate, action):
     return RegisterEventHandler(OnProcessExit(target_action=gate, on_exit=[action]))

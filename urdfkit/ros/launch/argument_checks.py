@@ -26,6 +26,9 @@ _COMPUTED = re.compile(rb"""(?:[)}]|["'](?=[._-]))([\w.-]*\.launch[\w.]*)""")
 #: The name in a declaration of an argument.
 _DECLARED = re.compile(rb"""<arg\s[^<>]*?\bname\s*=\s*["']([^"'<>]*)["']""")
 _WORD = re.compile(rb"\w+")
+#: What stands before the name of an argument that a Python file reads, and before a computed one.
+_READS = rb"(?:LaunchConfiguration(?:Equals)?|launch_configurations(?:\W+get)?|variable_name)"
+_COMPUTED_NAME = rb"LaunchConfiguration\(\s*(?!variable_name\b)[^'\"\s]"
 #: Comments and docstrings of Python, on lines of their own.
 _PROSE = re.compile(rb"""(?m)^[ \t]*(?:#.*$|[rR]?(?:\"{3}(?s:.*?)\"{3}|'{3}(?s:.*?)'{3}))""")
 #: Most files that are searched for includes, and most directories.
@@ -153,12 +156,22 @@ def unknown_to_included(
         is_used = ros == 2 and words.issuperset(_WORD.findall(name.encode()))
         is_used = is_used and not (taken.is_whole and _is_only_key(name, source))
         is_mistyped = bool(suggester.suggested(name))
+        # Such as a directory 'worlds' in a file with the argument 'world'.
+        is_used = is_used and (not is_mistyped or _may_read(name, source))
         if not is_used and (ros == 1 or taken.is_whole or is_mistyped):
             file = os.path.basename(source.path)
             hint = did_you_mean(name, unused) if number < Suggester.MAX_WORDS else ""
             message = f"'{file}': unknown argument '{name}'{hint}"
             severity = Severity.INFO if ros == 2 and not is_mistyped else None
             yield Problem("LAU005", span, message, frame=frame, severity=severity)
+
+
+def _may_read(name: str, source: Source) -> bool:
+    """True if a file contains a name where it reads an argument, or computes such names."""
+    if name in USE.findall(source.data.decode("utf-8", "replace")):
+        return True
+    read = rb"%b\W+['\"]%b['\"]" % (_READS, re.escape(name.encode()))
+    return re.search(rb"%b|%b" % (read, _COMPUTED_NAME), source.data) is not None
 
 
 def _is_only_key(name: str, source: Source) -> bool:

@@ -71,6 +71,11 @@ def waits_for_unstarted(
     reads.subtract(name.id for name in names)
     # A parameter of a function has other names where the function is called.
     assigned = {node.id for node in expressions if isinstance(node, ast.Name) and not is_read(node)}
+    for target in targets:
+        if isinstance(target, ast.Call) and called(values.created(target)) in _PROCESSES:
+            message = "the handler waits for an action that it creates itself: nothing starts it"
+            help = "name the action that is in the LaunchDescription"
+            yield values.problem("LAU037", target, message, help, Severity.WARNING)
     for name in names:
         is_idle = name.id in assigned and not reads[name.id]
         if is_idle and _kind(name, values) in _PROCESSES:
