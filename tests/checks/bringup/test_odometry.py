@@ -109,3 +109,27 @@ def test_nothing_publishes_the_odometry_of_navigation(
     found = reported(tmp_path, "LAU032", "a.launch.py", text, {"c.yaml": drive})
     help = "write enable_odom_tf: true"
     assert [one.help for one in found if "odometry" in one.message] == [help] * count
+
+
+@pytest.mark.parametrize(
+    ("switch", "more", "count"),
+    [
+        ("false", "", 1),
+        ("true", "", 0),
+        ("false", FIXED.format("map", "odom"), 0),
+        ("false", FIXED.format("base_link", "laser"), 1),
+        ("false", NODE.format("slam_toolbox", "async_slam_toolbox_node", ""), 0),
+        ("false", NODE.format("sending", "send", ""), 0),
+        ("false", NODE.format("own_localization", "locate", ""), 0),
+    ],
+)
+def test_nothing_publishes_the_map(tmp_path: Path, switch: str, more: str, count: int) -> None:
+    given = f"name='amcl', parameters=['{tmp_path}/amcl.yaml']"
+    files = {
+        "amcl.yaml": f"amcl: {{ros__parameters: {{tf_broadcast: {switch}}}}}\n",
+        "src/sending/package.xml": "<package><name>sending</name></package>",
+        "src/sending/send.py": "sender = TransformBroadcaster(node)\n",
+    }
+    text = NODE.format("nav2_amcl", "amcl", given) + more
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    assert [one.help for one in found] == ["write tf_broadcast: true"] * count

@@ -9,7 +9,7 @@
 - The mask of a filter, or its `filter_info_topic`, is on another topic than its server says.
 - robot_localization and the controller of the wheels both leave the transform from odometry to the
   robot to the other one, as a filter does whose `world_frame` is the map. Or Nav2 needs it, and the
-  controller of the wheels alone could publish it.
+  controller of the wheels alone could publish it. Or AMCL does not publish that of the map.
 - Nothing reads the velocity commands of twist_mux, Nav2 or a teleoperation node, while a drive
   reads them on another topic. Reported only if all programs of the workspace are known.
 - A teleoperation node, or Nav2, publishes `Twist` on the topic of a drive that reads
@@ -31,6 +31,7 @@ Sources:
 from __future__ import annotations
 
 import re
+from itertools import chain
 
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
 from urdfkit.checks.bringup.gz_bridges import may_bridge_transforms
@@ -68,7 +69,8 @@ GOOD = BAD.replace("/drive/cmd_vel", "/cmd_vel")
 _FILTER, _SWITCH, _OF_DRIVE = "robot_localization", "publish_tf", "enable_odom_tf"
 _WORLD = "world_frame"
 _FILTERS = ("ekf_node", "ukf_node")
-_NAVIGATION = ("nav2_amcl", "nav2_controller", "slam_toolbox")
+_AMCL, _BROADCAST, _MAPPING = "nav2_amcl", "tf_broadcast", ("slam_toolbox",)
+_NAVIGATION = (_AMCL, "nav2_controller", "slam_toolbox")
 #: Packages whose programs publish no transforms, and those whose programs may move the robot.
 _STILL, _MOVING = re.compile(r"topic_tools|twist_stamper"), ("tf2_ros", _FILTER)
 
@@ -82,6 +84,7 @@ def check(context: Context) -> Findings:
         yield from unread_commands(context)
         yield from _unpublished_odometry(context)
         yield from _navigation_without_odometry(context)
+        yield from _unpublished_map(context)
         yield from mistyped_commands(context, context.launch.programs)
         yield from mistyped_navigation(context, context.launch.programs)
         yield from unpublished_commands(context)
@@ -149,6 +152,34 @@ def _navigation_without_odometry(context: Context) -> Findings:
             f"{_OF_DRIVE} of '{drive}' is false",
             f"write {_OF_DRIVE}: true",
             related=(Related(reader.span, f"'{reader.title}' needs it"),),
+        )
+
+
+def _unpublished_map(context: Context) -> Findings:
+    """AMCL that does not publish the transform of the map, where no other node does."""
+    filters = [node for node in context.launch.started if node.package == _AMCL]
+    sections = [nodes_in_files(node.parameters.files, context.resolver) for node in filters]
+    switches = [
+        scalar(section.values, _BROADCAST)
+        for section in chain.from_iterable(sections)
+        if section.name == "amcl"
+    ]
+    silent = [value for value in switches if value and value.boolean is False]
+    programs = programs_of(all_launches(context)) if silent else []
+    statics = [transform for node in programs if (transform := static_transform(node))]
+    is_mapped = (
+        any(node.package in _MAPPING for node in context.launch.programs)
+        or any(_may_publish_transforms(node, context) for node in programs)
+        or any("odom" in (transform.child.text or "odom") for transform in statics)
+        or any(of_global_filters(programs, context))
+        or may_bridge_transforms(programs, context.resolver)
+    )
+    for value in silent if not is_mapped else ():
+        yield Finding(
+            value.span,
+            f"nothing publishes the transform from the map to odometry: {_BROADCAST} of 'amcl' is "
+            "false",
+            f"write {_BROADCAST}: true",
         )
 
 
