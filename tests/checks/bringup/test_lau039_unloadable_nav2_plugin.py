@@ -15,6 +15,7 @@ from tests.checks.bringup.nav2 import (
     messages,
 )
 from tests.launched import reported
+from tests.naming import naming
 
 
 @pytest.mark.parametrize(
@@ -153,3 +154,11 @@ def test_navigators_of_another_release(tmp_path: Path, navigator: str, count: in
     found = reported(tmp_path / "arm", "LAU039", "a.launch.py", text, {"a.yaml": yaml})
     expected = ["write nav2_bt_navigator::NavigateToPoseNavigator"] * count
     assert [one.help for one in found] == expected
+
+
+@pytest.mark.parametrize(("server", "count"), [("behavior_server", 1), ("recoveries_server", 0)])
+def test_the_former_package_of_behaviors(tmp_path: Path, server: str, count: int) -> None:
+    """It was renamed in Humble, as the server was."""
+    yaml = f"{server}:\n  ros__parameters:\n    spin: {{plugin: nav2_recoveries/Spin}}\n"
+    found = [one for one in messages("LAU039", tmp_path, yaml) if "nav2_recoveries" in one]
+    assert found == [naming("nav2_recoveries/Spin", "nav2_recoveries")] * count

@@ -256,6 +256,7 @@ def test_maps_in_a_parameter_file(tmp_path: Path, text: str, count: int) -> None
         ('pkg="arm" exec="talker"', ""),
         ('pkg="tf" exec="static_transform_publisher"', naming("ROS 2", "tf")),
         ('pkg="tf2_ros" exec="static_transform_publisher"', ""),
+        ('pkg="controller_manager" exec="controller_manager"', naming(*["controller_manager"] * 2)),
     ],
 )
 def test_executables_of_nodes(tmp_path: Path, node: str, message: str) -> None:

@@ -65,6 +65,7 @@ from launch.actions import AppendEnvironmentVariable
 
 AppendEnvironmentVariable("{}", share + "/{}")
 """
+CONFIG = "<model><sdf version='1.9'>{}</sdf></model>"
 EXPORT = """<package format="3"><name>arm</name><export>
 <gazebo_ros gazebo_model_path="${prefix}/models"/></export></package>"""
 
@@ -103,3 +104,23 @@ def test_a_model_path_that_a_package_exports(tmp_path: Path) -> None:
     assert missing.help == "add arm/models to GZ_SIM_RESOURCE_PATH in the launch file"
     files["package.xml"] = EXPORT
     assert messages(tmp_path / "b", CODE, world=world, files=files) == []
+
+
+@pytest.mark.parametrize(
+    ("files", "words"),
+    [
+        ({"model.config": CONFIG.format("model.sdf"), "model.sdf": ""}, []),
+        ({"model.config": CONFIG.format("shelf.sdf"), "model.sdf": ""}, ["shelf", "shelf.sdf"]),
+        ({"model.config": CONFIG.format("a.sdf"), "a.sdf": ""}, []),
+        ({"model.sdf": "<sdf/>"}, ["model://shelf", "model.config"]),
+        ({"model.sdf": "<sdf/>", "manifest.xml": CONFIG.format("model.sdf")}, []),
+        ({"model.config": "<model/>"}, []),
+    ],
+)
+def test_the_file_of_a_model(tmp_path: Path, files: dict[str, str], words: list[str]) -> None:
+    made = {f"models/shelf/{name}": text for name, text in files.items()}
+    made["package.xml"] = EXPORT
+    found = messages(
+        tmp_path, CODE, world="<include><uri>model://shelf</uri></include>", files=made
+    )
+    assert found == [naming(*words)] * bool(words)

@@ -46,6 +46,8 @@ _CRITICS = "critics"
 _NAVIGATORS = "navigators"
 #: Least similarity of a misspelt critic: ObstacleCritic is ObstaclesCritic.
 _MIN_SIMILARITY = 0.8
+#: A server of Humble and later, and the package of its plugins until then, and since.
+_BEHAVIORS, _FORMER, _FORMER_IS = "behavior_server", "nav2_recoveries", "nav2_behaviors"
 #: The classes with a slash up to Iron, and colons from Jazzy on.
 _RENAMED = re.compile(
     r"nav2_(?:behaviors|bt_navigator|navfn_planner|smac_planner|theta_star_planner)(/|::)"
@@ -77,6 +79,11 @@ def _unknown_classes(node: NodeParameters) -> Findings:
     packages = {name.partition("::")[0] for name in known}
     for section in node.values.values() if node.name not in COSTMAPS else ():
         plugin, name = scalar(section, "plugin"), plugin_class(section)
+        if plugin and node.name == _BEHAVIORS and name.startswith(f"{_FORMER}::"):
+            message = f"unknown plugin '{plugin.text}': Humble and later have no {_FORMER}"
+            help = f"write {plugin.text.replace(_FORMER, _FORMER_IS)}"
+            yield Finding(plugin.span, message, help, severity=Severity.WARNING)
+            continue
         is_complete = name.partition("::")[0] in packages
         suggested = nearest(name, known, TYPO if is_complete else CLOSE_TYPO)
         if plugin is None or name in known or not (is_complete or suggested):

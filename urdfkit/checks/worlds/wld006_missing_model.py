@@ -5,6 +5,7 @@
 - A model that the world includes with `model://` is not in the workspace (info), or is misspelt; or
   gz sim loads `model://sun` or `model://ground_plane`, which only Gazebo Classic downloads: the
   world is not loaded unless the resource path contains the model (warning).
+- The `model.config` of a model is missing, or names a file that does not exist (warning).
 - A model of the workspace is in none of the directories that launch files and packages add to the
   resource path of gz sim, or only in that of `IGN_GAZEBO_RESOURCE_PATH`, from which Gazebo Harmonic
   takes no models (warning).
@@ -17,6 +18,7 @@ Sources:
 import os
 import re
 
+from urdfkit.checks.worlds.model_files import unreadable_models
 from urdfkit.checks.worlds.model_paths import FORMER, VARIABLE, resource_path
 from urdfkit.checks.worlds.opened_worlds import OpenedWorld, opened_worlds
 from urdfkit.checks.worlds.world_values import is_generated
@@ -53,6 +55,7 @@ def check(context: Context) -> Findings:
         if opened.world is not None:
             yield from opened.noted(_missing_meshes(opened, opened.world, models, context))
             yield from opened.noted(_missing_models(opened, opened.world, models))
+            yield from opened.noted(unreadable_models(opened.world, models, context.resolver))
             if opened.started.generation == GZ:
                 yield from opened.noted(_not_on_the_path(opened.world, models, context))
 
