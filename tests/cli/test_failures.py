@@ -145,3 +145,38 @@ def test_lack_of_memory_in_a_rule_is_not_a_bug(
     monkeypatch.setattr(rule_index, "applicable", fail)
     assert main(["check", GRIPPER, "--no-cache"]) == 2
     assert re.fullmatch(r"error: \S+: not enough memory\n", capsys.readouterr().err)
+
+
+def with_another_xacro(directory: Path, *words: str | Path) -> subprocess.CompletedProcess[str]:
+    """A run of the command line with a foreign xacro on PYTHONPATH, as that of an old ROS."""
+    (directory / "ros" / "xacro").mkdir(parents=True, exist_ok=True)
+    (directory / "ros" / "xacro" / "__init__.py").write_text("__version__ = '1.13'\n")
+    path = os.pathsep.join([str(directory / "ros"), str(ROOT)])
+    return subprocess.run(
+        [sys.executable, "-m", "urdfkit", *map(str, words)],
+        check=False,
+        capture_output=True,
+        text=True,
+        cwd=directory,
+        env={**os.environ, "PYTHONPATH": path, "URDFKIT_CACHE_DIR": ""},
+        timeout=60,
+    )
+
+
+def test_another_xacro_is_no_fault_of_the_robot(tmp_path: Path) -> None:
+    for command in ("check", "info", "expand"):
+        ran = with_another_xacro(tmp_path, command, MOBILE_BASE)
+        assert (ran.returncode, ran.stdout) == (2, "")
+        assert ran.stderr.startswith("error: the xacro at ros/xacro/__init__.py is not version")
+        assert "and 24 more" in ran.stderr
+
+
+def test_a_plain_robot_needs_no_xacro_but_for_its_srdf(tmp_path: Path) -> None:
+    robot = tmp_path / "gripper.urdf"
+    robot.write_text(Path(GRIPPER).read_text(encoding="utf-8"), encoding="utf-8")
+    name = 'name="gripper" xmlns:xacro="http://ros.org/wiki/xacro"'
+    srdf = f'<robot {name}><xacro:property name="a" value="1"/><group name="g"/></robot>'
+    (tmp_path / "gripper.srdf.xacro").write_text(srdf)
+    ran = with_another_xacro(tmp_path, "check", robot)
+    assert ran.returncode == 0, ran.stderr
+    assert "rules skipped: the xacro at" in " ".join(ran.stdout.split())

@@ -23,7 +23,8 @@ from xml.dom import minidom
 
 from urdfkit.core import libraries
 from urdfkit.core.static_typing import Any
-from urdfkit.errors import UrdfkitError
+from urdfkit.core.words import few
+from urdfkit.errors import Unavailable
 from urdfkit.xacro import dom
 from urdfkit.xacro.bounds import TooLarge, UnsafeExpression
 from urdfkit.xacro.dom import Node
@@ -58,7 +59,7 @@ def load_engine() -> XacroEngine:
     """The engine, loaded at the first call.
 
     Raises:
-        UrdfkitError: the xacro on the path is not one of the supported versions.
+        Unavailable: the xacro on the path is not one of the supported versions, or there is none.
     """
     return XacroEngine(_private_copy())
 
@@ -66,7 +67,7 @@ def load_engine() -> XacroEngine:
 def _private_copy() -> Any:
     spec = libraries.find("xacro")
     if spec is None or spec.origin is None:
-        raise UrdfkitError("xacro is not installed; run: pip install 'xacro>=2.1,<2.2'")
+        raise Unavailable("xacro is not installed; run: pip install 'xacro>=2.1,<2.2'")
     loader: Any = spec.loader
     module: Any = ModuleType(_PRIVATE_NAME)
     module.__spec__ = type(spec)(_PRIVATE_NAME, loader, is_package=True)
@@ -84,8 +85,8 @@ def _private_copy() -> Any:
     minidom.Element.writexml = stock_writexml  # type: ignore[method-assign]
     missing = [name for name in _REQUIRED if not hasattr(module, name)]
     if missing:
-        raise UrdfkitError(
-            f"the xacro at {spec.origin} is not version 2.1 (it lacks {', '.join(missing)}); "
+        raise Unavailable(
+            f"the xacro at {spec.origin} is not version 2.1 (it lacks {few(missing, 3)}); "
             "run: pip install 'xacro>=2.1,<2.2', or take it off PYTHONPATH"
         )
     return module

@@ -40,10 +40,15 @@ def expand_repeatedly(request: ExpansionRequest) -> ExpansionRun:
 
 
 def _expand_once(run: ExpansionRun) -> BaseException | None:
-    """Expand once; returns the error that stopped it, or None."""
+    """Expand once; returns the error that stopped it, or None.
+
+    Raises:
+        Unavailable: there is no xacro of a supported version, which is no fault of the robot.
+    """
+    engine = load_engine()
     try:
         with watched(run.budget):
-            run.document = load_engine().expand(run)
+            run.document = engine.expand(run)
     except (Exception, RecursionError, MemoryError) as error:
         if is_out_of_memory(error):
             return run.budget.out_of_memory().with_traceback(error.__traceback__)
