@@ -94,6 +94,13 @@ def test_rates_that_are_not_positive(tmp_path: Path, rate: str) -> None:
     assert found.message == naming("update_rate", rate, "> 0")
 
 
+@pytest.mark.parametrize(("given", "count"), [("updat_rate", 1), ("use_sim_time", 0)])
+def test_a_misspelt_parameter_of_the_manager(tmp_path: Path, given: str, count: int) -> None:
+    text = DRIVE.replace("ers:\n    drive", f"ers:\n    {given}: 9\n    drive")
+    found = reported(tmp_path, "RCT034", text)
+    assert [one.message for one in found] == [naming(given, "update_rate")] * count
+
+
 @pytest.mark.parametrize(
     ("old", "new"),
     [

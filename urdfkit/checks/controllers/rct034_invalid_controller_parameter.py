@@ -102,6 +102,14 @@ def check(context: Context) -> Findings:
     for file, section in managers(context):
         for at, message, help in _invalid_values(of_manager(), section):
             yield Finding(at, f"controller manager: {message}", help, related=(file.note,))
+        for name in section.given:
+            suggested = nearest(name, of_manager().types, CLOSE_TYPO)
+            if suggested and suggested not in section.given:
+                message = (
+                    f"controller manager: unknown parameter '{name}'; did you mean '{suggested}'?"
+                )
+                at, help = section.places[name], f"write {suggested}"
+                yield Finding(at, message, help, related=(file.note,), severity=Severity.WARNING)
     sections = named_sections(context)
     for file, controllers in by_file(context.controllers):
         names = {controller.name for controller in controllers}
