@@ -147,25 +147,49 @@ def test_lack_of_memory_in_a_rule_is_not_a_bug(
     assert re.fullmatch(r"error: \S+: not enough memory\n", capsys.readouterr().err)
 
 
-def with_another_xacro(directory: Path, *words: str | Path) -> subprocess.CompletedProcess[str]:
-    """A run of the command line with a foreign xacro on PYTHONPATH, as that of an old ROS."""
-    (directory / "ros" / "xacro").mkdir(parents=True, exist_ok=True)
-    (directory / "ros" / "xacro" / "__init__.py").write_text("__version__ = '1.13'\n")
-    path = os.pathsep.join([str(directory / "ros"), str(ROOT)])
+#: Programs in which the xacro on PYTHONPATH is the only one, and in which that of urdfkit follows.
+ALONE = """
+import sys
+from urdfkit.core import libraries
+libraries.find_all = lambda name: iter([libraries.find(name)])
+from urdfkit.cli import main
+sys.exit(main(sys.argv[1:]))
+"""
+IN_FRONT = "import sys; from urdfkit.cli import main; sys.exit(main(sys.argv[1:]))"
+
+
+def with_old_xacro(
+    directory: Path, program: str, *words: str | Path
+) -> subprocess.CompletedProcess[str]:
+    """A run of the command line with a foreign xacro on PYTHONPATH, as that of an older ROS."""
+    package = directory / "ros" / "xacro"
+    package.mkdir(parents=True, exist_ok=True)
+    (package / "__init__.py").write_text("from . import color\n__version__ = '1.13'\n")
+    (package / "color.py").write_text("def error(text): print('old')\n")
     return subprocess.run(
-        [sys.executable, "-m", "urdfkit", *map(str, words)],
+        [sys.executable, "-c", program, *map(str, words)],
         check=False,
         capture_output=True,
         text=True,
         cwd=directory,
-        env={**os.environ, "PYTHONPATH": path, "URDFKIT_CACHE_DIR": ""},
+        env={
+            **os.environ,
+            "PYTHONPATH": os.pathsep.join([str(directory / "ros"), str(ROOT)]),
+            "URDFKIT_CACHE_DIR": "",
+        },
         timeout=60,
     )
 
 
-def test_another_xacro_is_no_fault_of_the_robot(tmp_path: Path) -> None:
+def test_the_xacro_of_an_older_ros_is_passed_over(tmp_path: Path) -> None:
+    ran = with_old_xacro(tmp_path, IN_FRONT, "expand", MOBILE_BASE)
+    assert ran.returncode == 0, ran.stderr
+    assert "<link name=" in ran.stdout
+
+
+def test_a_missing_xacro_is_no_fault_of_the_robot(tmp_path: Path) -> None:
     for command in ("check", "info", "expand"):
-        ran = with_another_xacro(tmp_path, command, MOBILE_BASE)
+        ran = with_old_xacro(tmp_path, ALONE, command, MOBILE_BASE)
         assert (ran.returncode, ran.stdout) == (2, "")
         assert ran.stderr.startswith("error: the xacro at ros/xacro/__init__.py is not version")
         assert "and 24 more" in ran.stderr
@@ -177,6 +201,6 @@ def test_a_plain_robot_needs_no_xacro_but_for_its_srdf(tmp_path: Path) -> None:
     name = 'name="gripper" xmlns:xacro="http://ros.org/wiki/xacro"'
     srdf = f'<robot {name}><xacro:property name="a" value="1"/><group name="g"/></robot>'
     (tmp_path / "gripper.srdf.xacro").write_text(srdf)
-    ran = with_another_xacro(tmp_path, "check", robot)
+    ran = with_old_xacro(tmp_path, ALONE, "check", robot)
     assert ran.returncode == 0, ran.stderr
     assert "rules skipped: the xacro at" in " ".join(ran.stdout.split())

@@ -11,6 +11,7 @@ from functools import lru_cache
 TYPE_CHECKING = False
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from importlib.machinery import ModuleSpec
 
 #: Libraries that measure meshes.
@@ -24,6 +25,21 @@ def find(name: str) -> ModuleSpec | None:
         if spec is not None:
             return spec
     return None
+
+
+def find_all(name: str) -> Iterator[ModuleSpec]:
+    """Import specs of the packages with a name on the path, first that which Python imports."""
+    first = find(name)
+    if first is None:
+        return
+    if first.origin is not None:  # otherwise a directory without code
+        yield first
+    from importlib.machinery import PathFinder
+
+    for directory in sys.path:
+        spec = PathFinder.find_spec(name, [directory])
+        if spec is not None and spec.origin not in (None, first.origin):
+            yield spec
 
 
 @lru_cache

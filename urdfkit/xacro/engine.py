@@ -22,7 +22,7 @@ from types import ModuleType
 from xml.dom import minidom
 
 from urdfkit.core import libraries
-from urdfkit.core.static_typing import Any
+from urdfkit.core.static_typing import TYPE_CHECKING, Any
 from urdfkit.core.words import few
 from urdfkit.errors import Unavailable
 from urdfkit.xacro import dom
@@ -31,6 +31,9 @@ from urdfkit.xacro.dom import Node
 from urdfkit.xacro.errors import FAILED, DependsOnError
 from urdfkit.xacro.evaluation import Evaluation
 from urdfkit.xacro.expansion import ExpansionRun
+
+if TYPE_CHECKING:
+    from importlib.machinery import ModuleSpec
 
 #: Most characters of a name. xacro parses names as Python, which needs much memory for long ones.
 MAX_NAME = 200
@@ -59,15 +62,33 @@ def load_engine() -> XacroEngine:
     """The engine, loaded at the first call.
 
     Raises:
-        Unavailable: the xacro on the path is not one of the supported versions, or there is none.
+        Unavailable: no xacro on the path is one of the supported versions.
     """
     return XacroEngine(_private_copy())
 
 
 def _private_copy() -> Any:
-    spec = libraries.find("xacro")
-    if spec is None or spec.origin is None:
-        raise Unavailable("xacro is not installed; run: pip install 'xacro>=2.1,<2.2'")
+    """A copy of the first supported xacro on the path; ROS puts its own version in front."""
+    reasons = []
+    for spec in libraries.find_all("xacro"):
+        try:
+            module = _loaded(spec)
+        except Exception as error:  # such as that of a ROS for Python 2
+            reasons.append(f"the xacro at {spec.origin} cannot be imported ({error})")
+            continue
+        missing = [name for name in _REQUIRED if not hasattr(module, name)]
+        if not missing:
+            return module
+        lacks = few(missing, 3)
+        reasons.append(f"the xacro at {spec.origin} is not version 2.1 (it lacks {lacks})")
+    reason = reasons[0] if reasons else "xacro is not installed"
+    raise Unavailable(f"{reason}; run: pip install 'xacro>=2.1,<2.2'")
+
+
+def _loaded(spec: ModuleSpec) -> Any:
+    """The private copy of a xacro, not yet instrumented."""
+    for name in [name for name in sys.modules if name.startswith(f"{_PRIVATE_NAME}.")]:
+        del sys.modules[name]  # parts of another xacro
     loader: Any = spec.loader
     module: Any = ModuleType(_PRIVATE_NAME)
     module.__spec__ = type(spec)(_PRIVATE_NAME, loader, is_package=True)
@@ -78,17 +99,13 @@ def _private_copy() -> Any:
     sys.modules[command_line.__name__] = command_line
     sys.modules[_PRIVATE_NAME] = module
     stock_writexml = minidom.Element.writexml
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # Python 3.10 warns about names in xacro
-        exec(loader.get_code("xacro"), vars(module))
-    Node.writexml = minidom.Element.writexml
-    minidom.Element.writexml = stock_writexml  # type: ignore[method-assign]
-    missing = [name for name in _REQUIRED if not hasattr(module, name)]
-    if missing:
-        raise Unavailable(
-            f"the xacro at {spec.origin} is not version 2.1 (it lacks {few(missing, 3)}); "
-            "run: pip install 'xacro>=2.1,<2.2', or take it off PYTHONPATH"
-        )
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # Python 3.10 warns about names in xacro
+            exec(loader.get_code("xacro"), vars(module))
+        Node.writexml = minidom.Element.writexml
+    finally:
+        minidom.Element.writexml = stock_writexml  # type: ignore[method-assign]
     return module
 
 
