@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from urdfkit.robot.model import RobotModel
     from urdfkit.robot.tree import KinematicTree
 
+#: Least major versions, as in pyproject.toml. A sourced ROS may put older ones in front.
+_LEAST_VERSIONS = {"pinocchio": 4, "coal": 3}
+
 #: Most collision bodies that are compared; a humanoid with decomposed meshes has half as many.
 MAX_BODIES = 2000
 
@@ -25,12 +28,9 @@ def need_coal() -> None:
     """Import coal.
 
     Raises:
-        Unavailable: coal is not installed.
+        Unavailable: coal is not installed, or too old.
     """
-    try:
-        import_module("coal")
-    except ImportError as error:
-        raise Unavailable(_not_installed("coal", error)) from error
+    _need("coal", "coal")
 
 
 def need_pinocchio() -> None:
@@ -47,8 +47,9 @@ def dynamics_of(tree: KinematicTree) -> Dynamics:
     """A robot in Pinocchio.
 
     Raises:
-        Unavailable: Pinocchio is not installed, or cannot represent the robot.
+        Unavailable: Pinocchio is not installed, or too old, or cannot represent the robot.
     """
+    _need("Pinocchio", "pinocchio")
     try:
         from urdfkit.physics.dynamics.robot import Dynamics, Unsuitable
     except ImportError as error:
@@ -86,6 +87,29 @@ def need_few_bodies(model: RobotModel) -> None:
     bodies = sum(len(link.collisions) for link in model.links)
     if bodies > MAX_BODIES:
         raise Unavailable(f"{bodies} collision bodies; more than {MAX_BODIES} are not compared")
+
+
+def _need(library: str, module: str) -> None:
+    """Import a library of a supported version.
+
+    Raises:
+        Unavailable: it is not installed, cannot be imported, or is too old.
+    """
+    try:
+        found = import_module(module)
+    except ImportError as error:
+        raise Unavailable(_not_installed(library, error)) from error
+    except Exception as error:  # such as a RuntimeError, if it does not fit another library
+        raise Unavailable(f"{library} cannot be imported: {error}") from error
+    version, least = str(getattr(found, "__version__", "")), _LEAST_VERSIONS[module]
+    major = version.partition(".")[0]
+    if major.isdigit() and int(major) < least:
+        from urdfkit.core.installation import install_command
+
+        raise Unavailable(
+            f"{library} {version} at {found.__file__} is older than {least}: "
+            f"{install_command('dynamics')}, or take it off PYTHONPATH"
+        )
 
 
 def _not_installed(library: str, why: object) -> str:

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from urdfkit.core.installation import needing
 from urdfkit.lint.context import Context
+from urdfkit.lint.requirements import need_coal
 from urdfkit.robot.adjacency import Adjacency
 
 
@@ -25,12 +26,14 @@ def overlaps(context: Context, pose: Mapping[str, float]) -> Iterator[Overlap]:
 
     Raises:
         MissingLibrary: coal is not installed.
+        Unavailable: coal is too old.
     """
     with needing("the layer of contacts", "dynamics"):
         from urdfkit.physics.collision.batch_kinematics import tree_arrays
         from urdfkit.physics.collision.collision_geometry import build_geometries
         from urdfkit.physics.collision.geometry_arrays import collision_arrays
         from urdfkit.physics.collision.pair_queries import CollisionModel
+    need_coal()
     moving = tree_arrays(context.tree)
     bodies, _ = collision_arrays(context.model, context.meshes)
     links = set(moving.links)

@@ -1,0 +1,42 @@
+"""Libraries of another version, such as those of a sourced ROS."""
+
+import sys
+from types import ModuleType
+
+import pytest
+
+from tests.shipped import ARM
+from urdfkit.cli import main
+from urdfkit.errors import Unavailable
+from urdfkit.lint.requirements import need_coal
+
+
+@pytest.mark.parametrize(
+    ("command", "module", "version", "least"),
+    [("statics", "pinocchio", "2.6.21", 4), ("collisions", "coal", "2.4", 3)],
+)
+def test_an_older_version_is_named_with_its_place(
+    command: str,
+    module: str,
+    version: str,
+    least: int,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    old = ModuleType(module)
+    vars(old).update(__version__=version, __file__="/opt/ros/old/__init__.py")
+    monkeypatch.setitem(sys.modules, module, old)
+    assert main([command, ARM]) == 2
+    error = " ".join(capsys.readouterr().err.split())
+    assert f"{version} at /opt/ros/old/__init__.py is older than {least}: " in error
+    assert error.endswith("or take it off PYTHONPATH")
+
+
+def test_an_unknown_version_is_tried(monkeypatch: pytest.MonkeyPatch) -> None:
+    own = ModuleType("coal")
+    vars(own).update(__version__="devel")
+    monkeypatch.setitem(sys.modules, "coal", own)
+    need_coal()
+    monkeypatch.setitem(sys.modules, "coal", None)
+    with pytest.raises(Unavailable, match="coal is not installed"):
+        need_coal()
