@@ -29,11 +29,13 @@ def overlaps(context: Context, pose: Mapping[str, float]) -> Iterator[Overlap]:
         Unavailable: coal is too old.
     """
     with needing("the layer of contacts", "dynamics"):
+        import coal  # noqa: F401 - for the message if it is missing
+
+        need_coal()
         from urdfkit.physics.collision.batch_kinematics import tree_arrays
         from urdfkit.physics.collision.collision_geometry import build_geometries
         from urdfkit.physics.collision.geometry_arrays import collision_arrays
         from urdfkit.physics.collision.pair_queries import CollisionModel
-    need_coal()
     moving = tree_arrays(context.tree)
     bodies, _ = collision_arrays(context.model, context.meshes)
     links = set(moving.links)
