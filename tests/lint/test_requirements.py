@@ -1,6 +1,7 @@
 """Libraries of another version, such as those of a sourced ROS."""
 
 import sys
+from pathlib import Path
 from types import ModuleType
 
 import pytest
@@ -40,3 +41,15 @@ def test_an_unknown_version_is_tried(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "coal", None)
     with pytest.raises(Unavailable, match="coal is not installed"):
         need_coal()
+
+
+def test_an_older_mujoco_is_named_with_its_place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    old = ModuleType("mujoco")
+    vars(old).update(__version__="3.2.7", __file__="/env/mujoco/__init__.py")
+    monkeypatch.setitem(sys.modules, "mujoco", old)
+    for words in (["simulate", ARM], ["convert", ARM, "--to", "mjcf", "-o", str(tmp_path / "m")]):
+        assert main(words) == 2
+        error = " ".join(capsys.readouterr().err.split())
+        assert "needs mujoco 4, not 3.2.7 at /env/mujoco/__init__.py: " in error

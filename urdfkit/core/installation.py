@@ -10,6 +10,8 @@ import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib import import_module
+from types import ModuleType
 
 from urdfkit.errors import MissingLibrary
 
@@ -49,17 +51,31 @@ def _obstacle(extra: str) -> str:
     return ""
 
 
+def older(module: ModuleType, least: int) -> str:
+    """``2.4 at PATH`` if the major version of a library is below the least one; empty if not."""
+    version = str(getattr(module, "__version__", ""))
+    major = version.partition(".")[0]
+    is_older = major.isdigit() and int(major) < least
+    return f"{version} at {module.__file__}" if is_older else ""
+
+
 @contextmanager
-def needing(what: str, extra: str) -> Iterator[None]:
+def needing(what: str, extra: str, **least: int) -> Iterator[None]:
     """Context of an import from an extra.
 
     Args:
         what: the subject of the error message: ``what needs numpy``.
+        least: least major versions of libraries, which are imported.
 
     Raises:
-        MissingLibrary: a library is not installed; with the command that installs it.
+        MissingLibrary: a library is not installed, or too old; with the command that installs it.
     """
     try:
+        for name, version in least.items():
+            if old := older(import_module(name), version):
+                raise MissingLibrary(
+                    f"{what} needs {name} {version}, not {old}: {install_command(extra)}"
+                )
         yield
     except MissingLibrary:
         raise

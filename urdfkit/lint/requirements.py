@@ -101,14 +101,13 @@ def _need(library: str, module: str) -> None:
         raise Unavailable(_not_installed(library, error)) from error
     except Exception as error:  # such as a RuntimeError, if it does not fit another library
         raise Unavailable(f"{library} cannot be imported: {error}") from error
-    version, least = str(getattr(found, "__version__", "")), _LEAST_VERSIONS[module]
-    major = version.partition(".")[0]
-    if major.isdigit() and int(major) < least:
-        from urdfkit.core.installation import install_command
+    from urdfkit.core.installation import install_command, older
 
+    least = _LEAST_VERSIONS[module]
+    if old := older(found, least):
         raise Unavailable(
-            f"{library} {version} at {found.__file__} is older than {least}: "
-            f"{install_command('dynamics')}, or take it off PYTHONPATH"
+            f"{library} {old} is older than {least}: {install_command('dynamics')}, "
+            "or take it off PYTHONPATH"
         )
 
 

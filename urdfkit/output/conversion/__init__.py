@@ -55,7 +55,8 @@ def convert(
         raise UrdfkitError(
             f"the format '{to}' does not support base, fixed, collision and exclude; omit them"
         )
-    with needing(f"conversion to {to}", FORMATS[to]):
+    least = {"mujoco": 4} if to == "mjcf" else {}
+    with needing(f"conversion to {to}", FORMATS[to], **least):
         module = import_module(f"{__name__}.{to}")
     context = robot if isinstance(robot, Context) else read(robot)
     conversion: Conversion = module.write(context, os.path.abspath(out), options, force=force)

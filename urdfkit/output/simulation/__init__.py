@@ -32,7 +32,7 @@ def simulate(
         MissingLibrary: MuJoCo is not installed.
         UrdfkitError: the robot cannot be read, or MuJoCo rejects it.
     """
-    with needing("simulation", "simulate"):
+    with needing("simulation", "simulate", mujoco=4):
         from urdfkit.output.simulation.running import run
     context = robot if isinstance(robot, Context) else read(robot)
     return run(context, base, os.fspath(srdf) if srdf else None, progress)
@@ -45,7 +45,7 @@ def motion(
 
     There are fewer if the simulation diverges. The errors are those of `simulate`.
     """
-    with needing("simulation", "simulate"):
+    with needing("simulation", "simulate", mujoco=4):
         from urdfkit.output.simulation.release import moments
         from urdfkit.output.simulation.simulated_robot import SimulatedRobot
     return list(moments(SimulatedRobot(robot, base, srdf), images))
