@@ -49,7 +49,12 @@ def test_an_older_mujoco_is_named_with_its_place(
     old = ModuleType("mujoco")
     vars(old).update(__version__="3.2.7", __file__="/env/mujoco/__init__.py")
     monkeypatch.setitem(sys.modules, "mujoco", old)
-    for words in (["simulate", ARM], ["convert", ARM, "--to", "mjcf", "-o", str(tmp_path / "m")]):
+    simulated = ["check", ARM, "--simulate"]
+    for words in (
+        simulated,
+        ["simulate", ARM],
+        ["convert", ARM, "--to", "mjcf", "-o", str(tmp_path / "m")],
+    ):
         assert main(words) == 2
         error = " ".join(capsys.readouterr().err.split())
         assert "needs mujoco 4, not 3.2.7 at /env/mujoco/__init__.py: " in error

@@ -28,7 +28,7 @@ def simulator(values: Mapping[str, Any]) -> Callable[[Context], Simulation]:
     """
     if values["fix"] or values["diff"]:
         raise options.UsageError("--simulate cannot be combined with --fix or --diff")
-    with needing("--simulate", "simulate"):
+    with needing("--simulate", "simulate", mujoco=4):
         import urdfkit.output.simulation.running  # noqa: F401 - MuJoCo, before reading a robot
     seconds = _limit(values, "timeout", _SECONDS)
     limits.begin_memory(int(_limit(values, "memory", _GIB) * 2**30))
