@@ -48,6 +48,37 @@ def test_velocity_commands(tmp_path: Path, text: str, topic: str) -> None:
     assert all("read on '/drive/cmd_vel'" in one for one in found)
 
 
+CONTROLLERS = """
+controller_manager: {ros__parameters: {
+  drive: {type: diff_drive_controller/DiffDriveController}, arm: {type: a/B}}}
+mux:
+  ros__parameters:
+    use_stamped: true
+    topics: {joy: {topic: joy_vel}, nav: {topic: nav_vel}}
+"""
+MUXED = MUX.format("parameters=['{}/c.yaml'], remappings=[('cmd_vel_out', '/drive/cmd_vel')]")
+NAVIGATED = NAV2.format("remappings=[('cmd_vel', 'nav_vel')]")
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        (MUXED + NAVIGATED, ("twist_mux", "/drive/cmd_vel", "drive")),
+        (MUXED + NAVIGATED + SPAWNER.format(["drive"]), ()),
+        (MUXED.replace("/drive/", "/base/") + NAVIGATED, ()),  # nothing to propose
+        (
+            MUXED + NAVIGATED + SPAWNER.format(["drive"]) + TELEOP.format(""),
+            ("teleop_node", "/cmd_vel", "/joy_vel"),  # which nothing publishes, unlike /nav_vel
+        ),
+    ],
+)
+def test_what_would_read_them(tmp_path: Path, text: str, values: tuple[str, ...]) -> None:
+    files = {"c.yaml": CONTROLLERS}
+    found = reported(tmp_path, "LAU032", "a.launch.py", text.replace("{}", str(tmp_path)), files)
+    messages = [one.message for one in found if "nothing reads" in one.message]
+    assert messages == [naming(*values)] * bool(values)
+
+
 HOLD = """
 from geometry_msgs.msg import Twist
 

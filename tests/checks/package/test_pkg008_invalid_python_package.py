@@ -201,6 +201,7 @@ def test_a_pattern_without_its_directory(tmp_path: Path, pattern: str, count: in
         ("launch/arm.launch.py", None),
         ("launch/arm.pt", "remove it"),  # a model is not a launch file
         ("x.txt", "remove it"),
+        ("resource/other", "write resource/"),
         ("models/walk.pt", "remove it"),  # spider_robot_ws: nor does the directory exist
     ],
 )

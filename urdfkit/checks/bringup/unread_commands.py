@@ -102,11 +102,36 @@ def unread_commands(context: Context) -> Findings:
         yield from _unread_outputs(context, launches, inputs, read)
         yield from _unread_navigation(context, navigation, launches, drives, read)
     read |= _read_by_smoothers(launches, context)
+    published = {topic for _, topic in sources} | _outputs(context)
+    waiting = {topic: note for topic, note in readers.items() if topic not in published}
     for node, topic in sources if readers else ():
-        if topic not in read and not _is_named(topic, launches, context):
-            known = drives if node.package == _MUX and drives else readers
+        if topic in read or _is_named(topic, launches, context):
+            continue
+        if controller := _not_spawned(topic, programs, context):
+            message = f"'{node.executable}' publishes '{topic}', which nothing reads: no launch "
+            message += f"file spawns controller '{controller}'"
+            yield Finding(node.at, message, f"spawn {controller}")
+        elif known := drives if node.package == _MUX else waiting or readers:
             other, message = _unread(node.executable, topic, known)
             yield Finding(node.at, message, f"remap {topic} to {other}", related=(known[other],))
+
+
+def _outputs(context: Context) -> set[str]:
+    """The topics on which the collision monitors of parameter files publish."""
+    paths = (file.path for file in context.launch.parameters)
+    nodes = nodes_in_files(paths, context.resolver)
+    written = (node.values.get(_OUT) for node in nodes)
+    return {resolve_name(value.text, "") for value in written if isinstance(value, Value)}
+
+
+def _not_spawned(topic: str, programs: list[StartedProgram], context: Context) -> str:
+    """The drive whose commands are on a topic, and which no launch file spawns."""
+    name, _, last = topic.strip("/").partition("/")
+    if any(spawned.name == name for spawned in spawned_controllers(programs)):
+        return ""
+    controller = controllers_of_workspace(context).get(name) if _COMMAND.fullmatch(last) else None
+    kind = controller.type.rpartition("/")[2] if controller else ""
+    return name if controller and controller.ros == 2 and DRIVE.fullmatch(kind) else ""
 
 
 def _may_have_other_readers(programs: list[StartedProgram], context: Context) -> bool:

@@ -22,7 +22,7 @@ _DIRECTORY = re.compile(rb"(?m)^[ \t]*install[_-]scripts\s*=\s*\$base/lib/([\w.-
 _OPTIONS = re.compile(rb"install[_-]scripts|lib/|\"lib\"|'lib'")
 _OF_MODULES = frozenset(("__file__", "__name__", "__doc__"))
 _SETUP = "setup"
-#: Where the file is that registers a package, which is reported as such.
+#: The directory of the file that registers a package, which is reported as such.
 _MARKER = "resource/"
 #: What is usually meant by a name without an import.
 _IMPORTS = {
@@ -48,7 +48,7 @@ def not_runnable(name: str, directory: str) -> Findings:
         return
     yield from _wrong_names(setup, tree)
     yield from _unmatched_patterns(setup, tree, directory)
-    yield from _missing_files(setup, tree, directory)
+    yield from _missing_files(setup, tree, directory, name)
     entries = entry_points(text) or []
     config = package_file(directory, "setup.cfg")
     written = config.data if config else b""
@@ -154,12 +154,12 @@ def _unmatched_patterns(setup: Source, tree: ast.Module, directory: str) -> Find
             )
 
 
-def _missing_files(setup: Source, tree: ast.Module, directory: str) -> Findings:
+def _missing_files(setup: Source, tree: ast.Module, directory: str, package: str) -> Findings:
     """Files that a setup.py installs and that do not exist: colcon stops."""
     listed = list(listed_files(tree))
     installed = {posixpath.normpath(path) for path, _ in listed}
     for path, node in listed:
-        if not path.startswith(_MARKER) and is_missing(directory, path):
+        if path != f"{_MARKER}{package}" and is_missing(directory, path):
             folder, name = posixpath.split(path)
             files = disk.names_or_empty(os.path.join(directory, folder))
             free = {file for file in files if posixpath.join(folder, file) not in installed}
@@ -167,6 +167,8 @@ def _missing_files(setup: Source, tree: ast.Module, directory: str) -> Findings:
             help = f"remove it, or create {path}"
             if match := nearest_file_name(name, free):
                 help = f"write {posixpath.join(folder, match)}"
+            elif path.startswith(_MARKER):
+                help = f"write {_MARKER}{package}"
             yield Finding(_span(setup, node), message, help, group_key="not there")
 
 
