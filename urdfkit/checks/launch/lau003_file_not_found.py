@@ -208,8 +208,8 @@ def _worlds(context: Context) -> Findings:
     """Missing world files, and misspelt names of Gazebo's own worlds."""
     for world in worlds(context.launch):
         if world.span.source is not context.source:
-            continue
-        if world.glued_to:
+            yield from _passed_world(context, world)
+        elif world.glued_to:
             message = f"missing space between '{world.glued_to}' and the world '{world.name}'"
             yield Finding(world.span, message, f"write '{world.glued_to} ' with a space")
         elif os.path.isabs(world.name):
@@ -217,6 +217,16 @@ def _worlds(context: Context) -> Findings:
                 yield from _world_file(context, world)
         elif world.generation == GZ and world.name and not world.is_shipped:
             yield from _unknown_world(context, world)
+
+
+def _passed_world(context: Context, world: StartedWorld) -> Findings:
+    """A missing world whose name this launch file passes to an included one."""
+    if not os.path.isabs(world.name) or world.name.startswith(UNKNOWN):
+        return
+    name = re.escape(os.path.basename(world.name).encode())
+    if match := re.search(rb"(?<![\w.-])%s(?![\w.-])" % name, context.source.data):
+        passed = Span(context.source, *match.span())
+        yield from _world_file(context, world._replace(span=passed))
 
 
 def _world_file(context: Context, world: StartedWorld) -> Findings:
