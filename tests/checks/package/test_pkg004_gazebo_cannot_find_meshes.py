@@ -142,3 +142,29 @@ def test_a_launch_file_of_xml_sets_the_package_itself(tmp_path: Path) -> None:
     add_file(tmp_path / "src" / "arm" / "launch" / "env.launch.xml", text.format(""))
     add_file(tmp_path / "README.md", "export GZ_SIM_RESOURCE_PATH=...")
     assert reported(tmp_path) == []
+
+
+HOOK = "prepend-non-duplicate;GZ_SIM_RESOURCE_PATH;{}\n"
+
+
+@pytest.mark.parametrize(
+    ("hooks", "count"),
+    [
+        (HOOK.format("share/@PROJECT_NAME@/models"), 1),
+        (HOOK.format("share/worlds_pkg/worlds"), 1),
+        (HOOK.format("share"), 0),
+        (HOOK.format("share/@PROJECT_NAME@/models") + HOOK.format("share"), 0),
+        (HOOK.format("share/@PROJECT_NAME@/.."), 0),
+        (HOOK.format("share/@PROJECT_NAME@/with_arm"), 0),  # there is a directory with the name
+        (HOOK.format("lib/x"), 0),
+        ("set;GZ_SIM_RESOURCE_PATH;x\n", 0),  # of another format
+    ],
+)
+def test_a_hook_of_another_directory(tmp_path: Path, hooks: str, count: int) -> None:
+    other = tmp_path / "src" / "worlds_pkg"
+    add_file(other / "package.xml", "<package><name>worlds_pkg</name></package>")
+    add_file(other / "with_arm" / "arm" / "model.config")
+    add_file(other / "hooks" / "a.dsv.in", hooks)
+    found = reported(tmp_path)
+    assert len(found) == count
+    assert all(one.related[0].span.source.path.endswith("a.dsv.in") for one in found)

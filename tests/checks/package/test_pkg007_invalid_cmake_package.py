@@ -117,3 +117,30 @@ def test_a_package_that_is_found_and_not_declared(
     add_files(tmp_path, {".git/HEAD": "", "tools/package.xml": tools})
     found = built(tmp_path, FINDS.format(command), {"package.xml": manifest})
     assert ["does not declare" in one.message for one in found] == [True] * count
+
+
+HOOKS = """find_package(ament_cmake REQUIRED)
+install(DIRECTORY models DESTINATION share/${PROJECT_NAME})
+{}
+ament_environment_hooks("${CMAKE_CURRENT_SOURCE_DIR}/hooks/arm.dsv.in")
+ament_package()
+"""
+
+
+@pytest.mark.parametrize(
+    ("value", "more", "count"),
+    [
+        ("share/@PROJECT_NAME@/models", "", 0),
+        ("share/@PROJECT_NAME@/model", "", 1),
+        ("share/arm/model", "", 1),
+        ("share/@PROJECT_NAME@/made", "install(DIRECTORY models/ DESTINATION share/arm/made)", 0),
+        ("share/@PROJECT_NAME@", "", 0),
+        ("share/other/model", "", 0),
+        ("lib", "", 0),
+    ],
+)
+def test_a_hook_adds_a_directory(tmp_path: Path, value: str, more: str, count: int) -> None:
+    hook = f"prepend-non-duplicate;GZ_SIM_RESOURCE_PATH;{value}\n"
+    build = "project(arm)\n" + HOOKS.replace("{}", more)
+    found = built(tmp_path, build, {"hooks/arm.dsv.in": hook, "models/a/model.config": ""})
+    assert [one.span.text for one in found] == [value] * count

@@ -6,8 +6,9 @@ URI", and the robot is invisible. Gazebo of ROS 1 resolves packages; Gazebo of R
 require the parent directory of the package in `GZ_SIM_RESOURCE_PATH` or `GAZEBO_MODEL_PATH`, most
 simply by an export in package.xml, which gazebo_ros and ros_gz_sim read; or a launch file replaces
 `package://` by a path. A launch file that sets the variable to the directory of the package itself
-is reported, too. For Harmonic and later, `IGN_GAZEBO_RESOURCE_PATH` does not count. A URDF that no
-launch file refers to, such as an expanded copy, is not reported: Gazebo does not load it.
+is reported, too; so are hooks that add only other directories. For Harmonic and later,
+`IGN_GAZEBO_RESOURCE_PATH` does not count. A URDF that no launch file refers to, such as an expanded
+copy, is not reported: Gazebo does not load it.
 
 Sources:
     Gazebo, finding resources: https://github.com/gazebosim/gz-sim/blob/main/tutorials/resources.md
@@ -30,6 +31,7 @@ from urdfkit.ros.gazebo.paths import FORMER, survey
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
+from urdfkit.workspace.environment_hooks import SUFFIXES, HookEntry, entries
 
 NAME = "urdf/bot.urdf"
 _VISUAL = visual_xml('<mesh filename="package://bot_description/meshes/base.stl"/>')
@@ -69,6 +71,7 @@ def check(context: Context) -> Findings:
     seen = survey(root, directories, () if is_former else FORMER)
     if seen.mentions and seen.is_whole and not seen.replaces:
         yield from _within_package(context, found, seen.mentions)
+        yield from _in_other_hooks(context, found, seen.mentions)
     if seen.is_mentioned or seen.starter is None:
         return
     from urdfkit.ros.launch.robot_arguments import is_not_started  # for few robots
@@ -122,6 +125,36 @@ def _within_package(
             "write the directory around that of the package",
             related=(Related(first.at.span, "the mesh is named here"),),
         )
+
+
+def _in_other_hooks(
+    context: Context, found: dict[str, dict[str, MeshReference]], mentions: tuple[str, ...]
+) -> Findings:
+    """Environment hooks that alone set the resource path, to directories in packages."""
+    directories: list[str] = []
+    settings: list[HookEntry] = []
+    for path in mentions:
+        home = context.resolver.packages.enclosing(path)
+        source = context.resolver.readable(path) if path.endswith(SUFFIXES) else None
+        if home is None or source is None:
+            return
+        for entry in entries(source, home[0]):
+            inside = entry.path.removeprefix(f"share/{home[0]}/")
+            if entry.variable in _VARIABLES and inside == entry.path:
+                return  # the directory around a package, or any other
+            settings += [entry] if entry.variable in _VARIABLES else []
+            directories.append(os.path.join(home[1], inside))
+    for package, meshes in found.items() if settings else ():
+        if not any(map(_has(package), directories)):
+            first = next(iter(meshes.values()))
+            yield Finding(
+                first.at,
+                f"Gazebo cannot find '{first.at.value}': {settings[0].variable} has "
+                f"{settings[0].path}, but not the directory around {package}",
+                f"add the line prepend-non-duplicate;{settings[0].variable};share to a hook of "
+                f"{package}",
+                related=(Related(settings[0].span, "the path is set here"),),
+            )
 
 
 def _has(package: str) -> Callable[[str], bool]:

@@ -10,6 +10,7 @@
 - It finds catkin in a package of type ament_cmake: ROS 2 does not have catkin.
 - It finds a package of the workspace that package.xml does not declare, so that colcon
   may build it later (warning).
+- An environment hook adds a directory of the package to a variable that it does not have (warning).
 - It registers a component under another name than the source, and no container finds
   it: "Failed to find class with the requested plugin name".
 
@@ -38,6 +39,7 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.cmake import blank_cmake_comments
+from urdfkit.workspace.environment_hooks import hook_entries
 from urdfkit.workspace.install_rules import InstallRules, build_file
 from urdfkit.workspace.installs import read_rules
 from urdfkit.workspace.manifest import depends_on
@@ -64,6 +66,7 @@ def check(context: Context) -> Findings:
         if build_file(directory).endswith(".txt"):
             yield from other_name(name, directory)
         yield from _missing_directories(name, directory)
+        yield from _missing_in_hooks(name, directory)
         yield from _finds_catkin(directory)
         yield from _not_begun(directory)
         yield from _not_finished(directory)
@@ -88,6 +91,24 @@ def _missing_directories(name: str, directory: str) -> Findings:
                 Span(source, *place.span()),
                 f"'{path}' is installed and does not exist: the build of '{name}' fails",
                 f"remove it, or create {path}; git keeps no empty directory",
+            )
+
+
+def _missing_in_hooks(name: str, directory: str) -> Findings:
+    """Directories below ``share`` that hooks add to a variable, and that nothing installs."""
+    share = f"share/{name}/"
+    for entry in hook_entries(name, directory):
+        path = entry.path.removeprefix(share)
+        build = package_file(directory, "CMakeLists.txt")
+        last = re.escape(path.rpartition("/")[2].encode())
+        if path == entry.path or build is None or re.search(rb"\b%s\b" % last, build.data):
+            continue  # it may be installed below another name
+        if is_missing(directory, path):
+            yield Finding(
+                entry.span,
+                f"'{name}' has no directory '{path}', which is added to {entry.variable}",
+                "fix the path, or create and install the directory",
+                severity=Severity.WARNING,
             )
 
 
