@@ -300,3 +300,18 @@ def test_a_clock_with_included_files_of_ros(
     other = other.replace('{"gz_args": "-r empty.sdf"}', "{}")
     found = messages(tmp_path, "LAU031", state + spawn + GAZEBO + other)
     assert len([one for one in found if "/clock" in one]) == count
+
+
+@pytest.mark.parametrize(("condition", "count"), [("", 1), ("condition=IfCondition(x)", 1)])
+def test_a_paused_gazebo_with_an_optional_program(
+    tmp_path: Path, condition: str, count: int
+) -> None:
+    text = (
+        'x = LaunchConfiguration("x")\n'
+        'ExecuteProcess(cmd=["gz", "sim", "empty.sdf"])\n'
+        'Node(package="ros_gz_sim", executable="create", arguments=["-string", "<robot/>"])\n'
+        'Node(package="controller_manager", executable="spawner", arguments=["arm"])\n'
+        f'Node(package="nav2_amcl", executable="amcl", {condition})\n'
+    )
+    found = reported(tmp_path, "LAU031", "a.launch.py", text)
+    assert ["no controller becomes active" in one.message for one in found] == [True] * count

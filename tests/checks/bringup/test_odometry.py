@@ -133,3 +133,43 @@ def test_nothing_publishes_the_map(tmp_path: Path, switch: str, more: str, count
     text = NODE.format("nav2_amcl", "amcl", given) + more
     found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
     assert [one.help for one in found] == ["write tf_broadcast: true"] * count
+
+
+ROBOT = """<robot name="r"><link name="base"/><gazebo>
+<plugin filename="{}" name="{}"/></gazebo></robot>"""
+GZ = ("gz-sim-odometry-publisher-system", "gz::sim::systems::OdometryPublisher")
+AMCL = NODE.format("nav2_amcl", "amcl", "")
+
+
+@pytest.mark.parametrize(
+    ("publish", "plugin", "more", "count"),
+    [
+        ("false", GZ, AMCL, 1),
+        ("true", GZ, AMCL, 0),
+        ("false", GZ, "", 0),  # nothing needs the transform
+        ("false", ("libother_drive.so", "drive"), AMCL, 0),  # may publish it in ROS
+        ("false", GZ, AMCL + BRIDGE.format("/tf@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V"), 0),
+        ("false", GZ, AMCL + NODE.format("rf2o_laser_odometry", "rf2o", ""), 0),
+    ],
+)
+def test_a_drive_of_gazebo_publishes_no_transform_in_ros(
+    tmp_path: Path, publish: str, plugin: tuple[str, str], more: str, count: int
+) -> None:
+    text = (
+        NODE.format(
+            "robot_state_publisher",
+            "robot_state_publisher",
+            "parameters=[{'robot_description': open('../r.urdf').read()}]",
+        )
+        + NODE.format("ros_gz_sim", "create", "arguments=['-topic', 'robot_description']")
+        + BRIDGE.format("/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry")
+        + NODE.format("robot_localization", "ekf_node", "name='ekf', parameters=['../ekf.yaml']")
+        + more
+    )
+    ekf = f"publish_tf: {publish}, odom0: odom, odom0_config: [true]"
+    files = {
+        "r.urdf": ROBOT.format(*plugin),
+        "ekf.yaml": f"ekf: {{ros__parameters: {{{ekf}}}}}\n",
+    }
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    assert [one.span.text for one in found if "transform" in one.message] == ["false"] * count

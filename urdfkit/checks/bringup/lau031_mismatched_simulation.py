@@ -84,7 +84,7 @@ def check(context: Context) -> Findings:
     yield from _wall_clock_nodes(context, programs)
     yield from _missing_clock(context)
     yield from _stopped_controllers(context, programs)
-    yield from _paused(context, programs)
+    yield from _paused(context, programs or running_programs(context))
     yield from unloaded_hardware(context, programs)
     yield from hardware_without_simulator(context, programs)
     yield from plugins_of_another_gazebo(context)
@@ -98,6 +98,8 @@ def _paused(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
     waiting = any(controller.is_activated for controller in spawned_controllers(running))
     for world in worlds(context.launch):
         if world.is_paused and world.is_sure:
+            if not waiting and is_included(context):
+                continue  # the including file may start controllers
             effect = "no controller becomes active" if waiting else "nothing moves"
             yield Finding(
                 world.at,

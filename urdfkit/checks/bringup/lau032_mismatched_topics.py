@@ -8,8 +8,9 @@
 - Such a topic is published in Gazebo by a sensor of the robot, but no bridge forwards it.
 - The mask of a filter, or its `filter_info_topic`, is on another topic than its server says.
 - robot_localization and the controller of the wheels both leave the transform from odometry to the
-  robot to the other one, as a filter does whose `world_frame` is the map. Or Nav2 needs it, and the
-  controller of the wheels alone could publish it. Or AMCL does not publish that of the map.
+  robot to the other one, as a filter does whose `world_frame` is the map. Or a filter leaves it to
+  a drive of gz-sim, whose transforms no bridge forwards. Or Nav2 needs it, and the controller of
+  the wheels alone could publish it. Or AMCL does not publish that of the map.
 - Nothing reads the velocity commands of twist_mux, Nav2 or a teleoperation node, while a drive
   reads them on another topic. Reported only if all programs of the workspace are known.
 - A teleoperation node, or Nav2, publishes `Twist` on the topic of a drive that reads
@@ -34,7 +35,7 @@ import re
 from itertools import chain
 
 from urdfkit.checks.bringup.defined_controllers import controllers_of_workspace
-from urdfkit.checks.bringup.gz_bridges import may_bridge_transforms
+from urdfkit.checks.bringup.gz_bridges import bridges_of_gz, may_bridge_transforms
 from urdfkit.checks.bringup.known_programs import are_topics_known
 from urdfkit.checks.bringup.names_in_programs import misspelt_names
 from urdfkit.checks.bringup.navigation_commands import mistyped_navigation, unpublished_commands
@@ -46,8 +47,14 @@ from urdfkit.checks.bringup.unread_commands import (
     mistyped_commands,
     unread_commands,
 )
-from urdfkit.checks.bringup.workspace_launches import all_launches, is_included, programs_of
+from urdfkit.checks.bringup.workspace_launches import (
+    all_launches,
+    is_included,
+    programs_of,
+    robots_of_workspace,
+)
 from urdfkit.lint.rules import Context, Finding, Findings, Need, Related, Severity, rule
+from urdfkit.ros.gazebo.topics import are_all_known
 from urdfkit.ros.launch.contents import StartedProgram
 from urdfkit.ros.launch.given_parameters import given_parameter
 from urdfkit.ros.launch.spawned_controllers import spawned_controllers
@@ -107,9 +114,11 @@ def _unpublished_odometry(context: Context) -> Findings:
         return
     is_bridged = may_bridge_transforms(programs, context.resolver)
     switches = [] if is_bridged else _switches_of_drives(programs, context)
-    if not switches or any(switch.boolean is not False for _, switch in switches):
+    if is_bridged or any(switch.boolean is not False for _, switch in switches):
         return
-    drive, of_drive = switches[0]
+    if not switches and not _only_gazebo_drives(programs, context):
+        return
+    drive, of_drive = switches[0] if switches else ("", None)
     for node in nodes_in_files(filters[0].parameters.files, context.resolver):
         value = scalar(node.values, _WORLD if are_global else _SWITCH)
         own = f"{_SWITCH} of '{node.name}' is false"
@@ -118,11 +127,24 @@ def _unpublished_odometry(context: Context) -> Findings:
         if value and (value.text in maps if are_global else value.boolean is False):
             yield Finding(
                 value.span,
-                "nothing publishes the transform from odometry to the robot: "
-                f"{own}, and {_OF_DRIVE} of '{drive}' is false",
+                f"nothing publishes the transform from odometry to the robot: {own}"
+                + (f", and {_OF_DRIVE} of '{drive}' is false" if of_drive else ""),
                 f"write {_WORLD}: odom" if are_global else f"write {_SWITCH}: true",
-                related=(Related(of_drive.span, "the other one"),),
+                related=(Related(of_drive.span, "the other one"),) if of_drive else (),
             )
+
+
+def _only_gazebo_drives(programs: list[StartedProgram], context: Context) -> bool:
+    """True if plugins of gz-sim drive all robots, and a program needs their transforms."""
+    is_needed = any(node.package in _NAVIGATION for node in programs)
+    if not is_needed or bridges_of_gz(tuple(programs)) is None:
+        return False
+    defined = controllers_of_workspace(context)
+    known = [defined.get(spawned.name) for spawned in spawned_controllers(programs)]
+    if not all(one and not DRIVE.fullmatch(one.type.rpartition("/")[2]) for one in known):
+        return False
+    robots = list(robots_of_workspace(context))
+    return bool(robots) and all(are_all_known(robot.model) for robot in robots)
 
 
 def _may_publish_transforms(program: StartedProgram, context: Context) -> bool:
