@@ -173,3 +173,17 @@ def test_a_drive_of_gazebo_publishes_no_transform_in_ros(
     }
     found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
     assert [one.span.text for one in found if "transform" in one.message] == ["false"] * count
+
+
+def test_navigation_reads_the_odometry_of_the_filter(tmp_path: Path) -> None:
+    text = (
+        BRIDGE.format("/wheel/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry")
+        + NODE.format("robot_localization", "ekf_node", "name='ekf', parameters=['../nav.yaml']")
+        + NODE.format("nav2_bt_navigator", "bt_navigator", "parameters=['../nav.yaml']")
+    )
+    files = {
+        "nav.yaml": "ekf: {ros__parameters: {odom0: wheel/odom, odom0_config: [true]}}\n"
+        "bt_navigator: {ros__parameters: {odom_topic: /odom}}\n"
+    }
+    found = reported(tmp_path, "LAU032", "a.launch.py", text, files)
+    assert [one.help for one in found] == ["write /odometry/filtered or /wheel/odom"]

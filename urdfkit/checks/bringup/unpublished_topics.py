@@ -64,6 +64,8 @@ _CONTROLLERS = "controller_manager"
 _FILTER, _FILTERED = "robot_localization", "odometry/filtered"
 _OUTPUTS = frozenset(("odometry/filtered", "accel/filtered"))
 _READ_BY_MANAGER = frozenset(("robot_description",))
+#: The nodes of Nav2 that read odometry, of the filter if there is one.
+_OF_NAVIGATION = ("bt_navigator", "controller_server", "velocity_smoother")
 #: The node of robot_localization that reads the position of a satellite receiver, and its output.
 _NAVSAT, _OF_NAVSAT = "navsat_transform_node", "odometry/gps"
 _TOPICS_OF_NAVSAT = frozenset(
@@ -118,7 +120,8 @@ def unpublished_inputs(context: Context) -> Findings:
             else:
                 others = _other_topics(read, published, directories.get(read.who))
                 directories.setdefault(read.who, dirname(others[0]))
-                yield _on_other(read, others, published[others[0]])
+                of_filters = sorted(filter(None, filtered)) if read.who in _OF_NAVIGATION else []
+                yield _on_other(read, [*of_filters, *others], published[others[0]])
         elif read.switch and read.who in served and not sensor:
             yield Finding(
                 read.at,
