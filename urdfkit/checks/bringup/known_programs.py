@@ -8,6 +8,7 @@ from urdfkit.lint.rules import Context
 from urdfkit.ros.catalog import data
 from urdfkit.ros.launch.collect import UNKNOWN
 from urdfkit.ros.launch.contents import MAP, POSE_GRAPH, RVIZ, Launch, StartedProgram
+from urdfkit.workspace.program_strings import may_contain
 from urdfkit.workspace.ros_packages import comes_with_ros
 
 #: Programs that publish neither a robot nor the time, and need nobody: whether they run is the
@@ -20,6 +21,11 @@ _OPTIONAL = frozenset(
         "controller_manager/spawner",
     )
 )
+#: What programs publish or start that others wait for.
+_AWAITED = (
+    "robot_description", "JointState", "Transform", "Clock", "ControllerManager",
+    "ros2_control_node",
+)  # fmt: skip
 #: Packages whose programs publish no joint states.
 _NAVIGATION = re.compile(r"nav2_\w+|slam_toolbox|robot_localization|moveit_ros_move_group")
 #: Files that change no topic; maps are often not committed.
@@ -32,14 +38,14 @@ def known_programs(context: Context) -> tuple[StartedProgram, ...]:
     Optional ones have a condition that is known only at run time.
     """
     programs = context.launch.programs
-    return programs if _is_whole(context.launch) and _are_sure(programs) else ()
+    return programs if _is_whole(context.launch) and _are_sure(programs, context) else ()
 
 
 def programs_of_robot(context: Context) -> tuple[StartedProgram, ...]:
     """The same, though localization or planning may depend on a condition."""
     programs = context.launch.programs
     others = (node for node in programs if not _NAVIGATION.fullmatch(node.package))
-    return programs if _is_whole(context.launch) and _are_sure(others) else ()
+    return programs if _is_whole(context.launch) and _are_sure(others, context) else ()
 
 
 def running_programs(context: Context) -> tuple[StartedProgram, ...]:
@@ -58,10 +64,11 @@ def are_topics_known(context: Context) -> bool:
     return is_whole and _is_whole(launch)
 
 
-def _are_sure(programs: Iterable[StartedProgram]) -> bool:
+def _are_sure(programs: Iterable[StartedProgram], context: Context) -> bool:
     """True if all programs certainly run, are optional, or run in another process.
 
-    The last are those of Nav2's use_composition.
+    Optional are also programs of the workspace whose sources name nothing that others wait for. The
+    last are those of Nav2's use_composition.
     """
     programs = list(programs)
     running = {(node.package, node.executable) for node in programs if node.is_sure}
@@ -69,7 +76,16 @@ def _are_sure(programs: Iterable[StartedProgram]) -> bool:
         node.is_sure
         or node.key in _OPTIONAL
         or (node.package.startswith("nav2_") and (node.package, node.executable) in running)
+        or _is_aside(node, context)
         for node in programs
+    )
+
+
+def _is_aside(program: StartedProgram, context: Context) -> bool:
+    """True for a program of the workspace that publishes nothing of `_AWAITED`."""
+    near, resolver = context.source.path, context.resolver
+    return bool(program.package) and not any(
+        may_contain(program.package, word, near, resolver) for word in _AWAITED
     )
 
 
