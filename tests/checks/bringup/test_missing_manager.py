@@ -18,7 +18,8 @@ PROGRAMS = {
     "stow": "publisher = create_publisher(JointTrajectory, 'trajectory')",
     "runner": "run(['ros2', 'run', 'controller_manager', 'ros2_control_node'])",
 }
-NAVIGATION = NODE.format("nav2_amcl", "amcl", "condition=IfCondition(LaunchConfiguration('x'))")
+OPTIONAL = "condition=IfCondition(LaunchConfiguration('x'))"
+NAVIGATION = NODE.format("nav2_amcl", "amcl", OPTIONAL)
 
 
 @pytest.mark.parametrize(
@@ -36,7 +37,10 @@ NAVIGATION = NODE.format("nav2_amcl", "amcl", "condition=IfCondition(LaunchConfi
         ("", ON_TOPIC + NODE.format("controller_manager", "ros2_control_node", ""), 0),
         ("", ON_TOPIC + NODE.format("own_control", "own_manager", ""), 0),
         ("", ON_TOPIC + NODE.format("stow", "stow", ""), 1),
+        ("", ON_TOPIC + NODE.format("stow", "stow", OPTIONAL), 1),
         ("", ON_TOPIC + NODE.format("runner", "runner", ""), 0),
+        ("", ON_TOPIC + NODE.format("runner", "runner", OPTIONAL), 0),
+        ("", ON_TOPIC + NODE.format("unknown", "unknown", OPTIONAL), 0),
         ("", ON_TOPIC + "IncludeLaunchDescription(x)\n", 0),
         ("", ON_TOPIC + NAVIGATION, 1),
     ],
@@ -58,3 +62,39 @@ def test_a_robot_without_a_control_plugin(
     found = reported(tmp_path / "arm", "LAU022", "a.launch.py", text, files)
     waiting = [one for one in found if "no control plugin" in one.message]
     assert [(one.span.line, one.related[0].span.line) for one in waiting] == [(1, 3)] * count
+
+
+@pytest.mark.parametrize(
+    ("topic", "more", "count"),
+    [
+        ("/bot/robot_description", NAVIGATION, 1),
+        ("/robot_description", NAVIGATION, 0),
+        ("/bot/robot_description", NODE.format("unknown", "unknown", OPTIONAL), 0),
+        ("/bot/robot_description", NODE.format("moveit_ros_move_group", "m", OPTIONAL), 1),
+        (
+            "/bot/robot_description",
+            NODE.format(
+                "moveit_ros_move_group",
+                "m",
+                f"{OPTIONAL}, parameters=[{{'publish_robot_description': True}}]",
+            ),
+            0,
+        ),
+    ],
+)
+def test_a_model_of_rviz_next_to_optional_programs(
+    tmp_path: Path, topic: str, more: str, count: int
+) -> None:
+    rviz = f"""Visualization Manager:
+  Displays:
+    - Class: rviz_default_plugins/RobotModel
+      Description Topic:
+        Value: {topic}
+"""
+    text = (
+        STATE.format(", parameters=[{'robot_description': '<robot/>'}]")
+        + NODE.format("rviz2", "rviz2", "arguments=['-d', '../a.rviz']")
+        + more
+    )
+    found = reported(tmp_path, "LAU022", "a.launch.py", text, {"a.rviz": rviz})
+    assert ["RobotModel" in one.message for one in found] == [True] * count

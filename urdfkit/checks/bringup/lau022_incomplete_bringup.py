@@ -89,6 +89,8 @@ _STATELESS = re.compile(
 #: Systems of gz-sim: one publishes joint states, the other the poses of links.
 _STATES, _POSES = "joint-state-publisher", "pose-publisher"
 _MAX_NAMED = 2
+#: The parameter with which move_group publishes the robot.
+_PUBLISHING = re.compile(rb"publish_robot_description(?!_semantic)")
 
 
 @rule(Severity.WARNING, needs=(Need.LAUNCH,))
@@ -96,14 +98,22 @@ def check(context: Context) -> Findings:
     programs, of_robot = known_programs(context), programs_of_robot(context)
     yield from _missing_broadcaster(context, of_robot)
     yield from untyped_controllers(programs)
+    describing = programs or (() if any(map(_may_describe, of_robot)) else of_robot)
+    if describing and are_topics_known(context):
+        yield from unpublished_description(context, describing)
+        yield from unread_description(describing)
     if programs and are_topics_known(context):
-        yield from unpublished_description(context, programs)
-        yield from unread_description(programs)
         yield from missing_description(context, programs)
         yield from _unpublished_joint_states(context, programs)
     if of_robot and are_topics_known(context):
         yield from manager_in_another_namespace(context, of_robot)
         yield from missing_manager(context, of_robot)
+
+
+def _may_describe(program: StartedProgram) -> bool:
+    """True for a move_group that may publish the robot, too."""
+    is_move_group = program.package == "moveit_ros_move_group"
+    return is_move_group and _PUBLISHING.search(program.span.source.data) is not None
 
 
 def _missing_broadcaster(context: Context, programs: tuple[StartedProgram, ...]) -> Findings:
