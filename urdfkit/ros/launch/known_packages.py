@@ -147,11 +147,15 @@ def unknown_executable(program: StartedProgram) -> Problem | None:
     name = program.executable
     if not known or not name or name in known or os.path.isabs(name):
         return None
-    message = f"package '{program.package}' has no executable '{name}'{did_you_mean(name, known)}"
+    catalogued = data("launch")[catalogue].items()
+    others = [package for package, names in catalogued if name in names.split()]
+    owner = others[0] if len(others) == 1 else ""
+    hint = f", which {owner} has" if owner else did_you_mean(name, known)
+    message = f"package '{program.package}' has no executable '{name}'{hint}"
     severity = Severity.WARNING
     if release := last_release(program):
         message, severity = f"{message} (supported up to {release})", Severity.INFO
-    help = f"write one of {', '.join(known)}"
+    help = f"write {owner} as its package" if owner else f"write one of {', '.join(known)}"
     return Problem("LAU003", program.span, message, help, program.frame, severity=severity)
 
 
