@@ -26,8 +26,10 @@ _WORD = re.compile(rb"""["']([\w/]+)["']""")
 _OF_ACTIONS = 0.9
 #: How many letters of an action a program must contain.
 _BEGIN = 8
+#: The topics of controllers, which programs may use in place of their actions.
+_TOPICS = {"joint_trajectory_controller/JointTrajectoryController": "joint_trajectory"}
 #: What the names of controllers have next to the name of their part.
-_KINDS = {"controller", "effort", "joint", "position", "trajectory", "velocity"}
+_KINDS = {"control", "controller", "effort", "joint", "position", "trajectory", "velocity"}
 #: Least length of a word with a typo: ``arm_l`` is not ``arm_r``.
 _MIN_LENGTH = 3
 
@@ -63,7 +65,11 @@ def _misspelt_actions(context: Context, named: Iterable[Span]) -> Findings:
             message = f"controller '{name}' serves '{expected}', not '{action}'"
             yield Finding(at, message, f"write {name}/{expected}")
         elif name not in controllers:
-            others = [other for other in served if served[other] == action]
+            others = [
+                other
+                for other in served
+                if action in (served[other], _TOPICS.get(controllers[other].type))
+            ]
             similar = [other for other in others if _is_misspelt(name, other)]
             similar += [other for other in others if _part(other) == _part(name) != set()]
             if other := next(iter(similar), ""):
@@ -99,7 +105,8 @@ def _is_misspelt(name: str, other: str) -> bool:
 
 @lru_cache(maxsize=16)  # several launch files start programs of one package
 def _actions(package: str, near: str, resolver: Resolver) -> tuple[Span, ...]:
-    served = {action.encode()[:_BEGIN] for _, action in data("moveit")["actions"].values()}
+    names = [action for _, action in data("moveit")["actions"].values()]
+    served = {name.encode()[:_BEGIN] for name in (*names, *_TOPICS.values())}
     sources = sources_of_programs(package, near, resolver)
     naming = (source for source in sources if any(begin in source.data for begin in served))
     return tuple(at for source in naming for at in pairs_of_words(source))
