@@ -58,6 +58,10 @@ def of_program(directory: Path, program: str, name: str = "mine/move.py") -> lis
         ("arm_controler/follow_joint_trajectory", "write arm_controller/follow_joint_trajectory"),
         ("/arm_controler/follow_joint_trajectory", "write arm_controller/follow_joint_trajectory"),
         ("arm_controller/joint_trajectory", ""),  # its topic
+        ("arm_controller/command", "write arm_controller/joint_trajectory"),
+        ("/arm_controller/commands", "write arm_controller/joint_trajectory"),
+        ("leg_controller/command", ""),
+        ("arm_controller/state", ""),
         ("arm_trajectory_controller/follow_joint_trajectory", RIGHT),
         ("/arm_control/joint_trajectory", "write arm_controller/joint_trajectory"),
         ("hand_l_control/joint_trajectory", ""),  # not a topic of this controller

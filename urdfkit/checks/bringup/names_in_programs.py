@@ -1,5 +1,7 @@
 """Typos in what programs of the workspace name: the actions of controllers, and lists of joints.
 
+Also topics of a controller that controllers of other types, or of ROS 1, read.
+
 A name that is far from all known ones may be of another robot, and is not reported.
 """
 
@@ -30,6 +32,8 @@ _BEGIN = 8
 _TOPICS = {"joint_trajectory_controller/JointTrajectoryController": "joint_trajectory"}
 #: What the names of controllers have next to the name of their part.
 _KINDS = {"control", "controller", "effort", "joint", "position", "trajectory", "velocity"}
+#: The topic of the controllers of ROS 1.
+_OF_ROS_1 = "command"
 #: Least length of a word with a typo: ``arm_l`` is not ``arm_r``.
 _MIN_LENGTH = 3
 
@@ -44,6 +48,8 @@ def misspelt_names(context: Context) -> Findings:
     lists = [names for package in own for names in _lists(package, near, resolver)]
     if actions:
         yield from _misspelt_actions(context, actions)
+    if topics := [name for package in own for name in _topics(package, near, resolver)]:
+        yield from _unread_topics(context, topics)
     if lists:
         robots = [robot.model for robot in robots_of_workspace(context)]
         joints = {name for model in robots for name in model.joints_by_name}
@@ -75,6 +81,19 @@ def _misspelt_actions(context: Context, named: Iterable[Span]) -> Findings:
             if other := next(iter(similar), ""):
                 message = f"no controller is called '{name}'; did you mean '{other}'?"
                 yield Finding(at, message, f"write {other}/{action}")
+
+
+def _unread_topics(context: Context, named: Iterable[Span]) -> Findings:
+    """Topics of commands that a controller of this type does not read."""
+    controllers = controllers_of_workspace(context)
+    by_type: dict[str, str] = data("moveit")["servo_topics"]
+    for at in named:
+        name, _, topic = at.text.strip("/").partition("/")
+        controller = controllers.get(name)
+        read = by_type.get(controller.type, "") if controller else ""
+        if read and topic != read and topic in (_OF_ROS_1, *by_type.values()):
+            message = f"controller '{name}' reads '{read}', not '{topic}'"
+            yield Finding(at, message, f"write {name}/{read}")
 
 
 def _misspelt_joint(names: list[Span], joints: Collection[str], links: Collection[str]) -> Findings:
@@ -109,6 +128,15 @@ def _actions(package: str, near: str, resolver: Resolver) -> tuple[Span, ...]:
     served = {name.encode()[:_BEGIN] for name in (*names, *_TOPICS.values())}
     sources = sources_of_programs(package, near, resolver)
     naming = (source for source in sources if any(begin in source.data for begin in served))
+    return tuple(at for source in naming for at in pairs_of_words(source))
+
+
+@lru_cache(maxsize=16)
+def _topics(package: str, near: str, resolver: Resolver) -> tuple[Span, ...]:
+    words = {f"/{topic}".encode() for topic in data("moveit")["servo_topics"].values()}
+    words.add(f"/{_OF_ROS_1}".encode())
+    sources = sources_of_programs(package, near, resolver)
+    naming = (source for source in sources if any(word in source.data for word in words))
     return tuple(at for source in naming for at in pairs_of_words(source))
 
 
