@@ -105,7 +105,8 @@ def unread_commands(context: Context) -> Findings:
     published = {topic for _, topic in sources} | _outputs(context)
     waiting = {topic: note for topic, note in readers.items() if topic not in published}
     for node, topic in sources if readers else ():
-        if topic in read or _is_named(topic, launches, context):
+        is_alone = waiting or node.package not in _SMOOTHERS  # else a monitor waits for it
+        if topic in read or _is_named(topic, launches, context) or not is_alone:
             continue
         if controller := _not_spawned(topic, programs, context):
             message = f"'{node.executable}' publishes '{topic}', which nothing reads: no launch "
