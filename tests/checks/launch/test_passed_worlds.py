@@ -56,3 +56,16 @@ def test_a_default_is_reported_where_it_is_written(tmp_path: Path) -> None:
     assert reported(tmp_path, "LAU003", "a.launch.py", text, files) == []
     (found,) = reported(tmp_path, "LAU003", "inner.launch.py", files["launch/inner.launch.py"])
     assert found.message == naming(f"{tmp_path}/worlds/hall.world")
+
+
+@pytest.mark.parametrize(("world", "count"), [("hall", 0), ("hal", 1)])
+def test_a_path_that_is_joined_of_parts(tmp_path: Path, world: str, count: int) -> None:
+    inner = INNER.replace('[share, "worlds", LaunchConfiguration("world")]', "[WORLD]")
+    files = {
+        "launch/inner.launch.py": inner.replace("WORLD", 'LaunchConfiguration("world")'),
+        "worlds/hall.sdf": "<sdf/>",
+    }
+    joined = '[FindPackageShare("arm"), "/worlds/", LaunchConfiguration("world"), ".sdf"]'
+    text = OUTER.replace('"world": LaunchConfiguration("world")', f'"world": {joined}')
+    found = reported(tmp_path, "LAU003", "a.launch.py", text.replace("WORLD", world), files)
+    assert [one.message.startswith("world not found") for one in found] == [True] * count

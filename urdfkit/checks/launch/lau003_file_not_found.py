@@ -227,6 +227,18 @@ def _passed_world(context: Context, world: StartedWorld) -> Findings:
     if match := re.search(rb"(?<![\w.-])%s(?![\w.-])" % name, context.source.data):
         passed = Span(context.source, *match.span())
         yield from _world_file(context, world._replace(span=passed))
+    elif place := _place_of_path(context, world.name):
+        yield from _world_file(context, world._replace(span=place))
+
+
+def _place_of_path(context: Context, path: str) -> Span | None:
+    """Where this launch file passes a path that it joins of parts."""
+    own = context.source
+    for included in context.launch.includes:
+        for word in (included.arguments or {}).values() if included.span.source is own else ():
+            if word.text == path and word.span.source is own and word.span != included.span:
+                return word.span
+    return None
 
 
 def _world_file(context: Context, world: StartedWorld) -> Findings:
