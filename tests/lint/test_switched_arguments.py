@@ -250,3 +250,43 @@ def test_a_part_that_needs_a_value_of_a_launch_file_and_another_one(
     block += BLOCK.format("if").replace('"am"', '"arm"')
     found = _found(tmp_path, f"{ARGUMENT.format('false')}{camera}{ROBOT}\n{block}")
     assert [one.variants for one in found if one.code == "GAZ001"] == variants
+
+
+#: A macro with another parameter than its call has, in a file of its own.
+CALL = '<xacro:if value="$(arg sim)">{}<xacro:sensor parent="arm"/></xacro:if>'
+
+
+@pytest.mark.parametrize(
+    ("params", "body", "count"),
+    [
+        ("parent_link", "", 1),
+        ("parent size", "", 1),
+        ("parent", '<link name="${size}"/>', 0),  # another argument may define it
+        ("parent", "", 0),
+    ],
+)
+def test_a_call_with_other_parameters_is_reported(
+    tmp_path: Path, params: str, body: str, count: int
+) -> None:
+    macro = f'<xacro:macro name="sensor" params="{params}">{body}</xacro:macro>'
+    add_file(tmp_path / "package.xml", "<package><name>p</name></package>")
+    robot = xacro(f"{ARGUMENT.format('false')}{ROBOT}\n{CALL.format(macro)}")
+    add_file(tmp_path / "urdf" / "robot.xacro", robot)
+    found = check(tmp_path, options=Options(select=("XAC001",))).diagnostics
+    assert [(one.code, one.severity, one.variants) for one in found] == [
+        ("XAC001", Severity.WARNING, ("sim=true",))
+    ] * count
+
+
+LACKING = "<gazebo><plugin><parameters>$(find absent)/c.yaml</parameters></plugin></gazebo>"
+
+
+@pytest.mark.parametrize(
+    "block", [BLOCK.replace("</xacro:{0}>", LACKING + "</xacro:{0}>"), BLOCK + LACKING]
+)
+def test_a_package_that_is_not_found_hides_no_other_value(tmp_path: Path, block: str) -> None:
+    """What a simulation adds is checked, though its parameter file is in another package."""
+    found = _found(tmp_path, f"{ARGUMENT.format('false')}{ROBOT}\n{block.format('if')}")
+    assert [(one.code, one.variants) for one in found if one.variants] == [
+        ("GAZ001", ("sim=true",))
+    ]

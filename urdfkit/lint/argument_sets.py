@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.plan import Job
 from urdfkit.lint.report import Launched, UncheckedValues
-from urdfkit.lint.switched_arguments import switched, switched_launches
+from urdfkit.lint.switched_arguments import is_wrong_call, switched, switched_launches
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.workspace.launch_files import has_launch_files
 
@@ -59,24 +59,29 @@ def _with_switched(
 ) -> Iterator[tuple[Job, Context]]:
     """A robot with each other value of its arguments that adds something to it.
 
-    Not if it does not expand then, since the values may not be meant for each other; nor without
-    a link or joint that controllers and SRDFs may name.
+    Not if it does not expand then, since the values may not be meant for each other, unless it
+    calls a macro with other parameters than it has; nor without a link or joint that controllers
+    and SRDFs may name.
     """
     jobs = list(switched(job, started))
     if not jobs:
         return  # most robots: what follows writes the whole text
-    texts = {_expanded_text(robot) for _, robot in started}
+    known = {_known_content(robot) for _, robot in started}
     own = _links_and_joints(started[0][1])
     others: list[tuple[Job, Context]] = []
-    for variant in jobs if None not in texts else ():
+    failed: list[tuple[Job, Context]] = []
+    for variant in jobs if None not in known else ():
         robot = read(variant)
-        text = _expanded_text(robot)
-        if text is not None and text not in texts and own <= _links_and_joints(robot):
-            texts.add(text)
+        content = _known_content(robot)
+        if content is None:
+            failed += [(variant, robot)] * any(map(is_wrong_call, robot.reading.problems))
+        elif content not in known and own <= _links_and_joints(robot):
+            known.add(content)
             others.append((variant, robot))
-    if not others:
+    if not others and not failed:
         return
     present = _tags(robot for _, robot in started)
+    yield from ((variant._replace(present=present), robot) for variant, robot in failed)
     extending = [variant for variant, robot in others if own < _links_and_joints(robot)]
     for variant, robot in others:
         needs_others = any(other != variant for other in extending)
@@ -86,8 +91,8 @@ def _with_switched(
 def _tags(robots: Iterable[Context]) -> dict[str, list[tuple[int, int]]]:
     """The places of the tags of descriptions, in order, by the path of their file."""
     tags: dict[str, set[tuple[int, int]]] = {}
-    for robot in robots:
-        for element in robot.document.root.walk():
+    for document in filter(None, (robot.reading.known for robot in robots)):
+        for element in document.root.walk():
             span = element.span
             tags.setdefault(span.source.path, set()).add((span.start, span.end))
     return {path: sorted(places) for path, places in tags.items()}
@@ -237,7 +242,7 @@ def _replaced(sets: Iterable[RobotArguments], own: Mapping[str, str]) -> set[str
 
 
 def _links_and_joints(context: Context) -> set[tuple[str, str | None]]:
-    document = context.reading.document
+    document = context.reading.known
     elements = document.root.children if document else ()
     return {(e.tag, e.get("name")) for e in elements if e.tag in ("link", "joint")}
 
@@ -255,6 +260,17 @@ def _is_unsure(variant: Job, context: Context) -> bool:
 def _expanded_text(context: Context) -> bytes | None:
     """The expanded text; None if the description cannot be read."""
     return None if context.reading.document is None else context.text
+
+
+def _known_content(context: Context) -> object:
+    """What two equal descriptions have in common, without packages that are not found."""
+    text, document = _expanded_text(context), context.reading.known
+    if text is not None or document is None:
+        return text
+    return tuple(
+        (element.tag, element.text, *((a.name, a.value) for a in element.attributes.values()))
+        for element in document.root.walk()
+    )
 
 
 def _launch_sets(job: Job, names: tuple[str, ...], context: Context) -> list[RobotArguments]:

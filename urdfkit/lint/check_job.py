@@ -19,6 +19,7 @@ from urdfkit.lint.options import Options
 from urdfkit.lint.plan import Job
 from urdfkit.lint.report import DEFINES_NO_LINK, IS_SRDF, Skipped, crash
 from urdfkit.lint.runner import FileResult, run_rules
+from urdfkit.lint.switched_arguments import is_wrong_call
 from urdfkit.lint.unknown_arguments import unknown_arguments
 from urdfkit.text.diagnostic import Confidence, Diagnostic, Severity
 from urdfkit.text.file_kinds import has_srdf_tags
@@ -115,7 +116,8 @@ def _with_switched(started: list[Checked], switched: list[Checked]) -> Iterator[
     """The results of one robot with another value of an argument, about what this adds to it.
 
     Its errors are warnings, since nobody may want this robot, and its infos are left out. So is
-    what depends on arguments, if others of them are assumed, or have to change with this one.
+    what depends on arguments, if others of them are assumed, or have to change with this one, and
+    why it does not expand, but for a call with other parameters than the macro has.
     """
     known = {_identity(one) for _, result in started for one in result.diagnostics}
     for job, result in switched:
@@ -125,6 +127,7 @@ def _with_switched(started: list[Checked], switched: list[Checked]) -> Iterator[
             for one in result.diagnostics
             if one.severity is not Severity.INFO
             and _identity(one) not in known
+            and (one.code not in rule_index.NOT_EXPANDED or is_wrong_call(one))
             and not _is_present(one.span, job)
             and not (is_unsure and rule_index.get(one.code).depends_on_arguments)
         ]

@@ -34,6 +34,13 @@ class Reading(Record):
     xacro: Xacro | None  # the expansion; None for plain XML
 
     @property
+    def known(self) -> Document | None:
+        """The document, or what it is without packages that are not found."""
+        if self.document is None and self.xacro is not None:
+            return self.xacro.without_packages
+        return self.document
+
+    @property
     def defaults(self) -> Mapping[str, str]:
         """The arguments that a description declares, with their defaults."""
         return self.xacro.defaults if self.xacro is not None else {}

@@ -10,9 +10,11 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.plan import Job
+from urdfkit.xacro.errors import CALLED_WITHOUT, NO_PARAMETER
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Context
+    from urdfkit.text.diagnostic import Diagnostic, Problem
 
 #: Most further values of arguments with which a robot is checked, one at a time, by the most
 #: elements that the robot may have; a check of a larger one takes too long.
@@ -27,6 +29,8 @@ _COMPARED = r"\b(\w+)\)?[\"']?\s*==\s*[\"']([\w.-]+)[\"']"
 #: A property or parameter with the value of an argument.
 _PASSED = rb"(?:\bname\s*=\s*[\"'](\w+)[\"']\s+value|\b(\w+))\s*=\s*[\"']\$\(arg\s+(\w+)\)[\"']"
 
+_WRONG_CALL = rf"^macro '[^']*' (?:{NO_PARAMETER}|{CALLED_WITHOUT}) "
+
 
 def switched(job: Job, started: list[tuple[Job, Context]]) -> Iterator[Job]:
     """A robot with each other value of an argument that a condition asks for.
@@ -36,7 +40,7 @@ def switched(job: Job, started: list[tuple[Job, Context]]) -> Iterator[Job]:
         started: the same with the sets of arguments with which it is started.
     """
     first, context = started[0]
-    document, defaults = context.reading.document, context.reading.defaults
+    document, defaults = context.reading.known, context.reading.defaults
     if document is None or not defaults:
         return
     sets = [{**defaults, **variant.arguments} for variant, _ in started]
@@ -60,6 +64,11 @@ def switched(job: Job, started: list[tuple[Job, Context]]) -> Iterator[Job]:
     for base, name, value in others[:count]:
         arguments = {**base, name: value}
         yield first._replace(arguments=arguments, may_fail=True, switched=f"{name}={value}")
+
+
+def is_wrong_call(problem: Problem | Diagnostic) -> bool:
+    """True for a call of a macro with other parameters than it has, with whatever values."""
+    return problem.code == "XAC001" and re.search(_WRONG_CALL, problem.message) is not None
 
 
 def switched_launches(job: Job) -> Iterator[Job]:

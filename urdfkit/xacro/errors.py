@@ -24,6 +24,10 @@ VARIABLE = "environment variable"
 #: In the help for a name whose definition is in a condition that is false.
 IN_CONDITION = "whose condition is false here"
 
+#: After the name of a macro, in the messages about a call with other parameters than it has.
+NO_PARAMETER = "has no parameter"
+CALLED_WITHOUT = "is called without"
+
 #: The only instance; its text is enclosed in private characters of Unicode.
 FAILED = FailedValue("\ue000failed\ue000")
 

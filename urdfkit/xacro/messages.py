@@ -12,7 +12,7 @@ from urdfkit.core.suggest import did_you_mean
 from urdfkit.text.source import STANDARD_INPUT, shown, why_unreadable
 from urdfkit.xacro.definitions import Definitions
 from urdfkit.xacro.dom import Node
-from urdfkit.xacro.errors import BrokenYaml, MessageText
+from urdfkit.xacro.errors import CALLED_WITHOUT, NO_PARAMETER, BrokenYaml, MessageText
 from urdfkit.xacro.expressions import Scope
 from urdfkit.xacro.missing_files import missing_file
 from urdfkit.xacro.undefined_names import UNDEFINED, undefined_name, unknown_macro
@@ -186,18 +186,18 @@ def _call_error(text: str, macro: Any) -> MessageText | None:
         name = match.group(1)
         if any(name in param.split(",") for param in params if "," in param):
             words = " ".join(params).replace(",", " ").split()
-            message = f"{owner} has no parameter '{name}': its params are separated by commas"
+            message = f"{owner} {NO_PARAMETER} '{name}': its params are separated by commas"
             return MessageText(message, f'write params="{" ".join(words)}"')
         available = ", ".join(params) or "none"
         help = f"it has: {available}{did_you_mean(name, params)}"
-        return MessageText(f"{owner} has no parameter '{name}'", help)
+        return MessageText(f"{owner} {NO_PARAMETER} '{name}'", help)
     if match := _WITHOUT_VALUE.search(text):
         names = match.group(1).replace(",", ", ")
         help = "pass every parameter without a default"
         numbers = [param for param in params if param[:1].isdigit() or param[:1] in "-+."]
         if numbers:  # the words of a default, which ends at the first space
             help = f"write the default with '{numbers[0]}' in single quotes: name:='0 0 0'"
-        return MessageText(f"{owner} is called without {names}", help)
+        return MessageText(f"{owner} {CALLED_WITHOUT} {names}", help)
     if text.startswith("Not enough blocks"):
         blocks = ", ".join(param for param in params if param.startswith("*"))
         help = f"add an element for each of {blocks} to the call"
