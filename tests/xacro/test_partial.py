@@ -111,3 +111,24 @@ def test_a_typo_is_not_in_the_package(name: str, found: list[str]) -> None:
     arm = link_xml("arm") + joint_xml("fixed", name="j", parent=name, child="arm")
     sound = BASE.replace("-1", "1")
     assert [code for code in codes(sound, CAMERA, arm) if code != "XAC011"] == found
+
+
+DRIVER = (
+    '<ros2_control name="c" type="system"><hardware><param name="p">$(find gone)/c.yaml</param>'
+    "</hardware></ros2_control>"
+)
+
+
+@pytest.mark.parametrize(
+    ("lost", "found"),
+    [
+        (PLUGIN, ["GAZ001"]),
+        (f'<link name="a"><visual><geometry>{MESH}</geometry></visual></link>', ["GAZ001"]),
+        (DRIVER, []),
+        (INCLUDE, []),
+        ('<xacro:property name="z" value="$(find gone)"/><xacro:include filename="${z}/a"/>', []),
+    ],
+)
+def test_shapes_and_plugins_define_no_link(lost: str, found: list[str]) -> None:
+    link = BASE.replace("-1", "1") + '<gazebo reference="camera"><mu1>1</mu1></gazebo>'
+    assert [code for code in codes(link, lost) if code == "GAZ001"] == found

@@ -29,6 +29,11 @@ OWN_FAMILY = "checking"
 #: Families of rules that apply to launch files.
 LAUNCH_FAMILIES = frozenset(("bringup", "checking", "launch", "package", "worlds"))
 
+#: The rules that report missing links or joints by a name, or that a link is not connected.
+_OF_LINKS = frozenset(
+    ("GAZ001", "GAZ021", "GAZ058", "JNT015", "RCT001", "REF001", "SRD001", "SRD026", "TRE002")
+)
+
 #: Most findings of one rule in one file.
 MAX_FINDINGS = 1000
 
@@ -247,7 +252,9 @@ class _RuleRun:
             diagnostics = tuple(
                 d
                 for d in diagnostics
-                if not self._rules[d.code].reports_missing or _corrects_typo(d)
+                if not self._rules[d.code].reports_missing
+                or _corrects_typo(d)
+                or (d.code in _OF_LINKS and self.context.xacro.has_all_links)
             )
         diagnostics, superseded = _without_consequences(diagnostics, self._rules)
         targets = self.context.targets if "targets" in vars(self.context) else None

@@ -81,6 +81,19 @@ class Xacro:
         return without_failed_values(self._lacking, self.sources)
 
     @cached_property
+    def has_all_links(self) -> bool:
+        """True if what is missing without packages that are not found are shapes and plugins.
+
+        Only tags that are not xacro's name the packages then, and no include is missing.
+        """
+        known = self.without_packages or self.document
+        if known is None or self._lacking is None:
+            return known is not None
+        from urdfkit.xacro.partial import lacks_no_link
+
+        return lacks_no_link(self._lacking, known, self.problems)
+
+    @cached_property
     def usage(self) -> Usage:
         """The names that the files use, evaluated or not."""
         return usage(self.sources)

@@ -1,10 +1,15 @@
 """The part of a robot that does not need packages which are not found."""
 
+from collections import Counter
+from collections.abc import Iterable
+
+from urdfkit.text.diagnostic import Problem
 from urdfkit.text.document import Document, Element
-from urdfkit.text.source import Source
+from urdfkit.text.source import Source, Span
 from urdfkit.xacro import dom
 from urdfkit.xacro.dom import Dom
 from urdfkit.xacro.errors import FAILED
+from urdfkit.xacro.expansion_log import PACKAGE_NOT_FOUND
 
 
 def without_failed_values(tree: Dom, sources: tuple[Source, ...]) -> Document | None:
@@ -30,6 +35,28 @@ def without_failed_values(tree: Dom, sources: tuple[Source, ...]) -> Document | 
             if shape in child.children:
                 child.children.remove(shape)
     return document
+
+
+def lacks_no_link(tree: Dom, known: Document, problems: Iterable[Problem]) -> bool:
+    """True if the packages are only named in shapes, and in blocks for Gazebo.
+
+    A macro, a property or an include that names one may hide any part.
+    """
+    kinds = Counter(child.tag for child in dom.to_document(tree, ()).root.children)
+    kinds.subtract(child.tag for child in known.root.children)
+    places = (
+        span
+        for problem in problems
+        if problem.code == PACKAGE_NOT_FOUND
+        for span in (problem.span, *(other.span for other in problem.related))
+    )
+    return set(+kinds) <= {"gazebo"} and not any(map(_is_of_xacro, places))
+
+
+def _is_of_xacro(span: Span) -> bool:
+    """True for a place in a tag of xacro, or in the text behind one."""
+    data = span.source.data
+    return data.startswith(b"<xacro:", data.rfind(b"<", 0, span.start + 1))
 
 
 def _has_failed(element: Element) -> bool:
