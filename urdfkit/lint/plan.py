@@ -53,7 +53,8 @@ class Job(Record):
     switched: str = ""
     #: The places of the tags that the robot also has without it, in order, by path.
     present: Mapping[str, list[tuple[int, int]]] = {}
-    #: True if another such value adds links or joints, which may have to come with this one.
+    #: True if another such value or a package that is not found adds links or joints, which may
+    #: have to come with this one.
     needs_others: bool = False
     #: Arguments whose default is checked although no launch file starts the robot with it.
     replaced: frozenset[str] = frozenset()
