@@ -290,3 +290,12 @@ def test_a_package_that_is_not_found_hides_no_other_value(tmp_path: Path, block:
     assert [(one.code, one.variants) for one in found if one.variants] == [
         ("GAZ001", ("sim=true",))
     ]
+
+
+def test_what_another_value_leaves_out_may_be_in_a_package(tmp_path: Path) -> None:
+    """The robot has its hand as it is started, from a package that is not found."""
+    include = '<xacro:include filename="$(find absent)/hand.xacro"/>'
+    include = f'<xacro:unless value="$(arg sim)">{include}</xacro:unless>'
+    hand = '<xacro:if value="$(arg sim)"><gazebo reference="hand"><mu1>1</mu1></gazebo></xacro:if>'
+    found = _found(tmp_path, f"{ARGUMENT.format('false')}{ROBOT}\n{include}{hand}")
+    assert [one for one in found if one.variants] == []

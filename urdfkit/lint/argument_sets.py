@@ -83,7 +83,9 @@ def _with_switched(
     present = _tags(robot for _, robot in started)
     yield from ((variant._replace(present=present), robot) for variant, robot in failed)
     extending = [variant for variant, robot in others if own < _links_and_joints(robot)]
-    is_part = any(robot.reading.document is None for _, robot in started)
+    is_part = not all(
+        robot.reading.xacro.has_all_links for _, robot in started if robot.reading.xacro
+    )
     for variant, robot in others:
         needs_others = is_part or any(other != variant for other in extending)
         yield variant._replace(present=present, needs_others=needs_others), robot

@@ -129,10 +129,15 @@ def _with_switched(started: list[Checked], switched: list[Checked]) -> Iterator[
             and _identity(one) not in known
             and (one.code not in rule_index.NOT_EXPANDED or is_wrong_call(one))
             and not _is_present(one.span, job)
-            and not (is_unsure and rule_index.get(one.code).depends_on_arguments)
+            and not (is_unsure and _needs_all_parts(one.code))
         ]
         # The job is sent to another process.
         yield job._replace(present={}), result._replace(diagnostics=tuple(new))
+
+
+def _needs_all_parts(code: str) -> bool:
+    rule = rule_index.get(code)
+    return rule.depends_on_arguments or rule.reports_missing
 
 
 def _is_present(span: Span, job: Job) -> bool:
