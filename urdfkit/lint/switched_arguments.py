@@ -10,7 +10,6 @@ from collections.abc import Iterable, Iterator
 
 from urdfkit.core.static_typing import TYPE_CHECKING
 from urdfkit.lint.plan import Job
-from urdfkit.xacro.errors import CALLED_WITHOUT, NO_PARAMETER
 
 if TYPE_CHECKING:
     from urdfkit.lint.context import Context
@@ -28,8 +27,6 @@ _CONDITION = rb"<xacro:(?:if|unless)\b[^<>]*?\bvalue\s*=\s*(?:\"([^\"]*)|'([^']*
 _COMPARED = r"\b(\w+)\)?[\"']?\s*==\s*[\"']([\w.-]+)[\"']"
 #: A property or parameter with the value of an argument.
 _PASSED = rb"(?:\bname\s*=\s*[\"'](\w+)[\"']\s+value|\b(\w+))\s*=\s*[\"']\$\(arg\s+(\w+)\)[\"']"
-
-_WRONG_CALL = rf"^macro '[^']*' (?:{NO_PARAMETER}|{CALLED_WITHOUT}) "
 
 
 def switched(job: Job, started: list[tuple[Job, Context]]) -> Iterator[Job]:
@@ -68,7 +65,12 @@ def switched(job: Job, started: list[tuple[Job, Context]]) -> Iterator[Job]:
 
 def is_wrong_call(problem: Problem | Diagnostic) -> bool:
     """True for a call of a macro with other parameters than it has, with whatever values."""
-    return problem.code == "XAC001" and re.search(_WRONG_CALL, problem.message) is not None
+    if problem.code != "XAC001":
+        return False
+    from urdfkit.xacro.errors import CALLED_WITHOUT, NO_PARAMETER
+
+    wrong_call = rf"macro '[^']*' (?:{NO_PARAMETER}|{CALLED_WITHOUT}) "
+    return re.match(wrong_call, problem.message) is not None
 
 
 def switched_launches(job: Job) -> Iterator[Job]:
