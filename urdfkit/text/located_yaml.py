@@ -16,7 +16,8 @@ from urdfkit.text.source import Source, Span
 
 #: Larger files are not parameter files.
 MAX_BYTES = 1024 * 1024
-MAX_LEVELS = 30
+#: RViz stores the tree of frames, which has 40 levels for a humanoid.
+MAX_LEVELS = 100
 #: Files whose values are cached: the launch files of a workspace refer to the same files often.
 CACHE_SIZE = 64
 #: Characters of values that only launch or a template resolves.

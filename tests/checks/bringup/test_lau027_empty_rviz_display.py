@@ -111,6 +111,7 @@ def test_goals_of_rviz(tmp_path: Path, package: str, topic: str, count: int) -> 
     [
         ("Visualization Manager:\n  Displays: []\n", []),
         ("Visualization Manager:\n  Tools:\n    - Class: a\n   - Class: b\n", [4]),
+        ("Tree: " + "{a: " * 60 + "b" + "}" * 60 + "\n", []),  # of the frames of a humanoid
         ("<!-- a: b -->\nVisualization Manager:\n  Displays: c: d\n", [3]),
         ("", []),
     ],
