@@ -10,6 +10,7 @@ import posixpath
 import re
 from collections.abc import Iterator
 
+from urdfkit.core.paths import is_within
 from urdfkit.core.record import Record
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.cmake import blank_cmake_comments
@@ -39,8 +40,9 @@ def hook_entries(package: str, directory: str) -> Iterator[HookEntry]:
         for word in call[1].decode("utf-8", "replace").split():
             name = _HERE.sub("", word.strip('"'))
             if name.endswith(SUFFIXES) and "$" not in name:
-                path = os.path.join(directory, name)
-                yield from entries(Source(path, read_head(path)), package)
+                path = os.path.normpath(os.path.join(directory, name))
+                if is_within(path, directory):
+                    yield from entries(Source(path, read_head(path)), package)
 
 
 def entries(hook: Source, package: str) -> Iterator[HookEntry]:

@@ -69,7 +69,7 @@ def check(context: Context) -> Findings:
         if build_file(directory).endswith(".py"):
             from urdfkit.checks.package.python_executables import not_runnable  # for few robots
 
-            yield from not_runnable(name, directory)
+            yield from not_runnable(name, directory, has_other_name=bool(others))
 
 
 def _not_registered(name: str, directory: str) -> Findings:

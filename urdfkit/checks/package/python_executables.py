@@ -32,8 +32,12 @@ _IMPORTS = {
 }
 
 
-def not_runnable(name: str, directory: str) -> Findings:
-    """Executables of a Python package that ROS does not find, or that cannot start."""
+def not_runnable(name: str, directory: str, *, has_other_name: bool) -> Findings:
+    """Executables of a Python package that ROS does not find, or that cannot start.
+
+    Args:
+        has_other_name: True if setup.py calls the package by another name, which is reported.
+    """
     setup = package_file(directory, "setup.py")
     manifest = package_file(directory, "package.xml")
     if setup is None or manifest is None or b">ament_python<" not in manifest.data:
@@ -48,7 +52,7 @@ def not_runnable(name: str, directory: str) -> Findings:
         return
     yield from _wrong_names(setup, tree)
     yield from _unmatched_patterns(setup, tree, directory)
-    yield from _missing_files(setup, tree, directory, name)
+    yield from _missing_files(setup, tree, directory, "" if has_other_name else name)
     entries = entry_points(text) or []
     config = package_file(directory, "setup.cfg")
     written = config.data if config else b""
@@ -155,11 +159,16 @@ def _unmatched_patterns(setup: Source, tree: ast.Module, directory: str) -> Find
 
 
 def _missing_files(setup: Source, tree: ast.Module, directory: str, package: str) -> Findings:
-    """Files that a setup.py installs and that do not exist: colcon stops."""
+    """Files that a setup.py installs and that do not exist: colcon stops.
+
+    Args:
+        package: its name; empty if the files that register it are not checked.
+    """
     listed = list(listed_files(tree))
     installed = {posixpath.normpath(path) for path, _ in listed}
     for path, node in listed:
-        if path != f"{_MARKER}{package}" and is_missing(directory, path):
+        is_marker = path.startswith(_MARKER) and package in ("", path.removeprefix(_MARKER))
+        if not is_marker and is_missing(directory, path):
             folder, name = posixpath.split(path)
             files = disk.names_or_empty(os.path.join(directory, folder))
             free = {file for file in files if posixpath.join(folder, file) not in installed}
