@@ -53,6 +53,8 @@ def test_a_spawner_of_nothing(tmp_path: Path, words: str, count: int) -> None:
     text = text.replace("micro_ros_agent", "spawner")
     found = reported(tmp_path / "arm", "LAU036", "a.launch.py", text)
     assert ["name no controller" in one.message for one in found] == [True] * count
+    misnamed = text.replace("arguments=", "args=")
+    assert reported(tmp_path / "arm", "LAU036", "a.launch.py", misnamed) == []
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,7 @@ Sources:
 
 import os
 from collections.abc import Iterable, Iterator
+from itertools import islice
 
 from urdfkit.checks.package.samples import robot_of_package
 from urdfkit.core import disk
@@ -43,8 +44,10 @@ FILES = {
 def check(context: Context) -> Findings:
     packages = context.resolver.packages
     if is_launch(context.source.path):
+        enclosing = packages.enclosing(context.source.path)
         for package, named in _launched(context).items():
-            yield from _uninstalled(context, *package, named)
+            found = _uninstalled(context, *package, named)
+            yield from found if package == enclosing else islice(found, 1)
         return
     sources: dict[tuple[str, str], list[Source]] = {}
     for source in context.document.sources:

@@ -1,6 +1,7 @@
 """Nodes and their parameters in launch files of Python."""
 
 import ast
+import re
 from itertools import pairwise
 
 from urdfkit.ros.launch.calls import argument, called
@@ -25,6 +26,7 @@ from urdfkit.ros.launch.python_file import PythonLaunchFile
 from urdfkit.text.source import Span
 
 _COMPONENT = "ComposableNode"
+_ARGUMENTS = re.compile(r"^(?!(?:ros_)?arguments$).*arg")
 _PARAMETER_FILES = (".yaml", ".yml")
 
 
@@ -36,7 +38,8 @@ def start_node(file: PythonLaunchFile, call: ast.Call) -> None:
     if not program.package or "rviz" in program.package:
         _record_rviz_configuration(file, words)
     executable = argument(call, None, "executable") or argument(call, None, "node_executable")
-    has_more = any(keyword.arg is None for keyword in call.keywords)  # **arguments
+    # ``**arguments``, or a wrong name of the arguments, which is reported.
+    has_more = any(_ARGUMENTS.search(keyword.arg or "arg") for keyword in call.keywords)
     command = (Word(None, file.values.span(call)),) if has_more else file.values.words(words)
     options = [word.text for word in (*command, *file.values.words(ros_arguments))]
     if ros_arguments is not None:
