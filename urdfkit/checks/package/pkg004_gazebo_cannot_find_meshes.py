@@ -31,7 +31,6 @@ from urdfkit.ros.gazebo.paths import FORMER, survey
 from urdfkit.ros.gazebo.samples import gazebo_xml, plugin_xml, solid_xml
 from urdfkit.text.file_kinds import is_launch
 from urdfkit.text.source import Span
-from urdfkit.workspace.environment_hooks import SUFFIXES, HookEntry, entries
 
 NAME = "urdf/bot.urdf"
 _VISUAL = visual_xml('<mesh filename="package://bot_description/meshes/base.stl"/>')
@@ -131,6 +130,8 @@ def _in_other_hooks(
     context: Context, found: dict[str, dict[str, MeshReference]], mentions: tuple[str, ...]
 ) -> Findings:
     """Environment hooks that alone set the resource path, to directories in packages."""
+    from urdfkit.workspace.environment_hooks import SUFFIXES, HookEntry, entries  # for few robots
+
     directories: list[str] = []
     settings: list[HookEntry] = []
     for path in mentions:

@@ -39,7 +39,6 @@ from urdfkit.mesh.samples import PLATE
 from urdfkit.text.comments import blank_comments
 from urdfkit.text.source import Source, Span
 from urdfkit.workspace.cmake import blank_cmake_comments
-from urdfkit.workspace.environment_hooks import hook_entries
 from urdfkit.workspace.install_rules import InstallRules, build_file
 from urdfkit.workspace.installs import read_rules
 from urdfkit.workspace.manifest import depends_on
@@ -96,12 +95,16 @@ def _missing_directories(name: str, directory: str) -> Findings:
 
 def _missing_in_hooks(name: str, directory: str) -> Findings:
     """Directories below ``share`` that hooks add to a variable, and that nothing installs."""
+    build = package_file(directory, "CMakeLists.txt")
+    if build is None or b"environment_hooks" not in build.data.lower():
+        return
+    from urdfkit.workspace.environment_hooks import hook_entries  # for few packages
+
     share = f"share/{name}/"
     for entry in hook_entries(name, directory):
         path = entry.path.removeprefix(share)
-        build = package_file(directory, "CMakeLists.txt")
         last = re.escape(path.rpartition("/")[2].encode())
-        if path == entry.path or build is None or re.search(rb"\b%s\b" % last, build.data):
+        if path == entry.path or re.search(rb"\b%s\b" % last, build.data):
             continue  # it may be installed below another name
         if is_missing(directory, path):
             yield Finding(
