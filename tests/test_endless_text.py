@@ -147,6 +147,8 @@ PROPERTY = "<xacro:property name='p' value='1'/>"
 SLAM = "-configuration_directory $(dirname) -configuration_basename a.lua"
 LAUNCH = f"<launch><node pkg='cartographer_ros' exec='cartographer_node' args='{SLAM}'/>"
 LAUNCH += "<node pkg='arm' exec='b'/>"
+UNUSED = "def generate_launch_description():\n    c = Node(package='a')\n"
+UNUSED += "    return LaunchDescription([])\n"
 
 
 @pytest.mark.parametrize(
@@ -159,6 +161,7 @@ LAUNCH += "<node pkg='arm' exec='b'/>"
         ("a.launch.xml", f'{LAUNCH}<node pkg="a" exec="b" args="', "$(eval ", '"/></launch>'),
         ("a.lua", "options = {", "x", ""),
         ("a.launch.py", "generate_launch_description('", " '/home/a/b'", ""),
+        ("a.launch.py", UNUSED, "#", ""),
         ("CMakeLists.txt", "add_executable(b)", "installinstall", ""),
         ("CMakeLists.txt", "add_executable(b)", "include(a ", ""),
         (".gitmodules", "[submodule]", "\n" * 5, ""),

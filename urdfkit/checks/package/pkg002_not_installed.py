@@ -46,6 +46,7 @@ def check(context: Context) -> Findings:
     if is_launch(context.source.path):
         enclosing = packages.enclosing(context.source.path)
         for package, named in _launched(context).items():
+            # Of another package, each launch file would repeat all that its build leaves out.
             found = _uninstalled(context, *package, named)
             yield from found if package == enclosing else islice(found, 1)
         return

@@ -73,6 +73,6 @@ def not_started(calls: Collection[ast.expr], values: Values) -> Iterator[Problem
             continue
         message = f"'{name}' is created but never started"
         help = f"add {name} to the LaunchDescription, or remove it"
-        is_meant = re.search(rb"#.*\b%b\b" % name.encode(), values.source.data)
+        is_meant = re.search(rb"(?m)^[^#\n]*#.*\b%b\b" % name.encode(), values.source.data)
         severity = Severity.INFO if is_meant or action in TRIGGERS else Severity.WARNING
         yield values.problem("LAU037", call, message, help, severity)
